@@ -155,7 +155,7 @@ internal sealed class StreamSession : IDisposable
         try
         {
             (RequestedFrame requested, TrajectorySettings place) = message.Type == WebSocketMessageType.Binary
-                ? (_frame!, PlaceOf(message.Bytes))
+                ? (_frame!, WithNoise(PlaceOf(message.Bytes), _frame!))
                 : ReadChanges(message);
             using Answer answer = _frames.Answers.InMemory(HeadLength);
             await _frames.DrawAsync(requested, place, _form, answer, _gone.Token).ConfigureAwait(false);
@@ -206,8 +206,14 @@ internal sealed class StreamSession : IDisposable
         }
 
         RequestedFrame requested = _frames.Read(_base, changes);
-        return (requested, requested.Place!);
+        bool hasOwnNoise = changes.ContainsKey(NativeOptions.NoiseSeed.Key);
+        return (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested));
     }
+
+    /// <summary>The number of a state in the stream is its step in the series of noises that the first message chooses.</summary>
+    private TrajectorySettings WithNoise(TrajectorySettings place, RequestedFrame requested) => requested.Noise is { } first
+        ? place with { Noise = first with { Step = first.Step + _number - 1 } }
+        : place;
 
     /// <summary>Reads messages ahead, so that it is noticed when the client goes away.</summary>
     private async Task ReadAsync(ChannelWriter<StreamMessage> messages)

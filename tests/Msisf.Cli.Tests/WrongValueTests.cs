@@ -27,6 +27,8 @@ public sealed class WrongValueTests : IDisposable
         ["--pov-options"] = ["fast", "+W64"],
         ["--frames"] = ["x", "0", "5:3"],
         ["--refine"] = ["x", "-1", "1.5"],
+        ["--exposure-time"] = ["x", "0", "-1", "1e999", "NaN", "86401", "5ms", "automatic"],
+        ["--noise-seed"] = ["x", "-1", "1.5", "1:", ":1", "1:2:3", "18446744073709551616"],
         ["--position"] = ["x", "1,2", "91,0,1e5", "0,400,1e5", "0,0,x", "0,0,terrain+x"],
         ["--camera"] = [" ", "lroc-wac"],
         ["--albedo-map-properties"] = ["x", "scale=x", "colour=red", "band=x"],
@@ -138,6 +140,11 @@ public sealed class WrongValueTests : IDisposable
         if (NativeOptions.Group.Options.Any(native => native.Name == option))
         {
             words.AddRange(["--renderer", "native"]);
+        }
+
+        if (option == NativeOptions.ExposureTime.Name || option == NativeOptions.NoiseSeed.Name)
+        {
+            words.AddRange(["--camera", Path.Combine(TestParts.RepositoryRoot, "input", "navigation-camera.yaml")]);
         }
 
         if (option.StartsWith("--layers-", StringComparison.Ordinal))

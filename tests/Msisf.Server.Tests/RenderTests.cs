@@ -14,6 +14,11 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         "reflectance": "hapke", "sun": "disc", "grid": 16, "surface": "terrain", "layers": ["depth", "normal", "mask"]
         """;
 
+    private const string Detector = """
+        "detector": {"f-number": 4, "exposure-time": 1e-5, "band": [500, 650], "quantum-efficiency": 0.45, "gain": 1, "adc-bits": 16,
+        "fits": "no"}
+        """;
+
     private static readonly string[] CommandLine =
     [
         "--position", "3,6,120000", "--time", "55289.25", "--off-nadir", "10,30", "--width", "96", "--height", "64", "--fov", "30",
@@ -138,6 +143,41 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
             "fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1],
             "camera": {"width": 80, "height": 60, "focal-length-px": [90, 91], "principal-point": [39, 31]}
             """));
+    }
+
+    /// <summary>Frames of one session, told apart by their noise alone, and of another exposure time.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("\"noise-seed\": 18446744073709551615", "--noise-seed 18446744073709551615")]
+    [InlineData("\"noise-seed\": \"7:3\"", "--noise-seed 7:3")]
+    [InlineData("\"exposure-time\": 2.5e-5, \"noise-seed\": 7", "--exposure-time 2.5e-5 --noise-seed 7")]
+    public async Task ExposureTimeAndNoise_AreThoseOf_Msis(string options, string words)
+    {
+        using TemporaryFolder folder = new();
+        string camera = Path.Combine(folder.Path, "own.yaml");
+        File.WriteAllText(camera, $$"""{"width": 40, "height": 30, "focal-length": 5, "pixel-pitch": 0.1, {{Detector}} }""");
+        byte[] expected = FileOfRun(
+            folder, "png",
+            ["--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--renderer", "native", "--batch", "--camera", camera, .. words.Split(' ')]);
+
+        Assert.Equal(expected, await server.RenderAsync($$"""
+            "fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], {{options}},
+            "camera": {"width": 40, "height": 30, "focal-length": 5, "pixel-pitch": 0.1, {{Detector}} }
+            """));
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("\"exposure-time\": \"auto\"", "auto is found from the images of a whole run, and a request is one image. Give seconds.")]
+    [InlineData("\"exposure-time\": 0", "--exposure-time is '0'; seconds above 0")]
+    [InlineData("\"noise-seed\": 1.5", "--noise-seed: '1.5' is no noise seed")]
+    public async Task ExposureTimeOrNoise_ThatCantBe_IsRefused(string option, string words)
+    {
+        using HttpResponseMessage answer = await server.PostAsync("/v1/render", $$"""
+            {"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], {{option}},
+             "camera": {"width": 40, "height": 30, "focal-length": 5, "pixel-pitch": 0.1, {{Detector}} } }
+            """);
+
+        Assert.Equal(HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.Contains(words, (await RunningServer.JsonOf(answer)).GetProperty("detail").GetString(), StringComparison.Ordinal);
     }
 
     /// <summary>The path is not even looked at: no such file would be another message.</summary>

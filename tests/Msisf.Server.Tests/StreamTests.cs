@@ -46,6 +46,28 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             answer[16..]);
     }
 
+    /// <summary>The number of a state is its step: the noise of a run with the same seed, whatever the form of the messages.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task NoiseSeed_OfTheFirstMessage_CountsTheStates()
+    {
+        const string Camera = """
+            "camera": {"width": 40, "height": 30, "focal-length": 5, "pixel-pitch": 0.1, "detector": {"f-number": 4, "exposure-time": 1e-5,
+            "band": [500, 650], "quantum-efficiency": 0.45, "gain": 1, "adc-bits": 16, "fits": "no"}}
+            """;
+        const string Place = "\"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]";
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{Camera}, \"noise-seed\": 7}}}}");
+        await SendAsync(socket, State);
+        await SendAsync(socket, State);
+        await SendAsync(socket, $"{{{Place}}}");
+        await SendAsync(socket, $"{{{Place}, \"noise-seed\": 9}}");
+
+        foreach (string seed in (string[])["7:1", "7:2", "7:3", "9:1"])
+        {
+            byte[] expected = await server.RenderAsync($"{Place}, {Camera}, \"noise-seed\": \"{seed}\"", "application/octet-stream");
+            Assert.Equal(expected, (await ReceiveAsync(socket)).Bytes[16..]);
+        }
+    }
+
     /// <summary>With "timing" the times of an image come before it.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task Timing_TellsOfEachImage_WhatItTook()

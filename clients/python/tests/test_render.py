@@ -153,6 +153,30 @@ def test_options_go_by_the_names_of_the_command_line(moon):
     assert "--samples 4" in frame.meta["GeneralInformation"]["CommandLine"]
 
 
+SIXTEEN_BITS = {"width": 40, "height": 30, "focal-length": 5, "pixel-pitch": 0.1, "detector": {
+    "aperture": 1, "exposure-time": 1e-5, "band": [500, 650], "quantum-efficiency": 0.45, "gain": 1, "adc-bits": 16, "fits": "no",
+}}  # fmt: skip
+
+
+def test_noise_seed_draws_other_noises_of_one_state(moon):
+    frames = (moon.render(**STATE, camera=SIXTEEN_BITS, noise_seed=seed) for seed in (7, 7, 8, "7:2"))
+    first, again, second, third = (frame.image.astype(float) for frame in frames)
+
+    np.testing.assert_array_equal(first, again)
+    signal = first.mean()
+    for other in (second, third):
+        assert (first - other).var() == pytest.approx(2.0 * signal, rel=0.2)  # shot noise of one electron per DN, drawn twice
+
+
+def test_exposure_time_goes_before_the_cameras(moon):
+    short, long = (moon.render(**STATE, camera=SIXTEEN_BITS, exposure_time=time, noise_seed=1) for time in (1e-5, 2e-5))
+
+    assert long.image.mean() == pytest.approx(2.0 * short.image.mean(), rel=0.01)
+    assert "--exposure-time 2E-05" in long.meta["GeneralInformation"]["CommandLine"]
+    with pytest.raises(msisf.RequestError, match="Give seconds"):
+        moon.render(**STATE, camera=SIXTEEN_BITS, exposure_time="auto")
+
+
 def test_camera_file_and_preset(moon):
     own = moon.render(**STATE, camera={"width": 40, "height": 30, "focal-length-px": [50, 51], "principal-point": [19, 16]})
 

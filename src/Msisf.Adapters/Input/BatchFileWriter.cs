@@ -7,20 +7,25 @@ namespace Msisf.Adapters.Input;
 /// <summary>Writes batch files (thesis section 6.3.2). <see cref="BatchFileReader"/> reads the same states back, bit for bit.</summary>
 public static class BatchFileWriter
 {
-    /// <summary>Writes all states.</summary>
+    /// <summary>Writes all states: as the thesis has them, or with named columns if they have noise seeds.</summary>
     /// <param name="writer">Gets the text, about 160 bytes a state.</param>
     /// <param name="head">A comment of one line at the top, without control characters.</param>
-    /// <param name="states">In the order of their lines.</param>
+    /// <param name="states">In the order of their lines; all with noise seed, or none.</param>
     public static void Write(TextWriter writer, string head, IReadOnlyList<SpacecraftState> states)
     {
-        IEnumerable<string> names = states.Any(state => state.Motion is not null)
-            ? SpacecraftState.NumberNames.Concat(CameraMotion.NumberNames)
-            : SpacecraftState.NumberNames;
+        string[] names =
+        [
+            .. SpacecraftState.NumberNames, .. states.Any(state => state.Motion is not null) ? CameraMotion.NumberNames : [],
+        ];
+        bool hasNoise = states.Any(state => state.Noise is not null);
         writer.WriteLine($"# {head}");
-        writer.WriteLine($"# {string.Join(' ', names)}");
+        writer.WriteLine(hasNoise ? $"{string.Join(',', names)},{BatchNames.Noise}" : $"# {string.Join(' ', names)}");
         foreach (SpacecraftState state in states)
         {
-            writer.WriteLine(string.Join(' ', state.ToNumbers().Select(number => number.ToString("R", CultureInfo.InvariantCulture))));
+            string[] numbers = [.. state.ToNumbers().Select(number => number.ToString("R", CultureInfo.InvariantCulture))];
+            writer.WriteLine(hasNoise
+                ? $"{string.Join(',', numbers)},{NoiseSeedText.Of(state.Noise.GetValueOrDefault())}"
+                : string.Join(' ', numbers));
         }
     }
 }

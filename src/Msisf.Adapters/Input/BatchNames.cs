@@ -15,6 +15,7 @@ internal static class BatchNames
     public const string Azimuth = "azimuth";
     public const string Roll = "roll";
     public const string Up = "up";
+    public const string Noise = "noise_seed";
 
     private static readonly Dictionary<string, string> OtherNames = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -52,7 +53,7 @@ internal static class BatchNames
     public static string[] All { get; } =
     [
         Time, Seconds, .. Place, .. Heights, .. Position, .. PositionKilometres, .. Quaternion, .. Matrix, .. Euler, .. Target, LookHeight,
-        OffNadir, Azimuth, Roll, Up, .. Motion,
+        OffNadir, Azimuth, Roll, Up, .. Motion, Noise,
     ];
 
     /// <summary>The name of a column, whatever its case, or whichever of its names is written; null if there is no such column.</summary>

@@ -19,6 +19,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
     private const double SecondsPerDay = 86400.0;
 
     private readonly List<int> _hiddenTargets = [];
+    private ulong _step;
 
     /// <summary>Numbers of the lines, read so far, whose camera looks at a place that the Moon hides.</summary>
     public IReadOnlyList<int> HiddenTargets => _hiddenTargets;
@@ -38,12 +39,14 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
             throw new BadInputException($"{values.Length} values, {columns.Count} columns. Complete, shorten or remove the line.");
         }
 
+        _step++;
         BatchRow row = new(columns, values);
         ModifiedJulianDate time = TimeOf(row);
         Vector3D position = PositionMoonMe(row, time);
         return new SpacecraftState(time, position, MoonFromCamera(row, time, position, lineNumber))
         {
             Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
+            Noise = row.Has(BatchNames.Noise) ? row.Read(BatchNames.Noise, text => NoiseSeedText.Parse(text, _step)) : null,
         };
     }
 

@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Detector;
 using Msisf.Core.Errors;
@@ -41,7 +42,15 @@ public static class DetectorFitsWriter
             unit.Put("LINETIME", shutter.LineTime, "[s] from a row's exposure to the next");
         }
 
-        unit.Put("SEED", settings.Seed?.ToString(System.Globalization.CultureInfo.InvariantCulture) ?? "none", "of all random numbers");
+        unit.Put(
+            "SEED", settings.Seed?.ToString(CultureInfo.InvariantCulture) ?? "none",
+            image.Noise is null ? "of all random numbers" : "of the fixed pattern");
+        if (image.Noise is { } noise)
+        {
+            unit.Put("NOISSEED", noise.Number.ToString(CultureInfo.InvariantCulture), "of the noise (--noise-seed)");
+            unit.Put("NOISSTEP", noise.Step.ToString(CultureInfo.InvariantCulture), "step of the noise");
+        }
+
         unit.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
         FitsProvenance.Put(unit, frame, provenance);
         unit.Write<ushort>(0, image.Numbers);

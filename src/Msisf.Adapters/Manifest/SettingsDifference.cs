@@ -22,7 +22,7 @@ public static class SettingsDifference
         }
 
         return made.Key == wanted.Key
-            ? "made for another time, position or orientation"
+            ? "made for another time, position, orientation, motion or noise"
             : $"made with {string.Join("; ", Between(made, wanted).DefaultIfEmpty("other settings"))}";
     }
 

@@ -37,12 +37,15 @@ internal sealed class PieceArguments
     /// The ephemeris engine that this computer uses; null for none. It is fixed because another engine changes the last digits of the Sun's
     /// position.
     /// </param>
-    public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine) =>
+    /// <param name="exposureTime">s: the exposure time of the run, so that no piece looks for it again; null for the camera file's.</param>
+    public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine, double? exposureTime) =>
     [
         .. WordsOf(CameraOptions.BatchFile, batchFile),
         .. CommandTable.OptionsOfRun.Except(
-            [.. CameraOptions.Group.Options, RunOptions.Frames, LightOptions.Ephemeris, RunOptions.Config]).SelectMany(Words),
+            [.. CameraOptions.Group.Options, RunOptions.Frames, LightOptions.Ephemeris, RunOptions.Config,
+                NativeOptions.ExposureTime]).SelectMany(Words),
         .. Engine(engine),
+        .. exposureTime is { } seconds ? WordsOf(NativeOptions.ExposureTime, NumberSpec.TextOf(seconds)) : [],
     ];
 
     /// <summary>Arguments of the call of <c>msis patterns</c> that makes the patterns of all pieces.</summary>

@@ -4,6 +4,7 @@ using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
@@ -45,6 +46,11 @@ internal sealed class RunConversion
 
         using EphemerisSource ephemeris = new(settings, _host);
         using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, _host, cancellation);
+        using (SurfaceInputs maps = SurfaceInputs.Open(settings, _host))
+        {
+            settings = ExposureSearch.Resolve(settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
+        }
+
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
         CheckResources(settings, run.Frames.Count, slurm);
         string path = Path.GetFullPath(scriptPath(settings));
@@ -58,7 +64,7 @@ internal sealed class RunConversion
             Version = _host.Version,
             Launcher = _host.Installation.Launcher,
             WorkingFolder = Directory.GetCurrentDirectory(),
-            Arguments = arguments.OfPiece(batchFile, engine),
+            Arguments = arguments.OfPiece(batchFile, engine, settings.Native.ExposureTime),
             HasJobs = settings.Jobs is not null,
             NeedsPatterns = settings.Renderer == RendererKind.PovRay,
             PatternArguments = arguments.OfPatterns(batchFile, engine),
@@ -66,7 +72,10 @@ internal sealed class RunConversion
             Pieces = Cut(run, cut),
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
-        Write(script, text, statesFile, run.States, hasLogs: slurm is not null);
+        IReadOnlyList<SpacecraftState> states = trajectory.Noise is null
+            ? run.States
+            : [.. run.States.Select(state => state with { Noise = null })]; // the pieces have the option
+        Write(script, text, statesFile, states, hasLogs: slurm is not null);
         return new ConvertedRun(path, statesFile, settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
     }
 

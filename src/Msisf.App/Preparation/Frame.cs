@@ -12,8 +12,10 @@ namespace Msisf.App.Preparation;
 /// <param name="Camera">Camera of the image.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Motion">How the camera moves during the exposure; null for images without it.</param>
+/// <param name="Noise">The noise of the camera's detector; null for that of the detector's seed and the frame's state.</param>
 internal sealed record Frame(
-    int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null)
+    int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
+    NoiseSeed? Noise = null)
 {
     /// <summary>The camera for POV-Ray.</summary>
     /// <exception cref="BadInputException">Its rows have several states.</exception>

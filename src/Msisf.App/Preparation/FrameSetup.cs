@@ -43,7 +43,7 @@ internal static class FrameSetup
             SceneLight light = ephemeris is null
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
                 : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
-            frames.Add(new Frame(step, names[step - 1], state.Time, camera, light, state.Motion));
+            frames.Add(new Frame(step, names[step - 1], state.Time, camera, light, state.Motion, state.Noise));
         }
 
         return [.. frames];

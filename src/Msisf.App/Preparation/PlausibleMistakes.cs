@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
@@ -37,6 +38,9 @@ internal static class PlausibleMistakes
 
     /// <summary>m: a height in kilometres is less.</summary>
     private const double LeastHeightInMetres = 1000.0;
+
+    /// <summary>nm: from the near ultraviolet to where the Moon's heat begins to count.</summary>
+    private static readonly (double Min, double Max) UsualBand = (300.0, 2600.0);
 
     /// <summary>m: a height between the Moon's radius and so much more looks like a distance from the Moon's centre.</summary>
     private const double LowOrbit = 200_000.0;
@@ -86,6 +90,19 @@ internal static class PlausibleMistakes
                 CultureInfo.InvariantCulture,
                 $"--fov {text} is in degrees: the images are {Length(widestImage)} wide on the ground at the nearest, a cell of "
                     + $"the elevation model is {Length(cell)}. {text} rad would be --fov {asRadians:G4}.");
+        }
+    }
+
+    /// <summary>The note that a detector's band deserves.</summary>
+    /// <param name="band">The band; null without a detector.</param>
+    public static IEnumerable<string> Band(Band? band)
+    {
+        if (band is not null && (band.Shortest < UsualBand.Min || band.Longest > UsualBand.Max))
+        {
+            yield return string.Create(
+                CultureInfo.InvariantCulture,
+                $"The detector's band is {band.Shortest:R} to {band.Longest:R} nm; what lies outside {UsualBand.Min} to "
+                    + $"{UsualBand.Max:#,0} nm is less certain: the Sun is a black body there, and the Moon's own heat is left out.");
         }
     }
 

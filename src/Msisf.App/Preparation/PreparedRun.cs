@@ -30,7 +30,7 @@ internal sealed record PreparedRun(
         {
             RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, model, host, cancellation);
             GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body, trajectory);
-            run.WarnOfFieldOfView(settings, host, model.Opened.Grid.ReferenceRadius);
+            run.WarnOfCamera(settings, host, model.Opened.Grid.ReferenceRadius);
             return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
         }
         catch

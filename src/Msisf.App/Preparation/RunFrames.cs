@@ -1,5 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
@@ -27,11 +28,13 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         ProgramHost host,
         CancellationToken cancellation)
     {
+        RefuseUnrepeatable(trajectory, settings);
         RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {
             Body = settings.Body,
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
+            HasDetector = settings.Native.Detector is not null,
         };
         IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(trajectory, cancellation));
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
@@ -39,12 +42,29 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         return new RunFrames(states, names, frames);
     }
 
-    /// <summary>Warns of a --fov that is most likely meant in another unit.</summary>
+    /// <summary>An exposure time is found from the whole run again by each piece and restart.</summary>
+    private static void RefuseUnrepeatable(TrajectorySettings trajectory, RenderSettings settings)
+    {
+        if (settings.Native.FindsExposureTime && trajectory is BatchFileSettings { IsStandardInput: true })
+        {
+            throw new UsageException(
+                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} reads the whole run again in each call, and standard "
+                    + "input can be read once. Give seconds, or save the states to a file.")
+                .About(NativeOptions.ExposureTime, CameraOptions.BatchFile);
+        }
+    }
+
+    /// <summary>Warns of a --fov that is most likely meant in another unit, and notes an unusual band.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
-    public void WarnOfFieldOfView(RenderSettings settings, ProgramHost host, double referenceRadius)
+    public void WarnOfCamera(RenderSettings settings, ProgramHost host, double referenceRadius)
     {
+        foreach (string note in PlausibleMistakes.Band(settings.Native.Detector?.Settings.Band))
+        {
+            host.Log.Note(note);
+        }
+
         if (settings.Camera is not null)
         {
             return;

@@ -34,6 +34,9 @@ internal sealed class StateReader
     /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
     public string? CameraWithShutter { get; init; }
 
+    /// <summary>Whether a detector needs to know its noise.</summary>
+    public bool HasDetector { get; init; }
+
     /// <summary>Reads or computes all states.</summary>
     /// <param name="trajectory">The source of the states.</param>
     /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
@@ -61,7 +64,7 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateMotions.Of(states, trajectory, CameraWithShutter)
+            ? StateNoise.Of(StateMotions.Of(states, trajectory, CameraWithShutter), trajectory, HasDetector)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."

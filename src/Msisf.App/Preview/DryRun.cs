@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
@@ -29,9 +30,10 @@ internal static class DryRun
         RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, onDemand, host, cancellation);
         ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, trajectory);
+        using SignalPreview? signal = Signal(settings, run, onDemand, ephemeris, host, cancellation);
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
-        run.WarnOfFieldOfView(settings, host, reference);
+        run.WarnOfCamera(settings, host, reference);
         RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null);
         IFrameTerrain? detail = model?.Grid is { PartCount: > 1, InventedName: null } ? model.DetailOf(settings.LevelOfDetailError) : null;
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
@@ -42,11 +44,30 @@ internal static class DryRun
             return new PreviewRow(
                 frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution))
             {
+                HasSignal = signal is not null,
+                Signal = signal?.Of(frame, cancellation),
                 Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis).DrawnResolutions ?? [],
             };
         }).ToArray());
         notes.Write(trajectory, host.Log);
+        signal?.WriteNote(host.Log);
         return rows;
+    }
+
+    /// <summary>What tells the numbers of a detector; null without one, or without a model to draw small images of.</summary>
+    private static SignalPreview? Signal(
+        RenderSettings settings, RunFrames run, ModelOnDemand model, EphemerisSource ephemeris, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        if (settings.Native.Detector is null || !(model.IsOpen || settings.Native.FindsExposureTime))
+        {
+            return null;
+        }
+
+        SurfaceInputs maps = SurfaceInputs.Open(settings, host);
+        RenderSettings exposed = ExposureSearch.Resolve(
+            settings, run.States, run.Frames, model.Opened, maps, ephemeris.Engine, host, cancellation);
+        return new SignalPreview(exposed, run.States[0].Noise is not null, model.Opened, maps, host.Times);
     }
 
     private static ElevationModel? IfThere(ModelOnDemand model, RenderSettings settings, ProgramHost host)

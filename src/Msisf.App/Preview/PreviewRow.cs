@@ -17,4 +17,10 @@ internal sealed record PreviewRow(int Step, ModifiedJulianDate Time, double Heig
     /// one model, and with invented detail, below which models are drawn as they are.
     /// </summary>
     public IReadOnlyList<GridResolution?> Drawn { get; init; } = [];
+
+    /// <summary>Whether the camera has a detector whose numbers are told.</summary>
+    public bool HasSignal { get; init; }
+
+    /// <summary>What the detector gives for lit ground; null if none is in the image.</summary>
+    public SignalLevels? Signal { get; init; }
 }

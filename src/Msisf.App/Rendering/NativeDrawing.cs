@@ -131,7 +131,7 @@ internal sealed class NativeDrawing
                 Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
         }
 
-        _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, threads, cancellation));
+        _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, frame.Noise, threads, cancellation));
         return image;
     }
 }

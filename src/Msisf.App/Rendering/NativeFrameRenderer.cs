@@ -10,8 +10,9 @@ namespace Msisf.App.Rendering;
 /// </summary>
 /// <param name="drawing">Draws the frames.</param>
 /// <param name="files">Writes their files.</param>
+/// <param name="exposure">Watches the exposure of a detector; null without one.</param>
 /// <param name="times">Receives the time for the image.</param>
-internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles files, RunTimes times) : IFrameRenderer
+internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles files, ExposureNote? exposure, RunTimes times) : IFrameRenderer
 {
     private readonly ConcurrentBag<MemoryStream> _idleImages = [];
 
@@ -30,6 +31,11 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
     private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
     {
         using NativeImage drawn = drawing.Draw(frame, threads, cancellation);
+        if (drawn.Detected is { } detected)
+        {
+            exposure?.Add(frame.Step, detected, drawn.RadianceFactors);
+        }
+
         MemoryStream image = _idleImages.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
         image.SetLength(0);
         times.Measure(Phase.Output, () => drawn.WritePng(image));

@@ -33,6 +33,9 @@ internal sealed class NativeImage : IDisposable
     /// <summary>What the camera's detector read out; null without a detector.</summary>
     public DetectorImage? Detected { get; }
 
+    /// <summary>I/F of each pixel, by rows from the top.</summary>
+    public ReadOnlySpan<double> RadianceFactors => _truth.RadianceFactors;
+
     /// <summary>Bytes of a pixel in <see cref="CopyLevels"/>: 1 or 2.</summary>
     public int BytesPerPixel => Detected is null ? _drawing.Settings.BitDepth / 8 : sizeof(ushort);
 

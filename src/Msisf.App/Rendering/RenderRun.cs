@@ -8,7 +8,6 @@ using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.App.Preview;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -21,9 +20,9 @@ namespace Msisf.App.Rendering;
 /// <summary>Renders the missing and incomplete frames of a run with the selected renderer.</summary>
 internal sealed class RenderRun
 {
-    private readonly RenderSettings _settings;
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
+    private RenderSettings _settings;
 
     private RenderRun(RenderSettings settings, ProgramHost host) => (_settings, _host, _times) = (settings, host, host.Times);
 
@@ -54,6 +53,7 @@ internal sealed class RenderRun
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
         inputs.Begin(run.Model.Sets, maps.Files);
         RequireParts();
+        _settings = ExposureSearch.Resolve(_settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
         _times.Measure(Phase.Preview, () => RunNotes.Write(trajectory, run.Frames, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
@@ -105,17 +105,27 @@ internal sealed class RenderRun
         InputComparison comparison = new(_host.Log);
         FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All);
         FrameFiles files = new(_settings, description, comparison, ledger, _times);
+        ExposureNote? exposure = _settings.Native.Detector is { } detector
+            ? new ExposureNote(detector.Settings, isNoiseChosen: run.States[0].Noise is not null)
+            : null;
         using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
-            ? Native(run.Model, maps, files)
+            ? Native(run.Model, maps, files, exposure)
             : PovRay(run.Model, maps.Albedo, files, atOnce, ResourceCheck.SmallScenesAtOnce(_settings, atOnce, memory));
         using FrameTimes frameTimes = new(_settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
         using IRunProgress progress = _host.Progress.Start("Frames", missing, _settings.Unattended);
         FrameLoop loop = new(maker, renderer.FramesAhead, _settings.FailFast, progress, _host.Results, _host.Log);
-        IReadOnlyList<FrameOutputs> outputs = await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
-        Compare(known, inputs, comparison);
-        return outputs;
+        try
+        {
+            IReadOnlyList<FrameOutputs> outputs = await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
+            Compare(known, inputs, comparison);
+            return outputs;
+        }
+        finally
+        {
+            exposure?.Write(_host.Log);
+        }
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>
@@ -159,10 +169,10 @@ internal sealed class RenderRun
         return new PovRayFrameRenderer(_settings, surface, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files)
+    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files, ExposureNote? exposure)
     {
         NativeLevels levels = new(model.DetailOf(_settings.LevelOfDetailError));
-        return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, _times);
+        return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, exposure, _times);
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.NamedInErrors(

@@ -30,7 +30,7 @@ internal sealed class RunPlan
     /// <param name="step">Number of the step, from 1.</param>
     public string FrameKey(int step) =>
         RunIdentity.KeyOf(
-            [.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. MemoryMarshal.AsBytes<double>(_states[step - 1].ToNumbers())]);
+            [.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. BytesOf(_states[step - 1])]);
 
     /// <summary>The manifest's record of a frame that the run should make.</summary>
     /// <param name="step">Number of the step, from 1.</param>
@@ -59,13 +59,19 @@ internal sealed class RunPlan
         return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Frames];
     }
 
+    private static byte[] BytesOf(in SpacecraftState state) =>
+    [
+        .. MemoryMarshal.AsBytes<double>(state.ToNumbers()),
+        .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],
+    ];
+
     private string KeyOfAll()
     {
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         hash.AppendData(Encoding.ASCII.GetBytes(Identity.Record.Key));
         for (int index = 0; index < _states.Count; index++)
         {
-            hash.AppendData(MemoryMarshal.AsBytes<double>(_states[index].ToNumbers()));
+            hash.AppendData(BytesOf(_states[index]));
             hash.AppendData(Encoding.UTF8.GetBytes(_names[index] + "\n"));
         }
 

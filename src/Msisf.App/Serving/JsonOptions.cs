@@ -116,8 +116,18 @@ internal sealed class JsonOptions
             ? TrajectorySettingsReader.Read(values)
             : TrajectorySettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
         RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution);
+        if (settings.Native.FindsExposureTime)
+        {
+            throw new UsageException(
+                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} is found from the images of a whole run, and a request "
+                    + "is one image. Give seconds.").About(NativeOptions.ExposureTime);
+        }
+
         return new RequestedFrame(
-            settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings);
+            settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings)
+        {
+            Noise = TrajectorySettingsReader.ReadNoise(values),
+        };
     }
 
     private void Add(string key, JsonElement value)

@@ -51,6 +51,7 @@ internal sealed class RenderSession : IDisposable
         StateReader reader = new(() => Engine, geometry, _host)
         {
             CameraWithShutter = Settings.Shutter is null ? null : Settings.Camera!.Name,
+            HasDetector = Settings.Native.Detector is not null,
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
         Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);

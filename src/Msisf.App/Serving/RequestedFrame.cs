@@ -1,5 +1,6 @@
 using Msisf.App.Settings;
 using Msisf.Core.Render;
+using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;
 
@@ -10,6 +11,9 @@ namespace Msisf.App.Serving;
 internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Place, RenderSettings Settings)
 {
     private readonly Lazy<string> _sessionKey = new(() => $"{Model.Name} {KeyOf(Settings)}");
+
+    /// <summary>The noise of the frame's detector, of a stream that of its first frame; null if the client does not choose it.</summary>
+    public NoiseSeed? Noise { get; init; }
 
     /// <summary>Tells sessions apart: all options but those that say where the camera is.</summary>
     public string SessionKey => _sessionKey.Value;

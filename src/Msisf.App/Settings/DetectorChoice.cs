@@ -1,4 +1,5 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -9,6 +10,9 @@ namespace Msisf.App.Settings;
 /// <summary>Checks what the detector of a camera file needs of the other options.</summary>
 internal static class DetectorChoice
 {
+    /// <summary>s: an exposure is above 0 and no longer than a day.</summary>
+    private static readonly NumberRange LimitsOfTime = new(0.0, 86400.0) { ExcludesMin = true };
+
     /// <summary>The detector of a camera; null without one.</summary>
     /// <exception cref="UsageException">An option contradicts it.</exception>
     public static CameraFileDetector? Of(CameraFile? camera, OptionValues values)
@@ -23,7 +27,13 @@ internal static class DetectorChoice
 
         if (camera?.Detector is null)
         {
-            return null;
+            OptionSpec? needless = ((OptionSpec[])[NativeOptions.ExposureTime, NativeOptions.NoiseSeed]).FirstOrDefault(values.IsGiven);
+            return needless is null
+                ? null
+                : throw new UsageException(
+                    $"{needless.Name} has no meaning without a camera file that has the section 'detector' (docs/detector.md). Name one by "
+                        + "--camera, or remove the option.")
+                    .About(needless, ImageOptions.Camera);
         }
 
         if (RendererOptions.Renderer.Read(values) != RendererKind.Native)
@@ -38,6 +48,28 @@ internal static class DetectorChoice
             : throw new UsageException(
                 $"--camera {camera.Name} has a detector, which counts electrons of sunlight. Leave --ignore-sun out.")
                 .About(ImageOptions.Camera, LightOptions.IgnoreSun);
+    }
+
+    /// <summary>The settings with the exposure time of the options; without a detector, a file's exposure time is not looked at.</summary>
+    /// <exception cref="UsageException">It is no time.</exception>
+    public static NativeSettings WithExposureTime(OptionValues values, NativeSettings native)
+    {
+        string? text = NativeOptions.ExposureTime.ReadIfGiven(values);
+        if (text is null || native.Detector is null)
+        {
+            return native;
+        }
+
+        if (ChoiceSpec.IsSame(text, NativeOptions.AutomaticTime))
+        {
+            return native with { FindsExposureTime = true };
+        }
+
+        return NumberText.TryParse(text, out double seconds) && LimitsOfTime.Contains(seconds)
+            ? native.WithExposureTime(seconds)
+            : throw new UsageException(
+                $"{NativeOptions.ExposureTime.Name} is {NumberText.Shown(text)}; seconds {LimitsOfTime}, or {NativeOptions.AutomaticTime}, "
+                    + "are needed.").About(NativeOptions.ExposureTime);
     }
 
     /// <summary>The layers that there are: those of the detector only with one.</summary>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
@@ -61,10 +62,14 @@ internal static class FrameArguments
     /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
     public static string Of(SpacecraftState state, string settings)
     {
-        string fixedState = $"{CameraOptions.FixedState.Name} {List((state with { Motion = null }).ToNumbers())}";
-        return state.Motion is { } motion
-            ? $"{fixedState} {CameraOptions.Motion.Name} {List(motion.ToNumbers())} {settings}"
-            : $"{fixedState} {settings}";
+        string[] words =
+        [
+            CameraOptions.FixedState.Name, List((state with { Motion = null }).ToNumbers()),
+            .. state.Motion is { } motion ? (string[])[CameraOptions.Motion.Name, List(motion.ToNumbers())] : [],
+            settings,
+            .. state.Noise is { } noise ? (string[])[NativeOptions.NoiseSeed.Name, NoiseSeedText.Of(noise)] : [],
+        ];
+        return string.Join(' ', words);
     }
 
     /// <summary>One model has a resolution and nothing else: its name is no part of the content. Several are named, in any order.</summary>
@@ -139,6 +144,7 @@ internal static class FrameArguments
         NativeOptions.Exposure.Name, NumberSpec.TextOf(native.Grey.Exposure),
         .. NativeOptions.Transfer.Words(native.Grey.Transfer),
         .. NativeOptions.BitDepth.Words(native.BitDepth),
+        .. native.ExposureTime is double seconds ? (string[])[NativeOptions.ExposureTime.Name, NumberSpec.TextOf(seconds)] : [],
         .. native.Refine is { } refine
             ? (string[])
             [

@@ -89,6 +89,27 @@ internal static class NativeOptions
         Default = 8,
     };
 
+    /// <summary>Word that asks for the exposure time to be found.</summary>
+    public const string AutomaticTime = "auto";
+
+    /// <summary>Exposure time of a camera's detector.</summary>
+    public static TextSpec ExposureTime { get; } = new(
+        "--exposure-time", $"SECONDS|{AutomaticTime}",
+        "Exposure time of a camera file with a detector; auto: so long that 99.5 % of the lit pixels stay below full well and highest DN, "
+            + "found from 32 images spread over the whole run")
+    {
+        Words = [AutomaticTime],
+        DefaultNote = "the camera file's",
+    };
+
+    /// <summary>Seed of a detector's noise.</summary>
+    public static TextSpec NoiseSeed { get; } = new(
+        "--noise-seed", "N[:STEP]",
+        "Noise of a camera file's detector from this number and the image's step, whatever its state; STEP is that of the first image")
+    {
+        DefaultNote = "from the detector's seed and the state",
+    };
+
     /// <summary>Seed of invented detail below the elevation model.</summary>
     public static TextSpec Refine { get; } = new(
         "--refine", "SEED",
@@ -144,8 +165,8 @@ internal static class NativeOptions
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [
-            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, Refine, RefineCell, Layers, LayersFormat,
-            LayersPrecision, LayersCompression,
+            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, ExposureTime, NoiseSeed, Refine,
+            RefineCell, Layers, LayersFormat, LayersPrecision, LayersCompression,
         ])
     {
         Note = "Only with --renderer native.",

@@ -27,6 +27,12 @@ internal sealed record NativeSettings
     /// <summary>The camera's optics and detector; null for an image of grey levels.</summary>
     public CameraFileDetector? Detector { get; init; }
 
+    /// <summary>s: the exposure time that the user gave, or that was found for the run; null for that of the camera file.</summary>
+    public double? ExposureTime { get; private init; }
+
+    /// <summary>Whether the exposure time is still to be found.</summary>
+    public bool FindsExposureTime { get; init; }
+
     /// <summary>Invented detail below the elevation models; null for none.</summary>
     public RefineSettings? Refine { get; init; }
 
@@ -38,4 +44,13 @@ internal sealed record NativeSettings
     public required LayerPrecision LayersPrecision { get; init; }
 
     public required LayerCompression LayersCompression { get; init; }
+
+    /// <summary>These settings with another exposure time than the camera file's.</summary>
+    /// <param name="seconds">s, above 0.</param>
+    public NativeSettings WithExposureTime(double seconds) => this with
+    {
+        ExposureTime = seconds,
+        FindsExposureTime = false,
+        Detector = Detector! with { Settings = Detector.Settings with { ExposureTime = seconds } },
+    };
 }

@@ -39,7 +39,7 @@ internal static class NativeSettingsReader
                     : NativeOptions.ExposureOfOtherLaws),
                 NativeOptions.Transfer.Read(values)));
         (int subsamplesPerAxis, AdaptiveSampling? adaptive) = SamplesReader.Read(values, grey);
-        return new NativeSettings
+        return DetectorChoice.WithExposureTime(values, new NativeSettings
         {
             Render = new NativeRenderOptions
             {
@@ -65,7 +65,7 @@ internal static class NativeSettingsReader
             LayersFormat = NativeOptions.LayersFormat.Read(values),
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),
             LayersCompression = NativeOptions.LayersCompression.Read(values),
-        };
+        });
     }
 
     private static string? HapkeMap(OptionValues values, string law, AlbedoSettings map)

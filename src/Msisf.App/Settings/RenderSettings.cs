@@ -41,8 +41,9 @@ internal sealed record RenderSettings
     /// <summary>The shutter of the camera's detector; null for images without the camera's motion.</summary>
     public Shutter? Shutter => Native.Detector?.Settings.Shutter;
 
-    /// <summary>s: how long the shutter is open for any row; 0 without a shutter.</summary>
-    public double ShutterSpan => Shutter?.Span(Native.Detector!.Settings.ExposureTime, Height) ?? 0.0;
+    /// <summary>s: how long the shutter is open for any row; 0 without a shutter, or before that is found.</summary>
+    public double ShutterSpan =>
+        Native.FindsExposureTime ? 0.0 : Shutter?.Span(Native.Detector!.Settings.ExposureTime, Height) ?? 0.0;
 
     public required AlbedoSettings Albedo { get; init; }
 

@@ -14,6 +14,9 @@ internal abstract record TrajectorySettings
 {
     /// <summary>How the camera moves during each exposure; null if the user does not say it.</summary>
     public CameraMotion? Motion { get; init; }
+
+    /// <summary>The noise of the first frame; each frame after it has the next step. Null if the user does not choose it.</summary>
+    public NoiseSeed? Noise { get; init; }
 }
 
 /// <summary>One image.</summary>

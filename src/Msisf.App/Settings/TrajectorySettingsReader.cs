@@ -53,7 +53,15 @@ internal sealed class TrajectorySettingsReader
     public static TrajectorySettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
         new TrajectorySettingsReader(values, batchFile).ReadIfGiven();
 
-    private TrajectorySettings? ReadIfGiven()
+    /// <summary>Reads the noise of the first frame; null if the user does not choose it.</summary>
+    /// <exception cref="UsageException">It is wrong.</exception>
+    public static NoiseSeed? ReadNoise(OptionValues values) => NativeOptions.NoiseSeed.ReadIfGiven(values) is { } text
+        ? NativeOptions.NoiseSeed.Named(() => NoiseSeedText.Parse(text, step: 1))
+        : null;
+
+    private TrajectorySettings? ReadIfGiven() => ReadPlaces() is { } settings ? settings with { Noise = ReadNoise(_values) } : null;
+
+    private TrajectorySettings? ReadPlaces()
     {
         OptionSpec[] given = [.. Ways.Where(_values.IsGiven)];
         if (given.Length > 1)

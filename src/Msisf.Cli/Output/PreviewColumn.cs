@@ -27,10 +27,17 @@ internal sealed record PreviewColumn(string Name, string Heading, string Unit, i
         new("lit_fraction", "lit", "of Moon", 3, row => row.View.Share.Lit),
     ];
 
-    /// <summary>The columns after step and time; of several models one more each, the coarsest first.</summary>
+    private static IReadOnlyList<PreviewColumn> OfDetector { get; } =
+    [
+        new("expected_dn_median", "lit: median", "DN", 0, row => row.Signal?.Median),
+        new("expected_dn_99", "99 %", "DN", 0, row => row.Signal?.High),
+    ];
+
+    /// <summary>The columns after step and time; two more of a detector, and of several models one more each, the coarsest first.</summary>
     public static IReadOnlyList<PreviewColumn> Of(IReadOnlyList<PreviewRow> rows) =>
     [
         .. OfAnyRun,
+        .. rows.Any(row => row.HasSignal) ? OfDetector : [],
         .. Enumerable.Range(0, rows.Select(row => row.Drawn.Count).DefaultIfEmpty().Max()).Select(DrawnCell),
     ];
 

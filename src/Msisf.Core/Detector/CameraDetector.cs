@@ -5,6 +5,7 @@ using Msisf.Core.Detector.Noise;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Detector;
@@ -118,12 +119,19 @@ public sealed class CameraDetector
     /// <param name="image">The image.</param>
     /// <param name="time">Time of the frame, UTC; goes into the noise.</param>
     /// <param name="camera">The frame's camera at that time; goes into the noise.</param>
+    /// <param name="seed">The noise whatever time and camera are; null for that of the detector's seed, of time and camera.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Read(
-        DetectorImage image, ModifiedJulianDate time, ICamera camera, int threads, CancellationToken cancellation) =>
-        _pass.Read(image, FrameNumber.Of(time, camera), threads, cancellation);
+        DetectorImage image, ModifiedJulianDate time, ICamera camera, NoiseSeed? seed, int threads, CancellationToken cancellation)
+    {
+        NoiseSource? noise = seed is { } own ? NoiseSource.OfFrame(own.Number, own.Step)
+            : _settings.Seed is ulong number ? NoiseSource.OfFrame(number, FrameNumber.Of(time, camera))
+            : null;
+        image.Noise = seed;
+        _pass.Read(image, noise, threads, cancellation);
+    }
 
     /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
     public void GiveBack(DetectorImage image) => _idle.Add(image);

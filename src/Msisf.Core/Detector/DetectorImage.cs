@@ -1,3 +1,5 @@
+using Msisf.Core.Scene;
+
 namespace Msisf.Core.Detector;
 
 /// <summary>What a detector reads out for one frame. All planes are by rows from the top, each from left to right.</summary>
@@ -30,6 +32,9 @@ public sealed class DetectorImage
 
     /// <summary>0 where the DN is in proportion to the light, 1 at the highest DN, 2 at the full well, 3 at both.</summary>
     public byte[] Saturated { get; }
+
+    /// <summary>The noise that the user chose; null for that of the detector's seed and the frame's state.</summary>
+    public NoiseSeed? Noise { get; internal set; }
 
     /// <summary>Electrons in the wells at the end of the exposure.</summary>
     internal double[] Charge { get; }

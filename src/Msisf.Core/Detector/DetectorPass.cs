@@ -81,10 +81,10 @@ internal sealed class DetectorPass
 
     /// <summary>Computes the digital numbers and the saturation from <see cref="DetectorImage.Electrons"/>.</summary>
     /// <param name="image">The image.</param>
-    /// <param name="frame">Number of the frame, see <see cref="FrameNumber"/>.</param>
+    /// <param name="noise">Random numbers of the frame; null for an image without noise.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public void Read(DetectorImage image, ulong frame, int threads, CancellationToken cancellation)
+    public void Read(DetectorImage image, NoiseSource? noise, int threads, CancellationToken cancellation)
     {
         if (_settings.Smear is not null)
         {
@@ -99,14 +99,14 @@ internal sealed class DetectorPass
         int overflows = 0;
         WorkerTeam.Run(threads, image.Height, (_, row) =>
         {
-            if (CollectRow(image, row, frame))
+            if (CollectRow(image, row, noise))
             {
                 Volatile.Write(ref overflows, 1);
             }
         }, cancellation);
-        if (_settings.Seed is ulong seed && _settings.CosmicRays is not null)
+        if (noise is { } source && _settings.CosmicRays is not null)
         {
-            RayTracks.Add(image.Charge, image.Width, _settings, NoiseSource.OfFrame(seed, frame));
+            RayTracks.Add(image.Charge, image.Width, _settings, source);
             overflows = double.IsFinite(_settings.FullWell) ? 1 : 0;
         }
 
@@ -122,12 +122,12 @@ internal sealed class DetectorPass
             }
         }
 
-        WorkerTeam.Run(threads, image.Height, (_, row) => ConvertRow(image, row, frame), cancellation);
+        WorkerTeam.Run(threads, image.Height, (_, row) => ConvertRow(image, row, noise), cancellation);
     }
 
     /// <summary>Collects the electrons of a row.</summary>
     /// <returns>Whether a pixel has more than its full well.</returns>
-    private bool CollectRow(DetectorImage image, int row, ulong frame)
+    private bool CollectRow(DetectorImage image, int row, NoiseSource? noise)
     {
         int start = row * image.Width;
         ReadOnlySpan<double> electrons = image.Electrons.AsSpan(start, image.Width);
@@ -140,14 +140,13 @@ internal sealed class DetectorPass
         }
 
         Mean(electrons, response, dark, charge);
-        if (_settings.Seed is ulong seed)
+        if (noise is { } source)
         {
-            NoiseSource noise = NoiseSource.OfFrame(seed, frame);
             Span<double> uniforms = stackalloc double[NoiseSource.MaxRun];
             for (int first = 0; first < charge.Length; first += NoiseSource.MaxRun)
             {
                 Span<double> run = charge.Slice(first, Math.Min(NoiseSource.MaxRun, charge.Length - first));
-                noise.Fill(NoiseKind.Shot, (uint)(start + first), uniforms[..run.Length]);
+                source.Fill(NoiseKind.Shot, (uint)(start + first), uniforms[..run.Length]);
                 PoissonDeviate.Replace(run, uniforms[..run.Length]);
             }
         }
@@ -200,20 +199,20 @@ internal sealed class DetectorPass
         return isAny;
     }
 
-    private void ConvertRow(DetectorImage image, int row, ulong frame)
+    private void ConvertRow(DetectorImage image, int row, NoiseSource? noise)
     {
         int start = row * image.Width;
         ReadOnlySpan<double> charge = image.Charge.AsSpan(start, image.Width);
         Span<ushort> numbers = image.Numbers.AsSpan(start, image.Width);
         Span<byte> saturated = image.Saturated.AsSpan(start, image.Width);
-        Span<double> noise = stackalloc double[NoiseSource.MaxRun];
+        Span<double> deviates = stackalloc double[NoiseSource.MaxRun];
         for (int first = 0; first < charge.Length; first += NoiseSource.MaxRun)
         {
-            Span<double> chunk = noise[..Math.Min(NoiseSource.MaxRun, charge.Length - first)];
+            Span<double> chunk = deviates[..Math.Min(NoiseSource.MaxRun, charge.Length - first)];
             chunk.Clear();
-            if (_settings.Seed is ulong seed && _settings.ReadNoise > 0.0)
+            if (noise is { } source && _settings.ReadNoise > 0.0)
             {
-                NormalDeviate.Fill(NoiseSource.OfFrame(seed, frame), NoiseKind.Read, (uint)(start + first), chunk);
+                NormalDeviate.Fill(source, NoiseKind.Read, (uint)(start + first), chunk);
             }
 
             _converter.Convert(

@@ -65,7 +65,10 @@ public sealed record DetectorSettings
     /// <summary>Bits of the analogue-to-digital converter, 1 to 16.</summary>
     public required int ConverterBits { get; init; }
 
-    /// <summary>Seed of all random numbers; null for an image without noise and without random fixed pattern.</summary>
+    /// <summary>
+    /// Seed of the fixed pattern, and of the noise of frames without a <see cref="Scene.NoiseSeed"/>; null for no random fixed pattern, and
+    /// no noise in such frames.
+    /// </summary>
     public ulong? Seed { get; init; }
 
     /// <summary>The highest DN.</summary>

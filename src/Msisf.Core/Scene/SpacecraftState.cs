@@ -21,9 +21,12 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>How the camera moves about this time; null if that is not known or not wanted.</summary>
     public CameraMotion? Motion { get; init; }
 
+    /// <summary>The noise of the frame's detector; null for the one that the detector's seed and this state give.</summary>
+    public NoiseSeed? Noise { get; init; }
+
     /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
-    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit.
+    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [

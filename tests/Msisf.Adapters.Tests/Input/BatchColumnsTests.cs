@@ -29,6 +29,46 @@ public class BatchColumnsTests
         Assert.Equal([expected], Read($"z,y,x,time,qw,qx,qy,qz\n-3,1,2E6,60328.5,0.9273618495495703,0.1,0.2,0.3"));
     }
 
+    /// <summary>A seed alone goes with the number of its line; what is written is read back, beside a motion too.</summary>
+    [Fact]
+    public void Read_NoiseSeed_GoesWithTheNumberOfTheState()
+    {
+        IReadOnlyList<SpacecraftState> states = Read(
+            $"time,x,y,z,qx,qy,qz,qw,noise_seed\n60328.5,2E6,1,-3,{Quaternion},18446744073709551615\n# comment\n\n"
+                + $"60328.5,2E6,1,-3,{Quaternion},7\n60328.5,2E6,1,-3,{Quaternion},7:40");
+
+        Assert.Equal(
+            [new NoiseSeed(ulong.MaxValue, 1), new NoiseSeed(7, 2), new NoiseSeed(7, 40)], states.Select(state => state.Noise!.Value));
+        foreach (double[] motion in (double[][])[[], [1.0, 2.0, 3.0, 0.1, 0.2, 0.3]])
+        {
+            SpacecraftState[] written = [.. states.Select(state => SpacecraftState.FromNumbers([.. state.ToNumbers(), .. motion]) with
+            {
+                Noise = state.Noise,
+            })];
+            StringWriter writer = new();
+            BatchFileWriter.Write(writer, "head", written);
+            Assert.Equal(written, Read(writer.ToString()));
+        }
+    }
+
+    [Theory]
+    [InlineData("-1")]
+    [InlineData("1.5")]
+    [InlineData("")]
+    [InlineData("18446744073709551616")]
+    [InlineData("1:")]
+    [InlineData("1:2:3")]
+    public void Read_WrongNoiseSeed_IsNamedByLineAndColumn(string seed)
+    {
+        BadInputException error = Assert.Throws<BadInputException>(
+            () => Read($"time,x,y,z,qx,qy,qz,qw,noise_seed\n60328.5,2E6,1,-3,{Quaternion},{seed}"));
+
+        Assert.StartsWith(
+            $"{File}, line 2, column noise_seed: '{seed}' is no noise seed; a whole number from 0 on",
+            error.Message,
+            StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Read_Motion_IsThatOfTheState()
     {

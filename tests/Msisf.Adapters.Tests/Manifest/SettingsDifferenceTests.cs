@@ -45,7 +45,7 @@ public class SettingsDifferenceTests
 
     [Fact]
     public void Reason_SameSettings_IsTheState() => Assert.Equal(
-        "made for another time, position or orientation",
+        "made for another time, position, orientation, motion or noise",
         SettingsDifference.Reason(new SettingsRecord("s", Made), new SettingsRecord("s", Made)));
 
     [Fact]

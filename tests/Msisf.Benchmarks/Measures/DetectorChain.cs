@@ -1,4 +1,5 @@
 using Msisf.Core.Detector;
+using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
 
 namespace Msisf.Benchmarks.Measures;
@@ -54,5 +55,5 @@ internal sealed class DetectorChain
     }
 
     /// <summary>Adds all noise and converts to numbers.</summary>
-    public void Read() => _pass.Read(_image, _frame++, Threads, CancellationToken.None);
+    public void Read() => _pass.Read(_image, NoiseSource.OfFrame(1, _frame++), Threads, CancellationToken.None);
 }

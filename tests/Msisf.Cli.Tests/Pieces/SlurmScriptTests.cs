@@ -91,6 +91,43 @@ public sealed class SlurmScriptTests : IDisposable
         Assert.Equal(["1:3", "4:6", "7:10"], _converted.PieceCalls());
     }
 
+    /// <summary>The script has the exposure time that the whole run finds: its pieces make that run's bytes and look for nothing.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_AutomaticExposure_IsFoundOnceForAllPieces()
+    {
+        string camera = _converted.Folder.Write(
+            "camera.yaml",
+            "width: 24\nheight: 16\nfocal-length: 5\npixel-pitch: 0.1\ndetector:\n  aperture: 0.2\n  exposure-time: 1\n"
+                + "  band: [500, 650]\n  quantum-efficiency: 0.5\n  gain: 10\n  adc-bits: 12\n  fits: no\n");
+        string[] options =
+            ["--camera", camera, "--exposure-time", "auto", "--noise-seed", "3", "--albedo-map", "none"];
+        string script = Convert(options);
+        Run(script);
+        string[][] pieces = [.. File.ReadAllLines(_converted.Calls).Where(
+            call => call.Contains("|--frames|", StringComparison.Ordinal)).Select(call => call.TrimEnd('|').Split('|'))];
+        CommandLineRun whole = CommandLineRun.Of(
+        [
+            "--batch-file", $"{script}.states.tab", "--renderer", "native", "--output-dir", _converted.Folder["whole"], "--batch",
+            .. options, .. ConvertedScript.Common,
+        ]);
+        Assert.True(whole.ExitCode == 0, whole.Error);
+
+        Assert.Equal(3, pieces.Length);
+        foreach (string[] piece in pieces)
+        {
+            CommandLineRun made = CommandLineRun.Of(piece);
+            Assert.True(made.ExitCode == 0, made.Error);
+            Assert.DoesNotContain("auto", made.Error, StringComparison.Ordinal);
+        }
+
+        foreach (string file in Directory.EnumerateFiles(_converted.Folder["whole"], "Moon*"))
+        {
+            Assert.Equal(File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(Output, Path.GetFileName(file))));
+        }
+
+        Assert.Equal(20, Directory.EnumerateFiles(Output, "Moon*").Count());
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void Convert_Resources_StandInTheHead()
     {

@@ -1,4 +1,5 @@
 using Msisf.Core.Detector;
+using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
 using Xunit;
 
@@ -183,7 +184,7 @@ public sealed class DetectorPassTests
         pass.Expose(light, throughput, _ => 1.0, _ => 1.0, image, threads, CancellationToken.None);
         Assert.Equal(Side, image.Width);
         Assert.True(settings.Gain > 0.0);
-        pass.Read(image, frame, threads, CancellationToken.None);
+        pass.Read(image, settings.Seed is ulong seed ? NoiseSource.OfFrame(seed, frame) : null, threads, CancellationToken.None);
     }
 
     private static double Deviation(IEnumerable<float> values) => Deviation(values.Select(value => (double)value));

@@ -97,7 +97,7 @@ public sealed class SeriesTests : IDisposable
         CommandLineRun higher = CommandLineRun.Of([.. otherOrbit, "--reflectance", "lambert", "--ldem", TestParts.Ldem4Label!]);
 
         Assert.Equal(1, higher.ExitCode);
-        Assert.Contains("6 frames made for another time, position or orientation", higher.Error, StringComparison.Ordinal);
+        Assert.Contains("6 frames made for another time, position, orientation, motion or noise", higher.Error, StringComparison.Ordinal);
     }
 
     [RequiresFact(Part.Ldem4)]

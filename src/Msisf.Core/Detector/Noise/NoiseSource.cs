@@ -34,7 +34,7 @@ internal readonly struct NoiseSource
 
     /// <summary>Numbers that change from frame to frame.</summary>
     /// <param name="seed">Seed of the user.</param>
-    /// <param name="frame">Number of the frame, see <see cref="FrameNumber"/>.</param>
+    /// <param name="frame">Number of the frame: <see cref="FrameNumber"/>, or its step.</param>
     public static NoiseSource OfFrame(ulong seed, ulong frame) => new(seed, frame);
 
     /// <summary>Numbers that stay the same in all frames: the fixed pattern of a detector.</summary>

@@ -1,13 +1,12 @@
 using System.Globalization;
 using Msisf.App.Host;
-using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
-namespace Msisf.App.Preview;
+namespace Msisf.App.Preparation;
 
 /// <summary>
 /// What is striking about the frames of a run and often a mistake: the Moon or the map not in the image, no lit ground, cells that are too

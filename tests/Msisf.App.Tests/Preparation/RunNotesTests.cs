@@ -1,5 +1,4 @@
 using Msisf.App.Preparation;
-using Msisf.App.Preview;
 using Msisf.App.Settings;
 using Msisf.App.Tests.Host;
 using Msisf.App.Tests.Settings;
@@ -12,7 +11,7 @@ using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 using Xunit;
 
-namespace Msisf.App.Tests.Preview;
+namespace Msisf.App.Tests.Preparation;
 
 public sealed class RunNotesTests
 {

@@ -1,0 +1,90 @@
+using System.Globalization;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Detector;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>
+/// Finds the exposure time of <c>--exposure-time auto</c> from frames spread over the whole run, whichever of its frames a call makes, so
+/// that pieces and restarts find the same.
+/// </summary>
+internal static class ExposureSearch
+{
+    /// <summary>Number of frames that are looked at; all of a run that has no more.</summary>
+    private const int Samples = 32;
+
+    /// <summary>The settings with the exposure time that was found; the same settings if none is to be found.</summary>
+    /// <param name="settings">The run's settings.</param>
+    /// <param name="states">The states of the whole run.</param>
+    /// <param name="frames">The frames to make; their cameras are checked for the time in which the shutter is open.</param>
+    /// <param name="model">The elevation model.</param>
+    /// <param name="maps">The maps of the surface.</param>
+    /// <param name="sun">The ephemeris.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="BadInputException">There is no such time, or a camera lies below the terrain.</exception>
+    public static RenderSettings Resolve(
+        RenderSettings settings, IReadOnlyList<SpacecraftState> states, IReadOnlyList<Frame> frames, ElevationModel model,
+        SurfaceInputs maps, Func<IEphemeris> sun, ProgramHost host, CancellationToken cancellation)
+    {
+        if (!settings.Native.FindsExposureTime)
+        {
+            return settings;
+        }
+
+        ResourceCheck.Check(
+            settings, frames: 1, atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
+        RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
+        string[] names = [.. states.Select((_, index) => string.Create(CultureInfo.InvariantCulture, $"step {index + 1}"))];
+        Frame[] looked = FrameSetup.Of(states, names, sampled, sun, cancellation);
+        GroundCheck.Refuse(looked, model, span: 0.0, cancellation, settings.Body);
+        double seconds = Find(settings, looked, model, maps, host, cancellation);
+        host.Log.Note(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}: {seconds:R} s, from {looked.Length} of {states.Count} "
+                + $"{(states.Count == 1 ? "frame" : "frames")} of the run."));
+        RenderSettings found = settings with { Native = settings.Native.WithExposureTime(seconds) };
+        GroundCheck.Refuse(frames, model, found.ShutterSpan, cancellation, settings.Body);
+        return found;
+    }
+
+    /// <summary>Steps at equal distances, the first and the last among them.</summary>
+    private static IEnumerable<int> StepsOf(int count) => count <= Samples
+        ? Enumerable.Range(1, count)
+        : Enumerable.Range(0, Samples).Select(sample => 1 + (int)((long)sample * (count - 1) / (Samples - 1)));
+
+    private static double Find(
+        RenderSettings settings, Frame[] looked, ElevationModel model, SurfaceInputs maps, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        DetectorSettings detector = settings.Native.Detector!.Settings;
+        ExposureSurvey survey = new(detector, isNoiseChosen: looked[0].Noise is not null);
+        NativeSettings still = settings.Native with
+        {
+            Detector = settings.Native.Detector with { Settings = detector with { Seed = null, Shutter = null } },
+            Render = settings.Native.Render with { KeepGroundTruth = false },
+        };
+        NativeDrawing drawing = new(still, model.Grid, maps, new NativeLevels(model.DetailOf(settings.LevelOfDetailError)), host.Times);
+        using IRunProgress progress = host.Progress.Start("Exposure", looked.Length, settings.Unattended);
+        foreach (Frame frame in looked)
+        {
+            using NativeImage image = drawing.Draw(
+                frame with { Motion = null, Noise = null }, Environment.ProcessorCount, cancellation);
+            survey.Add(image.Detected!, image.RadianceFactors);
+            progress.Advance(frame.Name);
+        }
+
+        return survey.LongestTime() ?? throw new BadInputException(survey.Lit == 0
+            ? $"{Asked}: no pixel of the frames that were looked at is lit. Give seconds."
+            : $"{Asked}: no time keeps {100.0 * ExposureSurvey.KeptShare} % of the lit pixels below full well and highest DN. Look at "
+                + "bias, gain, full well and dark current of the camera file, or give seconds.").About(NativeOptions.ExposureTime);
+    }
+
+    private static string Asked => $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}";
+}
