@@ -139,7 +139,7 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <param name="lines">How many rows.</param>
     /// <param name="sample">Leftmost pixel, from 0.</param>
     /// <param name="samples">How many pixels of a row.</param>
-    /// <param name="values">Receives them, row by row.</param>
+    /// <param name="values">Receives them, row by row; NaN where there is no data.</param>
     /// <exception cref="BadInputException">The file is damaged.</exception>
     public void Read(int line, int lines, int sample, int samples, Span<float> values)
     {
@@ -148,14 +148,12 @@ internal sealed unsafe class GdalImage : IDisposable
         {
             Require(_gdal.GDALRasterIO(_band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, 0));
         }
-    }
 
-    /// <summary>Reads whole rows.</summary>
-    /// <param name="first">The first row, from 0.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="values">Receives them, row by row.</param>
-    /// <exception cref="BadInputException">The file is damaged.</exception>
-    public void Read(int first, int count, Span<float> values) => Read(first, count, 0, Width, values);
+        if (NoData is double noData)
+        {
+            values[..(lines * samples)].Replace((float)noData, float.NaN);
+        }
+    }
 
     private void Require(int result)
     {

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Msisf.Adapters.Raster;
 
 /// <summary>
@@ -18,11 +16,19 @@ internal static class FileNames
             return path;
         }
 
-        string folder = Path.GetDirectoryName(path) is { Length: > 0 } parent ? parent : ".";
+        string folder = FolderOf(path);
         return Directory.Exists(folder)
             ? Directory.EnumerateFiles(folder, Path.GetFileName(path), IgnoringCase).Order(StringComparer.Ordinal).FirstOrDefault()
             : null;
     }
+
+    /// <summary>The label of an image or a label; the image itself if none lies beside it, as its label can be attached.</summary>
+    public static string LabelOf(string path) => Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase)
+        ? FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path
+        : path;
+
+    /// <summary>The folder of a file.</summary>
+    public static string FolderOf(string path) => Path.GetDirectoryName(path) is { Length: > 0 } folder ? folder : ".";
 
     /// <summary>Names for a message: all of a few, the first of many.</summary>
     public static string Listed(IEnumerable<string?> names)
@@ -31,6 +37,6 @@ internal static class FileNames
         string?[] all = [.. names];
         return all.Length <= Most
             ? string.Join(", ", all)
-            : string.Create(CultureInfo.InvariantCulture, $"{string.Join(", ", all.Take(Most))} and {all.Length - Most} more");
+            : $"{string.Join(", ", all.Take(Most))} and {all.Length - Most} more";
     }
 }

@@ -41,7 +41,7 @@ internal static class ModelOpening
             () => LdemCatalog.Find(pixelsPerDegree, explicitPath, Folders(host), body: body)));
         if (!set.IsWholeMoon)
         {
-            LdemBandImage band = SurfaceOptions.Ldem.NamedInErrors(() => LdemBandImage.Open(set));
+            LdemMapImage band = SurfaceOptions.Ldem.NamedInErrors(() => LdemMapImage.Open(set));
             Tell(set, host.Log);
             host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
@@ -108,8 +108,8 @@ internal static class ModelOpening
     {
         LdemLabel label = LdemCatalog.TryReadMap(path)
             ?? throw new BadInputException($"{path}: was a polar map when the options were read, and is none any more.");
-        LdemMapImage image = LdemMapImage.Open(label);
         LdemSet set = LdemSet.OfMap(label);
+        LdemMapImage image = LdemMapImage.Open(set);
         Tell(set, host.Log);
         return new ElevationModel(image, set, image);
     });

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Raster;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;

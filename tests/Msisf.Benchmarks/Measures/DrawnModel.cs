@@ -17,7 +17,7 @@ internal sealed class DrawnModel : IDisposable
     {
         if (LdemCatalog.TryReadMap(label) is { } map)
         {
-            LdemMapImage polar = LdemMapImage.Open(map);
+            LdemMapImage polar = LdemMapImage.Open(LdemSet.OfMap(map));
             return new DrawnModel(polar, MapLevels.Open(polar));
         }
 

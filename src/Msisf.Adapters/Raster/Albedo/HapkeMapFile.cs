@@ -10,7 +10,10 @@ namespace Msisf.Adapters.Raster.Albedo;
 /// The product WAC_HAPKEPARAMMAP_643NM.IMG of LROC: nine maps of one degree from 70 N to 70 S, one after the other: w, b, c, BC0, hc, BS0,
 /// hs, theta, phi. Its label gives another place of the data than it has, so the places are fixed here.
 /// </summary>
-public sealed class HapkeMapFile
+/// <param name="Map">The maps.</param>
+/// <param name="FileBytes">Length of the file.</param>
+/// <param name="Sha256">SHA-256 of the file: 64 hexadecimal digits.</param>
+public sealed record HapkeMapFile(HapkeMap Map, long FileBytes, string Sha256)
 {
     /// <summary>Band of the product, nm.</summary>
     public const int BandNanometres = 643;
@@ -29,17 +32,6 @@ public sealed class HapkeMapFile
         (0, "w", 0.0, 1.0), (1, "b", 0.0, 0.95), (2, "c", -1.0, 5.0), (5, "Bs0", 0.0, 10.0), (6, "hs", 1e-4, 10.0), (7, "theta", 0.0, 60.0),
     ];
 
-    private HapkeMapFile(HapkeMap map, long fileBytes, string sha256) => (Map, FileBytes, Sha256) = (map, fileBytes, sha256);
-
-    /// <summary>The maps.</summary>
-    public HapkeMap Map { get; }
-
-    /// <summary>Length of the file.</summary>
-    public long FileBytes { get; }
-
-    /// <summary>SHA-256 of the file: 64 hexadecimal digits.</summary>
-    public string Sha256 { get; }
-
     /// <summary>Reads the file.</summary>
     /// <exception cref="BadInputException">It is missing, of another length, or holds values that can't be right.</exception>
     public static HapkeMapFile Read(string path)
@@ -53,15 +45,14 @@ public sealed class HapkeMapFile
         int needed = DataOffset + (PlanesInFile * PlaneBytes);
         if (bytes.Length < needed)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(
                 $"{path}: {bytes.Length} bytes, at least {needed} expected (9 maps of 360 x 140 real numbers behind 5760 bytes). "
-                    + $"Give LROC's WAC_HAPKEPARAMMAP_643NM.IMG."));
+                    + $"Give LROC's WAC_HAPKEPARAMMAP_643NM.IMG.");
         }
 
         // The byte order is the one in which all values are possible.
-        double[][]? planes = TryRead(bytes, BinaryPrimitives.ReadSingleLittleEndian, out string? problem)
-            ?? TryRead(bytes, BinaryPrimitives.ReadSingleBigEndian, out _);
+        double[][]? planes = TryRead(bytes, (all, at) => BinaryPrimitives.ReadSingleLittleEndian(all.AsSpan(at)), out string? problem)
+            ?? TryRead(bytes, (all, at) => BinaryPrimitives.ReadSingleBigEndian(all.AsSpan(at)), out _);
         return planes is null
             ? throw new BadInputException($"{path}: {problem}. Get the file again.")
             : new HapkeMapFile(
@@ -70,7 +61,7 @@ public sealed class HapkeMapFile
                 Convert.ToHexStringLower(SHA256.HashData(bytes)));
     }
 
-    private static double[][]? TryRead(byte[] bytes, ReadNumber read, out string? problem)
+    private static double[][]? TryRead(byte[] bytes, Func<byte[], int, float> read, out string? problem)
     {
         problem = null;
         double[][] planes = new double[Used.Length][];
@@ -80,7 +71,7 @@ public sealed class HapkeMapFile
             planes[used] = new double[Samples * Lines];
             for (int i = 0; i < planes[used].Length; i++)
             {
-                double value = read(bytes.AsSpan(DataOffset + (plane * PlaneBytes) + (i * sizeof(float)), sizeof(float)));
+                double value = read(bytes, DataOffset + (plane * PlaneBytes) + (i * sizeof(float)));
                 if (!(value >= least && value <= greatest))
                 {
                     problem = string.Create(
@@ -96,6 +87,4 @@ public sealed class HapkeMapFile
 
         return planes;
     }
-
-    private delegate float ReadNumber(ReadOnlySpan<byte> bytes);
 }

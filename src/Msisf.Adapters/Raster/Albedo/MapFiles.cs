@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
@@ -14,33 +15,27 @@ internal sealed record MapFiles(string Place, IReadOnlyList<string> Paths)
     /// <exception cref="BadInputException">One can't be read.</exception>
     public (long Bytes, long Written) State()
     {
-        (string Name, long Bytes, long Written)[] files = [.. Paths.Select(path => FileErrors.ToBadInput($"{path}: can't be read", () =>
+        (string Name, long Bytes, long Written)[] files = OfEach(path =>
         {
             FileInfo file = new(path);
             return (file.Name, file.Length, file.LastWriteTimeUtc.Ticks);
-        }))];
-        long bytes = files.Sum(file => file.Bytes);
-        if (files.Length == 1)
-        {
-            return (bytes, files[0].Written);
-        }
-
+        });
         string all = string.Join('\n', files.Select(file => $"{file.Name} {file.Bytes} {file.Written}"));
-        return (bytes, BinaryPrimitives.ReadInt64LittleEndian(SHA256.HashData(Encoding.UTF8.GetBytes(all))));
+        return (
+            files.Sum(file => file.Bytes),
+            files is [var only] ? only.Written : BinaryPrimitives.ReadInt64LittleEndian(SHA256.HashData(Encoding.UTF8.GetBytes(all))));
     }
 
     /// <summary>SHA-256 of each file.</summary>
     /// <exception cref="BadInputException">One can't be read.</exception>
-    public byte[][] Hashes() => [.. Paths.Select(path => FileErrors.ToBadInput($"{path}: can't be read", () =>
-    {
-        using FileStream file = File.OpenRead(path);
-        return SHA256.HashData(file);
-    }))];
+    public byte[][] Hashes() => OfEach(path => Convert.FromHexString(FileHash.Sha256Of(path)));
 
     /// <summary>
     /// The checksum of a map: that of its file; of several the SHA-256 of theirs as hexadecimal digits, one after the other.
     /// </summary>
-    public static byte[] HashOf(IReadOnlyList<byte[]> hashes) => hashes.Count == 1
-        ? hashes[0]
+    public static byte[] HashOf(IReadOnlyList<byte[]> hashes) => hashes is [var only]
+        ? only
         : SHA256.HashData(Encoding.ASCII.GetBytes(string.Concat(hashes.Select(Convert.ToHexStringLower))));
+
+    private T[] OfEach<T>(Func<string, T> of) => [.. Paths.Select(path => FileErrors.ToBadInput($"{path}: can't be read", () => of(path)))];
 }

@@ -1,7 +1,4 @@
-using System.Globalization;
-using System.IO.MemoryMappedFiles;
 using Msisf.Adapters.IO;
-using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
@@ -11,25 +8,18 @@ namespace Msisf.Adapters.Raster.Albedo;
 /// The levels of a map in a file, mapped into memory. Decoding a map takes seconds, so the file is kept in the user's cache folder. Don't
 /// use its levels after it is disposed.
 /// </summary>
-internal sealed unsafe class MapLevelsFile : IDisposable
+internal sealed class MapLevelsFile : IDisposable
 {
-    private readonly MemoryMappedFile _file;
-    private readonly MemoryMappedViewAccessor _view;
-    private readonly byte* _start;
+    private readonly MappedFile _file;
 
     private MapLevelsFile(MapLevelsHeader header, FileStream stream)
     {
         Header = header;
-        _file = MemoryMappedFile.CreateFromFile(
-            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
-        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
-        byte* start = null;
-        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
-        _start = start + _view.PointerOffset;
+        _file = new MappedFile(stream);
         Levels =
         [
             .. header.Levels.Select((size, level) => new AlbedoMapLevel(
-                size.Width, size.Height, new MappedCodes((ushort*)(_start + header.OffsetOf(level)), size.Width * size.Height).Memory)),
+                size.Width, size.Height, _file.Numbers(header.OffsetOf(level), size.Width * size.Height))),
         ];
     }
 
@@ -49,13 +39,14 @@ internal sealed unsafe class MapLevelsFile : IDisposable
     {
         if (cacheFolder is not null)
         {
-            string cached = Path.Combine(cacheFolder, "albedo", NameOf(files.Place));
+            string cached = Path.Combine(
+                cacheFolder, "albedo", $"{Path.GetFileNameWithoutExtension(files.Place)}-{PathKey.Of(files.Place)}.levels");
             if (TryOpen(cached, files) is { } there)
             {
                 return there;
             }
 
-            if (TryMakeFolder(Path.GetDirectoryName(cached)!))
+            if (SidecarPlaces.TakesFiles(Path.GetDirectoryName(cached)!, isMade: true))
             {
                 using MapSource source = openSource();
                 AtomicFile.Write(cached, stream => MapLevelsWriter.Write(files, source, stream), flushToDisk: false);
@@ -68,18 +59,10 @@ internal sealed unsafe class MapLevelsFile : IDisposable
     }
 
     /// <summary>Releases the pages that were read; they are mapped again when they are read again.</summary>
-    public void ReleasePages() => MemoryAdvice.ReleasePages(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
+    public void ReleasePages() => _file.ReleasePages();
 
     /// <summary>Unmaps the file.</summary>
-    public void Dispose()
-    {
-        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
-        {
-            _view.SafeMemoryMappedViewHandle.ReleasePointer();
-            _view.Dispose();
-            _file.Dispose();
-        }
-    }
+    public void Dispose() => _file.Dispose();
 
     private static MapLevelsFile OpenTemporary(MapFiles files, Func<MapSource> openSource)
     {
@@ -115,8 +98,8 @@ internal sealed unsafe class MapLevelsFile : IDisposable
         {
             FileStream stream = new(cached, FileMode.Open, FileAccess.Read, FileShare.Read | FileShare.Delete);
             byte[] head = new byte[MapLevelsHeader.Bytes];
-            int length = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
-            if (MapLevelsHeader.TryRead(head.AsSpan(0, length)) is { } header && header.FileBytes == stream.Length
+            stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
+            if (MapLevelsHeader.TryRead(head) is { } header && header.FileBytes == stream.Length
                 && (header.SourceBytes, header.SourceWritten) == files.State())
             {
                 return new MapLevelsFile(header, stream);
@@ -130,23 +113,4 @@ internal sealed unsafe class MapLevelsFile : IDisposable
             return null;
         }
     }
-
-    private static bool TryMakeFolder(string folder)
-    {
-        try
-        {
-            Directory.CreateDirectory(folder);
-            string probe = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $".{Environment.ProcessId}"));
-            File.WriteAllBytes(probe, []);
-            File.Delete(probe);
-            return true;
-        }
-        catch (Exception exception) when (exception.IsFileError())
-        {
-            return false;
-        }
-    }
-
-    /// <summary>A name that the map of a place has for itself.</summary>
-    private static string NameOf(string place) => $"{Path.GetFileNameWithoutExtension(place)}-{PathKey.Of(place)}.levels";
 }

@@ -1,10 +1,13 @@
-using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;
 
-/// <summary>The first bytes of a file with the levels of a map: which map it was made of, and what its codes mean.</summary>
+/// <summary>
+/// The first bytes of a file with the levels of a map: which map it was made of, and what its codes mean. In little-endian order: magic
+/// number, length and time of the map, its checksum, size, codes and extent; SHA-256 of these 128 bytes with their zeros; the number of
+/// files if there are several, and the SHA-256 of each.
+/// </summary>
 /// <param name="SourceBytes">Length of the map's file, or of all of them.</param>
 /// <param name="SourceWritten">When that was last written, UTC ticks; of several files see <see cref="MapFiles.State"/>.</param>
 /// <param name="FileHashes">SHA-256 of the map's files.</param>
@@ -22,12 +25,10 @@ internal sealed record MapLevelsHeader(
 
     private const ulong Magic = 0x31_4C_42_4C_41_53_49_4D; // "MISALBL1": version 1
     private const int HashedBytes = 128;
-
-    /// <summary>Behind the header's own checksum: the number of files if there are several, and the SHA-256 of each.</summary>
-    private const int FileHashesStart = HashedBytes + SHA256.HashSizeInBytes;
+    private const int HashBytes = SHA256.HashSizeInBytes;
 
     /// <summary>Most files of a map: the checksums of more don't fit into the header.</summary>
-    public const int MaxFiles = (Bytes - FileHashesStart - sizeof(int)) / SHA256.HashSizeInBytes;
+    public const int MaxFiles = (Bytes - HashedBytes - HashBytes - sizeof(int)) / HashBytes;
 
     /// <summary>The checksum of the map.</summary>
     public byte[] SourceHash { get; } = MapFiles.HashOf(FileHashes);
@@ -48,16 +49,8 @@ internal sealed record MapLevelsHeader(
     }
 
     /// <summary>Where a level begins in the file; that of the level after the last is the file's length.</summary>
-    public long OffsetOf(int level)
-    {
-        long offset = Bytes;
-        foreach ((int width, int height) in Levels.Take(level))
-        {
-            offset += (((long)width * height * sizeof(ushort)) + Bytes - 1) / Bytes * Bytes;
-        }
-
-        return offset;
-    }
+    public long OffsetOf(int level) => Bytes + Levels.Take(level).Sum(
+        size => (((long)size.Width * size.Height * sizeof(ushort)) + Bytes - 1) / Bytes * Bytes);
 
     /// <summary>The length of the file.</summary>
     public long FileBytes => OffsetOf(Levels.Count);
@@ -66,70 +59,48 @@ internal sealed record MapLevelsHeader(
     public byte[] ToBytes()
     {
         byte[] bytes = new byte[Bytes];
-        Span<byte> rest = bytes;
-        BinaryPrimitives.WriteUInt64LittleEndian(rest, Magic);
-        BinaryPrimitives.WriteInt64LittleEndian(rest[8..], SourceBytes);
-        BinaryPrimitives.WriteInt64LittleEndian(rest[16..], SourceWritten);
-        SourceHash.CopyTo(rest[24..]);
-        BinaryPrimitives.WriteInt32LittleEndian(rest[56..], Width);
-        BinaryPrimitives.WriteInt32LittleEndian(rest[60..], Height);
-        double[] numbers = [Offset, Step, Extent?.West ?? double.NaN, Extent?.North ?? 0.0, Extent?.Width ?? 0.0, Extent?.Height ?? 0.0];
-        for (int i = 0; i < numbers.Length; i++)
+        using BinaryWriter writer = new(new MemoryStream(bytes));
+        writer.Write(Magic);
+        writer.Write(SourceBytes);
+        writer.Write(SourceWritten);
+        writer.Write(SourceHash);
+        writer.Write(Width);
+        writer.Write(Height);
+        foreach (double number in (double[])
+            [Offset, Step, Extent?.West ?? double.NaN, Extent?.North ?? 0.0, Extent?.Width ?? 0.0, Extent?.Height ?? 0.0])
         {
-            BinaryPrimitives.WriteDoubleLittleEndian(rest[(64 + (8 * i))..], numbers[i]);
+            writer.Write(number);
         }
 
-        SHA256.HashData(rest[..HashedBytes], rest[HashedBytes..]);
+        writer.BaseStream.Position = HashedBytes;
+        writer.Write(SHA256.HashData(bytes.AsSpan(0, HashedBytes)));
         if (FileHashes.Count > 1)
         {
-            BinaryPrimitives.WriteInt32LittleEndian(rest[FileHashesStart..], FileHashes.Count);
-            for (int i = 0; i < FileHashes.Count; i++)
-            {
-                FileHashes[i].CopyTo(rest[PlaceOfHash(i)..]);
-            }
+            writer.Write(FileHashes.Count);
+            writer.Write(FileHashes.SelectMany(hash => hash).ToArray());
         }
 
         return bytes;
     }
 
     /// <summary>Reads a header; null if it is damaged or of another version.</summary>
-    public static MapLevelsHeader? TryRead(ReadOnlySpan<byte> bytes)
+    public static MapLevelsHeader? TryRead(byte[] bytes)
     {
-        if (bytes.Length < Bytes || BinaryPrimitives.ReadUInt64LittleEndian(bytes) != Magic
-            || !SHA256.HashData(bytes[..HashedBytes]).AsSpan().SequenceEqual(bytes.Slice(HashedBytes, SHA256.HashSizeInBytes)))
+        using BinaryReader reader = new(new MemoryStream(bytes));
+        if (bytes.Length < Bytes || reader.ReadUInt64() != Magic
+            || !SHA256.HashData(bytes.AsSpan(0, HashedBytes)).AsSpan().SequenceEqual(bytes.AsSpan(HashedBytes, HashBytes)))
         {
             return null;
         }
 
-        byte[] sourceHash = bytes.Slice(24, SHA256.HashSizeInBytes).ToArray();
-        List<byte[]> fileHashes = [];
-        int files = Math.Clamp(BinaryPrimitives.ReadInt32LittleEndian(bytes[FileHashesStart..]), 0, MaxFiles);
-        for (int i = 0; i < files; i++)
-        {
-            fileHashes.Add(bytes.Slice(PlaceOfHash(i), SHA256.HashSizeInBytes).ToArray());
-        }
-
-        if (files > 0 && !MapFiles.HashOf(fileHashes).AsSpan().SequenceEqual(sourceHash))
-        {
-            return null;
-        }
-
-        double[] numbers = new double[6];
-        for (int i = 0; i < numbers.Length; i++)
-        {
-            numbers[i] = BinaryPrimitives.ReadDoubleLittleEndian(bytes[(64 + (8 * i))..]);
-        }
-
-        return new MapLevelsHeader(
-            BinaryPrimitives.ReadInt64LittleEndian(bytes[8..]),
-            BinaryPrimitives.ReadInt64LittleEndian(bytes[16..]),
-            files > 0 ? fileHashes : [sourceHash],
-            BinaryPrimitives.ReadInt32LittleEndian(bytes[56..]),
-            BinaryPrimitives.ReadInt32LittleEndian(bytes[60..]),
-            numbers[0],
-            numbers[1],
+        (long sourceBytes, long written, byte[] sourceHash) = (reader.ReadInt64(), reader.ReadInt64(), reader.ReadBytes(HashBytes));
+        (int width, int height) = (reader.ReadInt32(), reader.ReadInt32());
+        double[] numbers = [.. Enumerable.Range(0, 6).Select(_ => reader.ReadDouble())];
+        reader.BaseStream.Position = HashedBytes + HashBytes;
+        byte[][] fileHashes =
+            [.. Enumerable.Range(0, Math.Clamp(reader.ReadInt32(), 0, MaxFiles)).Select(_ => reader.ReadBytes(HashBytes))];
+        return fileHashes.Length > 0 && !MapFiles.HashOf(fileHashes).AsSpan().SequenceEqual(sourceHash) ? null : new MapLevelsHeader(
+            sourceBytes, written, fileHashes.Length > 0 ? fileHashes : [sourceHash], width, height, numbers[0], numbers[1],
             double.IsNaN(numbers[2]) ? null : new MapExtent(numbers[2], numbers[3], numbers[4], numbers[5]));
     }
-
-    private static int PlaceOfHash(int file) => FileHashesStart + sizeof(int) + (file * SHA256.HashSizeInBytes);
 }

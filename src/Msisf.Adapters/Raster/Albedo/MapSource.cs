@@ -3,19 +3,19 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>An equirectangular map in a file, row by row. Not safe for several threads.</summary>
-internal abstract class MapSource : IDisposable
+internal abstract class MapSource(int width, int height, MapExtent? extent, bool isBytes) : IDisposable
 {
     /// <summary>Pixels from west to east.</summary>
-    public abstract int Width { get; }
+    public int Width => width;
 
     /// <summary>Pixels from north to south.</summary>
-    public abstract int Height { get; }
+    public int Height => height;
 
     /// <summary>What the map shows; null if the file does not say.</summary>
-    public abstract MapExtent? Extent { get; }
+    public MapExtent? Extent => extent;
 
     /// <summary>The stored values are whole numbers from 0 to 255.</summary>
-    public abstract bool IsBytes { get; }
+    public bool IsBytes => isBytes;
 
     /// <summary>Reads whole rows.</summary>
     /// <param name="first">The first row, from 0.</param>
@@ -26,4 +26,94 @@ internal abstract class MapSource : IDisposable
 
     /// <summary>Closes the file.</summary>
     public abstract void Dispose();
+}
+
+/// <summary>
+/// A map at half its resolution, for maps that have more pixels than are read. Whole rows are read from the first on, or those that follow
+/// the last ones.
+/// </summary>
+internal sealed class HalvedMapSource(MapSource source) : MapSource(
+    AlbedoMapLevel.Below(source.Width, source.Height).Width, AlbedoMapLevel.Below(source.Width, source.Height).Height, source.Extent,
+    source.IsBytes)
+{
+    private readonly Queue<float[]> _finished = new();
+    private readonly float[] _row = new float[source.Width];
+    private MapReducer? _reducer;
+    private int _next;
+
+    /// <inheritdoc/>
+    public override void Read(int first, int count, Span<float> values)
+    {
+        if (first == 0 || _reducer is null)
+        {
+            _finished.Clear();
+            _next = 0;
+            _reducer = new MapReducer(
+                source.Width, source.Height, Extent ?? MapExtent.WholeMoon, (_, row) => _finished.Enqueue(row.ToArray()));
+        }
+
+        for (int row = 0; row < count; row++)
+        {
+            while (_finished.Count == 0)
+            {
+                source.Read(_next, 1, _row);
+                _reducer.Add(_next++, _row);
+            }
+
+            _finished.Dequeue().CopyTo(values[(row * Width)..]);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Dispose() => source.Dispose();
+}
+
+/// <summary>A map in several files, row by row across all of them. Where no tile lies there is no data.</summary>
+internal sealed class TiledMapSource : MapSource
+{
+    private readonly MapTileLayout _layout;
+    private readonly List<PdsMapSource> _sources = [];
+    private float[] _rows = [];
+
+    /// <summary>Opens the images of all tiles.</summary>
+    /// <exception cref="Core.Errors.BadInputException">An image is missing, unreadable, or shorter than its label says.</exception>
+    public TiledMapSource(MapTileLayout layout)
+        : base(layout.Width, layout.Height, layout.Extent, isBytes: layout.Tiles[0].Label.SampleBits == 8)
+    {
+        _layout = layout;
+        try
+        {
+            _sources.AddRange(layout.Tiles.Select(tile => new PdsMapSource(tile.Label)));
+        }
+        catch
+        {
+            Dispose();
+            throw;
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Read(int first, int count, Span<float> values)
+    {
+        values[..(count * Width)].Fill(float.NaN);
+        foreach ((PlacedMapTile tile, PdsMapSource source) in _layout.Tiles.Zip(_sources))
+        {
+            int start = Math.Max(first, tile.Row);
+            int rows = Math.Min(first + count, tile.Row + source.Height) - start;
+            if (rows <= 0)
+            {
+                continue;
+            }
+
+            Array.Resize(ref _rows, Math.Max(_rows.Length, rows * source.Width));
+            source.Read(start - tile.Row, rows, _rows);
+            for (int row = 0; row < rows; row++)
+            {
+                _rows.AsSpan(row * source.Width, source.Width).CopyTo(values[(((start - first + row) * Width) + tile.Column)..]);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Dispose() => _sources.ForEach(source => source.Dispose());
 }

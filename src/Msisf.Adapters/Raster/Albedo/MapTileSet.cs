@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
@@ -16,10 +15,10 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
     /// <exception cref="BadInputException">Another tile of the map can't be read.</exception>
     public static MapTileSet WithSiblings(PdsMapLabel tile)
     {
-        MapTileName name = MapTileName.Of(tile.Product);
-        return name.HasCentre && !tile.Extent.IsFullCircle
-            ? Read(name.Map, FolderOf(tile.LabelPath), [tile], [.. TilesBeside(tile, name)])
-            : new MapTileSet(name.Map, [tile], []);
+        string folder = FileNames.FolderOf(tile.LabelPath);
+        return PdsMapHead.IsTile(tile.Head.Product) && !tile.Extent.IsFullCircle
+            ? Read(tile.Head.Map, folder, [tile], [.. MapsIn(folder).Where(map => IsTileOf(map.Product, tile.Head.Map))])
+            : new MapTileSet(tile.Head.Map, [tile], []);
     }
 
     /// <summary>The map in a folder that has the band.</summary>
@@ -30,8 +29,8 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
     {
         IGrouping<string, PdsMapHead>[] maps =
         [
-            .. Maps(folder).Where(map => !map.Product.StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase))
-                .GroupBy(map => MapTileName.Of(map.Product).Map, StringComparer.Ordinal)
+            .. MapsIn(folder).Where(map => !map.Product.StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase))
+                .GroupBy(map => map.Map, StringComparer.Ordinal)
                 .OrderBy(map => map.Key, StringComparer.Ordinal),
         ];
         IGrouping<string, PdsMapHead>[] wanted =
@@ -41,10 +40,9 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
             [var only] => Read(only.Key, folder, [], [.. only]),
             [] when maps.Length == 0 => throw new BadInputException(
                 $"{folder}: no map with a PDS3 label is in this folder. Give a map's file, or the folder of its tiles."),
-            [] => throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            [] => throw new BadInputException(
                 $"{folder}: no map at {bandNanometres} nm is in this folder, only {FileNames.Listed(maps.Select(map => map.Key))}. "
-                    + $"Choose a band with --band, or give another folder.")),
+                    + $"Choose a band with --band, or give another folder."),
             _ => throw new BadInputException(
                 $"{folder}: several maps are in this folder: {FileNames.Listed(wanted.Select(map => map.Key))}. "
                     + $"Give one tile of the wanted one, or put it into a folder of its own."),
@@ -53,7 +51,7 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
 
     private static MapTileSet Read(string name, string folder, PdsMapLabel[] given, PdsMapHead[] found)
     {
-        foreach (string path in Files(folder).Where(path => IsTileOf(Path.GetFileNameWithoutExtension(path), name)))
+        foreach (string path in FilesIn(folder).Where(path => IsTileOf(Path.GetFileNameWithoutExtension(path), name)))
         {
             PdsMapHead.TryRead(path); // a tile with a damaged label is an error, not a place without a tile
         }
@@ -71,22 +69,14 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
                     + $"equirectangular tiles.");
     }
 
-    private static bool IsTileOf(string product, string map) =>
-        MapTileName.Of(product) is { HasCentre: true } other && other.Map == map;
-
-    private static IEnumerable<PdsMapHead> TilesBeside(PdsMapLabel tile, MapTileName name) =>
-        Maps(FolderOf(tile.LabelPath)).Where(map => IsTileOf(map.Product, name.Map));
+    private static bool IsTileOf(string product, string map) => PdsMapHead.IsTile(product) && PdsMapHead.MapOf(product) == map;
 
     /// <summary>The maps of a folder, which may hold other files too.</summary>
-    private static IEnumerable<PdsMapHead> Maps(string folder) => Files(folder)
-        .Select(PdsMapHead.TryReadMap)
-        .OfType<PdsMapHead>()
-        .DistinctBy(map => map.LabelPath);
+    private static IEnumerable<PdsMapHead> MapsIn(string folder) =>
+        FilesIn(folder).Select(PdsMapHead.TryReadMap).OfType<PdsMapHead>().DistinctBy(map => map.LabelPath);
 
-    private static IEnumerable<string> Files(string folder) => FileErrors.ToBadInput(
+    private static IEnumerable<string> FilesIn(string folder) => FileErrors.ToBadInput(
             $"{folder}: the folder can't be read", () => Directory.GetFiles(folder))
         .Where(path => Extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase))
         .Order(StringComparer.Ordinal);
-
-    private static string FolderOf(string path) => Path.GetDirectoryName(path) is { Length: > 0 } folder ? folder : ".";
 }

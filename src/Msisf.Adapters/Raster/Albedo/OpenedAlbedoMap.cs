@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render.Photometry;
@@ -60,7 +61,7 @@ public sealed class OpenedAlbedoMap : IDisposable
             return KnownMaps.IsColourMap(path)
                 ? bandNanometres is not int wanted || KnownMaps.HasColourMap(wanted)
                 : PdsMapLabel.TryRead(path) is { } label && KnownMaps.Of(label).Reference is not null
-                    && (label.BandNanometres ?? bandNanometres) == (bandNanometres ?? label.BandNanometres);
+                    && (label.Head.BandNanometres ?? bandNanometres) == (bandNanometres ?? label.Head.BandNanometres);
         }
         catch (BadInputException)
         {
@@ -97,7 +98,8 @@ public sealed class OpenedAlbedoMap : IDisposable
         }
 
         MapLevelsFile levels = MapLevelsFile.Open(
-            tiles?.Files ?? new MapFiles(path, [path]), cacheFolder, () => tiles?.OpenSource() ?? new GdalMapSource(path, gdalPath));
+            tiles?.Files ?? new MapFiles(path, [path]), cacheFolder,
+            () => tiles?.OpenSource() ?? new GdalMapSource(GdalImage.Open(path, gdalPath)));
         try
         {
             return new OpenedAlbedoMap(path, tiles, Describe(path, levels, properties), levels);
@@ -129,13 +131,8 @@ public sealed class OpenedAlbedoMap : IDisposable
         }
 
         double scale = properties.Scale ?? throw Unknown(path, "scale");
-        MapExtent extent = (header.Extent, properties.WestDegrees) switch
-        {
-            (null, null) => throw Unknown(path, "left edge (west)"),
-            (null, double west) => WholeMoon(path, header, west),
-            ({ } own, null) => own,
-            ({ } own, double west) => own with { West = double.DegreesToRadians(west) },
-        };
+        MapExtent extent = header.Extent ?? WholeMoon(path, header, properties.WestDegrees ?? throw Unknown(path, "left edge (west)"));
+        extent = properties.WestDegrees is double left ? extent with { West = double.DegreesToRadians(left) } : extent;
         return new AlbedoMap(
             levels.Levels, extent, (scale * header.Offset) + (properties.Offset ?? 0.0), scale * header.Step, reference);
     }

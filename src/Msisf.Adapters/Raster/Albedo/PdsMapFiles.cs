@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
@@ -35,25 +34,23 @@ internal sealed class PdsMapFiles
     /// <summary>What the map is called in messages.</summary>
     public string Name => _layout is null
         ? Path.GetFileName(Label.ImagePath)
-        : string.Create(CultureInfo.InvariantCulture, $"{_set.Name}, {_set.Labels.Count} tiles");
+        : $"{_set.Name}, {_set.Labels.Count} tiles";
 
     /// <summary>
     /// What the user should know of the tiles: which are left out, and whether the map is read at less than its resolution.
     /// </summary>
     public IReadOnlyList<string> Notes =>
     [
-        .. _set.LeftOut.Count > 0
-            ? (string[])[$"Polar stereographic tiles are not read; left out: {FileNames.Listed(_set.LeftOut)}."]
-            : [],
-        .. Halvings > 0
-            ? (string[])
-            [
-                string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"{_set.Name} has {Size.Width} x {Size.Height} px, more than the {MaxPixels} that are read: it is drawn at "
-                        + $"1/{1 << Halvings} of its resolution.")
-            ]
-            : [],
+        .. ((string[])
+        [
+            _set.LeftOut.Count == 0
+                ? string.Empty
+                : $"Polar stereographic tiles are not read; left out: {FileNames.Listed(_set.LeftOut)}.",
+            Halvings == 0
+                ? string.Empty
+                : $"{_set.Name} has {Size.Width} x {Size.Height} px, more than the {MaxPixels} that are read: it is drawn at "
+                    + $"1/{1 << Halvings} of its resolution.",
+        ]).Where(note => note.Length > 0),
     ];
 
     /// <summary>Finds the files of a map.</summary>

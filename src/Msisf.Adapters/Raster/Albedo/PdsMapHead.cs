@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Errors;
@@ -16,6 +15,12 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
     /// <summary>Name of the product, e.g. "WAC_EMP_643NM_E300N0450_064P"; empty if the label has none.</summary>
     public string Product => Label.Find("PRODUCT_ID")?.Text ?? string.Empty;
 
+    /// <summary>
+    /// The name that the tiles of one map have in common: LROC's archive puts projection and centre into a tile's name, which are left out
+    /// here, e.g. "WAC_EMP_643NM_304P" of "WAC_EMP_643NM_E300N0450_304P" for 30.0 N 45.0 E.
+    /// </summary>
+    public string Map => MapOf(Product);
+
     /// <summary>The band in the product's name, nm; null if it has none.</summary>
     public int? BandNanometres => BandInName().Match(Product) is { Success: true } match
         ? int.Parse(match.Groups[1].ValueSpan, CultureInfo.InvariantCulture)
@@ -25,19 +30,22 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
     public bool IsPolar => Label.FindObject("IMAGE_MAP_PROJECTION")?.Find("MAP_PROJECTION_TYPE")?.Text
         .Contains("POLAR", StringComparison.OrdinalIgnoreCase) == true;
 
+    /// <summary>Whether a product's name has a centre; if not, its map is in one file.</summary>
+    public static bool IsTile(string product) => Centre().IsMatch(product);
+
+    /// <summary>The name of the map of a product.</summary>
+    public static string MapOf(string product) => Centre().Replace(product, string.Empty, count: 1).ToUpperInvariant();
+
     /// <summary>Reads the label of a file; null if the file and the .LBL beside it are no PDS3 labels.</summary>
     /// <param name="path">The label, or the image.</param>
     /// <exception cref="BadInputException">The file can't be read, or the label is damaged.</exception>
     public static PdsMapHead? TryRead(string path)
     {
-        bool isImage = Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase);
-        string labelPath = isImage ? FileNames.FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path : path;
+        string labelPath = FileNames.LabelOf(path);
         string text = FileErrors.ToBadInput($"{labelPath}: can't be read", () =>
         {
             using FileStream stream = File.OpenRead(labelPath);
-            byte[] bytes = new byte[Math.Min(LongestLabel, stream.Length)];
-            stream.ReadExactly(bytes);
-            return Encoding.Latin1.GetString(bytes);
+            return PdsLabelParser.TextOf(stream, LongestLabel);
         });
         return text.StartsWith("PDS_VERSION_ID", StringComparison.Ordinal)
             ? new PdsMapHead(labelPath, PdsLabelParser.Parse(text, labelPath))
@@ -60,4 +68,7 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
 
     [GeneratedRegex(@"_(\d{3})NM")]
     private static partial Regex BandInName();
+
+    [GeneratedRegex("_[A-Z][0-9]{3}[NS][0-9]{4}(?=[_.]|$)", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant)]
+    private static partial Regex Centre();
 }

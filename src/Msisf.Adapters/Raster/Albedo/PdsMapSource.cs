@@ -1,8 +1,6 @@
 using System.Buffers.Binary;
-using System.Globalization;
 using System.Runtime.InteropServices;
 using Msisf.Core.Errors;
-using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;
 
@@ -19,55 +17,39 @@ internal sealed class PdsMapSource : MapSource
     /// <summary>Opens the image of a label.</summary>
     /// <exception cref="BadInputException">The image is missing, unreadable, or shorter than the label says.</exception>
     public PdsMapSource(PdsMapLabel label)
+        : base(label.LineSamples, label.Lines, label.Extent, isBytes: label.SampleBits == 8)
     {
         _label = label;
         _stream = FileErrors.ToBadInput(
             $"{label.ImagePath}: can't be read", () => new FileStream(label.ImagePath, FileMode.Open, FileAccess.Read, FileShare.Read));
         long needed = label.ImageOffset + ((long)label.Lines * label.LineSamples * label.SampleBits / 8);
-        if (_stream.Length < needed)
+        long found = _stream.Length;
+        if (found < needed)
         {
-            long found = _stream.Length;
             _stream.Dispose();
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(
                 $"{label.ImagePath}: {found} bytes, {needed} expected ({label.Lines} lines of {label.LineSamples} samples by "
-                    + $"{label.LabelPath}). Get the file again."));
+                    + $"{label.LabelPath}). Get the file again.");
         }
     }
 
     /// <inheritdoc/>
-    public override int Width => _label.LineSamples;
-
-    /// <inheritdoc/>
-    public override int Height => _label.Lines;
-
-    /// <inheritdoc/>
-    public override MapExtent? Extent => _label.Extent;
-
-    /// <inheritdoc/>
-    public override bool IsBytes => _label.SampleBits == 8;
-
-    /// <inheritdoc/>
     public override void Read(int first, int count, Span<float> values)
     {
-        int samples = count * Width;
         int sampleBytes = _label.SampleBits / 8;
-        if (_bytes.Length < samples * sampleBytes)
-        {
-            _bytes = new byte[samples * sampleBytes];
-        }
-
-        Span<byte> bytes = _bytes.AsSpan(0, samples * sampleBytes);
+        int length = count * Width * sampleBytes;
+        Array.Resize(ref _bytes, Math.Max(_bytes.Length, length));
         FileErrors.ToBadInput($"{_label.ImagePath}: can't be read", () =>
         {
             _stream.Position = _label.ImageOffset + ((long)first * Width * sampleBytes);
-            _stream.ReadExactly(_bytes, 0, samples * sampleBytes);
+            _stream.ReadExactly(_bytes, 0, length);
             return true;
         });
-        Decode(bytes, values[..samples]);
+        values = values[..(count * Width)];
+        Decode(_bytes.AsSpan(0, length), values);
         if (_label.MissingConstant is double missing)
         {
-            values[..samples].Replace((float)missing, float.NaN);
+            values.Replace((float)missing, float.NaN);
         }
     }
 
@@ -76,6 +58,9 @@ internal sealed class PdsMapSource : MapSource
 
     private void Decode(Span<byte> bytes, Span<float> values)
     {
+        Span<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
+        Span<uint> words = MemoryMarshal.Cast<byte, uint>(bytes);
+        bool isReversed = _label.IsMostSignificantFirst == BitConverter.IsLittleEndian;
         switch (_label.SampleBits)
         {
             case 8:
@@ -86,29 +71,28 @@ internal sealed class PdsMapSource : MapSource
 
                 break;
             case 16:
-                Span<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
-                if (_label.IsMostSignificantFirst == BitConverter.IsLittleEndian)
+                if (isReversed)
                 {
                     BinaryPrimitives.ReverseEndianness(numbers, numbers);
                 }
 
+                bool isSigned = _label.IsSigned;
                 for (int i = 0; i < values.Length; i++)
                 {
-                    values[i] = _label.IsSigned ? (short)numbers[i] : numbers[i];
+                    values[i] = isSigned ? (short)numbers[i] : numbers[i];
                 }
 
                 break;
             default:
-                Span<uint> words = MemoryMarshal.Cast<byte, uint>(bytes);
-                if (_label.IsMostSignificantFirst == BitConverter.IsLittleEndian)
+                if (isReversed)
                 {
                     BinaryPrimitives.ReverseEndianness(words, words);
                 }
 
-                MemoryMarshal.Cast<uint, float>(words).CopyTo(values);
                 for (int i = 0; i < values.Length; i++)
                 {
-                    values[i] = values[i] > LeastReal ? values[i] : float.NaN;
+                    float value = BitConverter.UInt32BitsToSingle(words[i]);
+                    values[i] = value > LeastReal ? value : float.NaN;
                 }
 
                 break;

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -14,12 +12,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 public static class ElevationSummaryFile
 {
-    private const int HashBytes = 32;
-
     /// <summary>Samples that are read in some 0.3 s; storing and loading the file takes a third of that.</summary>
     private const long MinSamplesRead = 1L << 26;
-
-    private static ReadOnlySpan<byte> Magic => "MSISFSM1"u8;
 
     /// <summary>The summary on demand of a model, with what is stored of it.</summary>
     /// <param name="path">The file beside the model.</param>
@@ -46,14 +40,13 @@ public static class ElevationSummaryFile
     public static string? StoreIfWorthwhile(
         string path, SummarySource source, ElevationSummary summary, long minSamplesRead = MinSamplesRead)
     {
-        if (summary.SamplesRead < minSamplesRead)
-        {
-            return null;
-        }
-
         try
         {
-            AtomicFile.Write(path, stream => Write(stream, source, summary));
+            if (summary.SamplesRead >= minSamplesRead)
+            {
+                AtomicFile.Write(path, stream => Write(stream, source, summary));
+            }
+
             return null;
         }
         catch (ExternalPartException exception)
@@ -63,40 +56,27 @@ public static class ElevationSummaryFile
     }
 
     /// <summary>Writes a summary.</summary>
-    public static void Write(Stream stream, SummarySource source, ElevationSummary summary)
-    {
-        float[] values = summary.ToValues();
-        byte[] payload = new byte[sizeof(float) * values.Length];
-        for (int index = 0; index < values.Length; index++)
-        {
-            BinaryPrimitives.WriteSingleLittleEndian(payload.AsSpan(sizeof(float) * index), values[index]);
-        }
-
-        stream.Write(Magic);
-        stream.Write(source.Fingerprint());
-        stream.Write(SHA256.HashData(payload));
-        stream.Write(payload);
-    }
+    public static void Write(Stream stream, SummarySource source, ElevationSummary summary) =>
+        HashedContent.Write(stream, HeadOf(source), writer => Array.ForEach(summary.ToValues(), writer.Write));
 
     /// <summary>Reads a summary.</summary>
     /// <returns>Null if the content is not a whole summary of this very source.</returns>
     public static ElevationSummary? Read(ReadOnlySpan<byte> content, SummarySource source, IGlobalGrid grid)
     {
-        int head = Magic.Length + (2 * HashBytes);
-        if (content.Length < head || content.Length % sizeof(float) != head % sizeof(float) || !content.StartsWith(Magic)
-            || !content.Slice(Magic.Length, HashBytes).SequenceEqual(source.Fingerprint())
-            || !content.Slice(Magic.Length + HashBytes, HashBytes).SequenceEqual(SHA256.HashData(content[head..])))
+        using BinaryReader? reader = HashedContent.TryRead(content, HeadOf(source));
+        if (reader is null || reader.BaseStream.Length % sizeof(float) != 0)
         {
             return null;
         }
 
-        ReadOnlySpan<byte> payload = content[head..];
-        float[] values = new float[payload.Length / sizeof(float)];
+        float[] values = new float[reader.BaseStream.Length / sizeof(float)];
         for (int index = 0; index < values.Length; index++)
         {
-            values[index] = BinaryPrimitives.ReadSingleLittleEndian(payload[(sizeof(float) * index)..]);
+            values[index] = reader.ReadSingle();
         }
 
         return ElevationSummary.OnDemand(grid, values);
     }
+
+    private static byte[] HeadOf(SummarySource source) => [.. "MSISFSM1"u8, .. source.Fingerprint()];
 }

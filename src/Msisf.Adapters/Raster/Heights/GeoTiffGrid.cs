@@ -1,5 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
@@ -120,28 +120,10 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     }
 
     /// <summary>The file as the label of a model, for its name, fingerprint and checksum.</summary>
-    public LdemLabel ToLabel() => new()
-    {
-        LabelPath = _path,
-        ImagePath = _path,
-        ImageOffset = 0,
-        FileBytes = null,
-        ProductId = ProductId,
-        PixelsPerDegree = Projection.Resolution.PixelsPerDegree ?? 0,
-        Polar = Projection as PolarStereographic,
-        Lines = _image.Height,
-        LineSamples = _image.Width,
-        SampleType = LdemSampleType.Float32LittleEndian,
-        ScalingFactor = 1.0,
-        Offset = SphereRadius,
-        Minimum = -MoonConstants.MaxRelief,
-        Maximum = MoonConstants.MaxRelief,
-        NorthDegrees = double.NaN,
-        SouthDegrees = double.NaN,
-        WestDegrees = double.NaN,
-        EastDegrees = double.NaN,
-        CoordinateSystem = string.Empty,
-    };
+    public LdemLabel ToLabel() => new(
+        _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _image.Height,
+        _image.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
+        MoonConstants.MaxRelief, Polar: Projection as PolarStereographic);
 
     /// <inheritdoc/>
     public bool MayHaveGaps => _image.NoData is not null;
@@ -220,31 +202,25 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
                 values.AsSpan(i * samples, samples).CopyTo(block.AsSpan(i * BlockSide));
             }
 
-            if (_image.NoData is double noData)
-            {
-                block.AsSpan().Replace((float)noData, float.NaN);
-            }
-
             if (++_blockCount > MaxBlocks)
             {
                 Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
                 _blockCount = 1;
             }
 
-            if (_blocks[blockRow] is not { } inRow)
+            if (_blocks[blockRow] is null)
             {
-                inRow = new float[]?[_blockColumns];
-                Volatile.Write(ref _blocks[blockRow], inRow);
+                Volatile.Write(ref _blocks[blockRow], new float[]?[_blockColumns]);
             }
 
-            Volatile.Write(ref inRow[blockColumn], block);
+            Volatile.Write(ref _blocks[blockRow]![blockColumn], block);
             return block;
         }
     }
 
     /// <summary>NaN that the file does not declare is no hole for GDAL's tools either.</summary>
     private BadInputException Hole(int row, int column) => new(
-        string.Create(CultureInfo.InvariantCulture, $"{_path}, line {row + 1}, sample {column + 1}: ")
+        $"{_path}, line {row + 1}, sample {column + 1}: "
             + (_file.NoData is null
                 ? $"NaN, which the file does not declare as its no-data value. Declare it, with gdal_edit.py -a_nodata nan {_path}: then a "
                     + "coarser model shows there (a second --ldem), or gdal_fillnodata.py fills it."

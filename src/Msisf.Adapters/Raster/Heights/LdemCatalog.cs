@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 
@@ -28,10 +27,9 @@ public static class LdemCatalog
     public static LdemSet Find(
         int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders, string wayToName = "name another one with --ldem",
         CelestialBody? body = null) =>
-        TryFind(pixelsPerDegree, explicitPath, folders, body) ?? throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        TryFind(pixelsPerDegree, explicitPath, folders, body) ?? throw new BadInputException(
             $"No elevation model of {pixelsPerDegree} px/deg in {string.Join(", ", PlacesOf(explicitPath, folders))}. "
-                + $"{WaysToGet(pixelsPerDegree, wayToName)}"));
+                + $"{WaysToGet(pixelsPerDegree, wayToName)}");
 
     /// <summary>Finds a model as <see cref="Find"/> does; null if there is none of that resolution.</summary>
     /// <inheritdoc cref="Find"/>
@@ -41,10 +39,9 @@ public static class LdemCatalog
         if (explicitPath is not null && !Directory.Exists(explicitPath))
         {
             LdemLabel label = ReadCylindrical(explicitPath, body ?? CelestialBody.Moon);
-            return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            return label.PixelsPerDegree == pixelsPerDegree ? WithSiblings(label) : throw new BadInputException(
                 $"{label.LabelPath}: an elevation model of {label.PixelsPerDegree} px/deg, but {pixelsPerDegree} px/deg are asked for. "
-                    + $"Give --res {label.PixelsPerDegree}, or another model."));
+                    + $"Give --res {label.PixelsPerDegree}, or another model.");
         }
 
         BadInputException? incomplete = null;
@@ -97,11 +94,11 @@ public static class LdemCatalog
     /// <summary>The label of a named polar map; null if the path is a folder, or another model's or file's.</summary>
     /// <param name="path">A label, an image, or anything else.</param>
     public static LdemLabel? TryReadMap(string path) =>
-        File.Exists(path) && TryRead(LabelOf(path)) is { Polar: not null } label ? label : null;
+        File.Exists(path) && TryRead(FileNames.LabelOf(path)) is { Polar: not null } label ? label : null;
 
     private static LdemLabel ReadCylindrical(string labelOrImage, CelestialBody? body)
     {
-        LdemLabel label = LdemLabelReader.ReadFile(LabelOf(labelOrImage));
+        LdemLabel label = LdemLabelReader.ReadFile(FileNames.LabelOf(labelOrImage));
         if (body is not null && label.Body != body)
         {
             throw new BadInputException(
@@ -113,17 +110,9 @@ public static class LdemCatalog
             $"{label.LabelPath}: a map of the surroundings of a pole; a SIMPLE CYLINDRICAL model of the whole Moon is needed here.");
     }
 
-    private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders)
-    {
-        try
-        {
-            return TryFind(pixelsPerDegree, explicitPath, folders);
-        }
-        catch (BadInputException)
-        {
-            return null; // its parts don't make up a whole Moon
-        }
-    }
+    /// <summary>Null if its parts don't make up a whole Moon.</summary>
+    private static LdemSet? FindWhole(int pixelsPerDegree, string? explicitPath, IReadOnlyList<string> folders) =>
+        NullIfBad(() => TryFind(pixelsPerDegree, explicitPath, folders));
 
     private static IReadOnlyList<string> PlacesOf(string? explicitPath, IReadOnlyList<string> folders) =>
         explicitPath is null ? folders : [explicitPath];
@@ -131,27 +120,21 @@ public static class LdemCatalog
     private static string WaysToGet(int pixelsPerDegree, string wayToName)
     {
         string real = PublishedResolutions.Contains(pixelsPerDegree)
-            ? string.Create(CultureInfo.InvariantCulture, $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'")
-            : string.Create(CultureInfo.InvariantCulture, $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg");
-        string continued = pixelsPerDegree > PublishedResolutions[0]
-            ? string.Create(CultureInfo.InvariantCulture, $" --base LDEM_{PublishedResolutions[0]}.LBL")
-            : string.Empty;
-        return string.Create(
-            CultureInfo.InvariantCulture,
-            $"{real}, {wayToName}, or make a synthetic one with "
-                + $"'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.");
+            ? $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'"
+            : $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg";
+        string continued = pixelsPerDegree > PublishedResolutions[0] ? $" --base LDEM_{PublishedResolutions[0]}.LBL" : string.Empty;
+        return $"{real}, {wayToName}, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.";
     }
 
     private static LdemSet? FindIn(
         string folder, int pixelsPerDegree, CelestialBody body, ref BadInputException? incomplete)
     {
-        string usual = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"LDEM_{pixelsPerDegree}.LBL"));
+        string usual = Path.Combine(folder, $"LDEM_{pixelsPerDegree}.LBL");
         if (FileNames.FindIgnoringCase(usual) is { } label)
         {
             LdemLabel found = ReadCylindrical(label, body);
-            return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it."));
+            return found.PixelsPerDegree == pixelsPerDegree ? WithSiblings(found) : throw new BadInputException(
+                $"{label}: by its name a model of {pixelsPerDegree} px/deg, but MAP_RESOLUTION is {found.PixelsPerDegree}. Rename it.");
         }
 
         LdemLabel[] others = [.. LabelsIn(folder, ".LBL", body).Where(other => other.PixelsPerDegree == pixelsPerDegree)];
@@ -182,7 +165,7 @@ public static class LdemCatalog
             return LdemSet.Join([label]);
         }
 
-        string folder = Path.GetDirectoryName(label.LabelPath) is { Length: > 0 } given ? given : ".";
+        string folder = FileNames.FolderOf(label.LabelPath);
         IEnumerable<LdemLabel> siblings = LabelsIn(folder, Path.GetExtension(label.LabelPath), label.Body).Where(other =>
             other.PixelsPerDegree == label.PixelsPerDegree
             && !other.CoversWholeMoon
@@ -203,26 +186,18 @@ public static class LdemCatalog
             .OfType<LdemLabel>()
             .Where(label => label.Polar is null && label.Body == body);
 
-    private static LdemLabel? TryRead(string labelPath)
+    private static LdemLabel? TryRead(string labelPath) => NullIfBad(() => LdemLabelReader.ReadFile(labelPath));
+
+    private static T? NullIfBad<T>(Func<T?> read)
+        where T : class
     {
         try
         {
-            return LdemLabelReader.ReadFile(labelPath);
+            return read();
         }
         catch (BadInputException)
         {
             return null;
         }
-    }
-
-    private static string LabelOf(string path)
-    {
-        if (!Path.GetExtension(path).Equals(".IMG", StringComparison.OrdinalIgnoreCase))
-        {
-            return path;
-        }
-
-        // An image without a label beside it can have its label attached.
-        return FileNames.FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path;
     }
 }

@@ -13,10 +13,6 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <param name="Sha256">Of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
 public sealed record LdemFingerprint(string ProductId, long ImageBytes, string Sha256)
 {
-    /// <summary>Reads what is needed of a model's files.</summary>
-    /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static LdemFingerprint Of(LdemSet set) => Of([set]);
-
     /// <summary>Reads what is needed of several models' files.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
     public static LdemFingerprint Of(IReadOnlyList<LdemSet> sets)

@@ -24,8 +24,9 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
         _parts = parts;
         _partOfDegree = set.PartOfDegree;
         _pixelsPerDegree = set.PixelsPerDegree;
-        _lines = 180 * _pixelsPerDegree;
-        _samples = 360 * _pixelsPerDegree;
+        (_lines, _samples) = set.Parts[0] is { Polar: not null } map
+            ? (map.Lines, map.LineSamples)
+            : (180 * _pixelsPerDegree, 360 * _pixelsPerDegree);
     }
 
     /// <summary>The labels that it is made of.</summary>
@@ -36,6 +37,12 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
 
     /// <inheritdoc/>
     public int PixelsPerDegree => _pixelsPerDegree;
+
+    /// <inheritdoc/>
+    public int Lines => _lines;
+
+    /// <inheritdoc/>
+    public int Samples => _samples;
 
     /// <inheritdoc/>
     public double ReferenceRadius => Set.ReferenceRadius;
@@ -63,19 +70,22 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
         $"{set.Location}: covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
             + $"degrees; a model of the whole Moon is needed here."));
 
-    /// <summary>Opens all images of a model that may be a band; only samples that it has may be asked for.</summary>
+    /// <summary>Opens all images of a model that may be of a part of the Moon; only samples that it has may be asked for.</summary>
     /// <exception cref="BadInputException">As of <see cref="Open(LdemSet)"/>.</exception>
     internal static LdemImage OpenParts(LdemSet set)
     {
-        RequireImages(set);
+        string[] missing = [.. set.Parts.Select(part => part.ImagePath).Where(path => FileNames.FindIgnoringCase(path) is null)];
+        if (missing.Length > 1)
+        {
+            throw new BadInputException(
+                $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. "
+                    + $"Put them beside their labels.");
+        }
+
         List<LdemPart> parts = [];
         try
         {
-            foreach (LdemLabel label in set.Parts)
-            {
-                parts.Add(LdemPart.Open(label));
-            }
-
+            parts.AddRange(set.Parts.Select(LdemPart.Open));
             return new LdemImage(set, [.. parts]);
         }
         catch
@@ -112,8 +122,7 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
         foreach ((LdemPart part, GridWindow block) in PiecesOf(firstLine, lines, firstSample, samples))
         {
             (double min, double max) = part.RadiusBounds(block.FirstLine, block.Lines, block.FirstSample, block.Samples);
-            minimum = Math.Min(minimum, min);
-            maximum = Math.Max(maximum, max);
+            (minimum, maximum) = (Math.Min(minimum, min), Math.Max(maximum, max));
         }
 
         return (minimum, maximum);
@@ -132,25 +141,11 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
     public void Dispose()
     {
         _isDisposed = true;
-        foreach (LdemPart part in _parts)
-        {
-            part.Dispose();
-        }
+        Array.ForEach(_parts, part => part.Dispose());
     }
 
     /// <summary>The mapped files, in the order of <see cref="LdemSet.Parts"/>.</summary>
     internal IReadOnlyList<LdemPart> Parts => _parts;
-
-    private static void RequireImages(LdemSet set)
-    {
-        string[] missing = [.. set.Parts.Select(part => part.ImagePath).Where(path => FileNames.FindIgnoringCase(path) is null)];
-        if (missing.Length > 1)
-        {
-            throw new BadInputException(
-                $"{set.Location}: {missing.Length} images are missing: {FileNames.Listed(missing.Select(Path.GetFileName))}. "
-                    + $"Put them beside their labels.");
-        }
-    }
 
     /// <summary>What the files have of a block of samples.</summary>
     private IEnumerable<(LdemPart Part, GridWindow Block)> PiecesOf(int firstLine, int lines, int firstSample, int samples)
@@ -185,7 +180,8 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
         }
     }
 
-    private void RefuseBlock(int firstLine, int lines, int firstSample, int samples)
+    /// <summary>Throws the error of a block that is not there.</summary>
+    internal void RefuseBlock(int firstLine, int lines, int firstSample, int samples)
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         throw new ArgumentOutOfRangeException(

@@ -4,73 +4,53 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
 
+/// <summary>The format of a sample (SAMPLE_TYPE and SAMPLE_BITS of the label).</summary>
+public enum LdemSampleType
+{
+    /// <summary>LSB_INTEGER, 16 bits: NASA's IMG products.</summary>
+    Int16LittleEndian,
+
+    /// <summary>MSB_INTEGER, 16 bits.</summary>
+    Int16BigEndian,
+
+    /// <summary>PC_REAL, 32 bits: NASA's FLOAT_IMG products.</summary>
+    Float32LittleEndian,
+
+    /// <summary>IEEE_REAL, 32 bits.</summary>
+    Float32BigEndian,
+}
+
 /// <summary>
 /// The values of a lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
 /// </summary>
-public sealed record LdemLabel
+/// <param name="LabelPath">Path of the label.</param>
+/// <param name="ImagePath">Path of the image; the label's own for an attached label.</param>
+/// <param name="ImageOffset">Bytes of the image's file before the first sample.</param>
+/// <param name="ProductId">PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</param>
+/// <param name="Body">TARGET_NAME: the body.</param>
+/// <param name="PixelsPerDegree">MAP_RESOLUTION of a cylindrical model: samples a degree; 0 for a polar map.</param>
+/// <param name="Lines">LINES.</param>
+/// <param name="LineSamples">LINE_SAMPLES.</param>
+/// <param name="SampleType">SAMPLE_TYPE with SAMPLE_BITS.</param>
+/// <param name="ScalingFactor">SCALING_FACTOR, turned into m a step.</param>
+/// <param name="Offset">OFFSET, turned into m: the radius that sample value 0 means.</param>
+/// <param name="Minimum">MINIMUM: no sample value is below.</param>
+/// <param name="Maximum">MAXIMUM: no sample value is above.</param>
+/// <param name="FileBytes">Bytes that the image's file must have; null if the label names no number of records.</param>
+/// <param name="Polar">The projection of a polar map; null for a cylindrical model.</param>
+/// <param name="NorthDegrees">MAXIMUM_LATITUDE, degrees: of a cylindrical model the northern border of line 1.</param>
+/// <param name="SouthDegrees">MINIMUM_LATITUDE, degrees.</param>
+/// <param name="WestDegrees">WESTERNMOST_LONGITUDE, degrees: of a cylindrical model the western border of sample 1.</param>
+/// <param name="EastDegrees">EASTERNMOST_LONGITUDE, degrees.</param>
+/// <param name="CoordinateSystem">COORDINATE_SYSTEM_NAME.</param>
+public sealed record LdemLabel(
+    string LabelPath, string ImagePath, long ImageOffset, string ProductId, CelestialBody Body, int PixelsPerDegree, int Lines,
+    int LineSamples, LdemSampleType SampleType, double ScalingFactor, double Offset, double Minimum, double Maximum,
+    long? FileBytes = null, PolarStereographic? Polar = null, double NorthDegrees = double.NaN, double SouthDegrees = double.NaN,
+    double WestDegrees = double.NaN, double EastDegrees = double.NaN, string CoordinateSystem = "")
 {
     /// <summary>Stands in every name and label of a synthetic product.</summary>
     public const string SyntheticMark = "SYNTHETIC";
-
-    /// <summary>Path of the label.</summary>
-    public required string LabelPath { get; init; }
-
-    /// <summary>Path of the image; the label's own for an attached label.</summary>
-    public required string ImagePath { get; init; }
-
-    /// <summary>Bytes of the image's file before the first sample.</summary>
-    public required long ImageOffset { get; init; }
-
-    /// <summary>Bytes that the image's file must have; null if the label names no number of records.</summary>
-    public required long? FileBytes { get; init; }
-
-    /// <summary>PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</summary>
-    public required string ProductId { get; init; }
-
-    /// <summary>TARGET_NAME: the body.</summary>
-    public CelestialBody Body { get; init; } = CelestialBody.Moon;
-
-    /// <summary>MAP_RESOLUTION of a cylindrical model: samples a degree; 0 for a polar map.</summary>
-    public required int PixelsPerDegree { get; init; }
-
-    /// <summary>The projection of a polar map; null for a cylindrical model.</summary>
-    public PolarStereographic? Polar { get; init; }
-
-    /// <summary>LINES.</summary>
-    public required int Lines { get; init; }
-
-    /// <summary>LINE_SAMPLES.</summary>
-    public required int LineSamples { get; init; }
-
-    /// <summary>SAMPLE_TYPE with SAMPLE_BITS.</summary>
-    public required LdemSampleType SampleType { get; init; }
-
-    /// <summary>SCALING_FACTOR, turned into m a step.</summary>
-    public required double ScalingFactor { get; init; }
-
-    /// <summary>OFFSET, turned into m: the radius that sample value 0 means.</summary>
-    public required double Offset { get; init; }
-
-    /// <summary>MINIMUM: no sample value is below.</summary>
-    public required double Minimum { get; init; }
-
-    /// <summary>MAXIMUM: no sample value is above.</summary>
-    public required double Maximum { get; init; }
-
-    /// <summary>MAXIMUM_LATITUDE, degrees: of a cylindrical model the northern border of line 1.</summary>
-    public required double NorthDegrees { get; init; }
-
-    /// <summary>MINIMUM_LATITUDE, degrees.</summary>
-    public required double SouthDegrees { get; init; }
-
-    /// <summary>WESTERNMOST_LONGITUDE, degrees: of a cylindrical model the western border of sample 1.</summary>
-    public required double WestDegrees { get; init; }
-
-    /// <summary>EASTERNMOST_LONGITUDE, degrees.</summary>
-    public required double EastDegrees { get; init; }
-
-    /// <summary>COORDINATE_SYSTEM_NAME.</summary>
-    public required string CoordinateSystem { get; init; }
 
     /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
     public bool IsSynthetic => ProductId.Contains(SyntheticMark, StringComparison.Ordinal);
@@ -79,14 +59,11 @@ public sealed record LdemLabel
     public bool HasIntegers => SampleType is LdemSampleType.Int16LittleEndian or LdemSampleType.Int16BigEndian;
 
     /// <summary>m: the limits of all radii. Floats may exceed the printed MINIMUM and MAXIMUM a little.</summary>
-    public (double Min, double Max) RadiusLimits
-    {
-        get
-        {
-            double slack = HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Maximum - Minimum);
-            return (Offset + (ScalingFactor * (Minimum - slack)), Offset + (ScalingFactor * (Maximum + slack)));
-        }
-    }
+    public (double Min, double Max) RadiusLimits =>
+        (Offset + (ScalingFactor * (Minimum - Slack)), Offset + (ScalingFactor * (Maximum + Slack)));
+
+    /// <summary>By how much a sample value may be outside the limits.</summary>
+    internal double Slack => HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Maximum - Minimum);
 
     /// <summary>m: radius of the sphere of the heights: LOLA's for the Moon, whatever OFFSET is, else that of the label.</summary>
     public double ReferenceRadius => Body.IsMoon ? MoonConstants.ReferenceRadius : Offset;

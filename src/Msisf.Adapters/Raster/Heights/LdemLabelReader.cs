@@ -1,4 +1,3 @@
-using System.Text;
 using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Errors;
 
@@ -38,9 +37,7 @@ public static class LdemLabelReader
     /// <exception cref="BadInputException">As <see cref="ReadFile"/>.</exception>
     public static LdemLabel Read(Stream stream, string labelPath)
     {
-        byte[] bytes = new byte[stream.CanSeek ? Math.Min(LabelLimit, stream.Length - stream.Position) : LabelLimit];
-        int length = stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-        PdsObject root = PdsLabelParser.Parse(Encoding.Latin1.GetString(bytes, 0, length), labelPath);
+        PdsObject root = PdsLabelParser.Parse(PdsLabelParser.TextOf(stream, LabelLimit), labelPath);
         PdsObject map = root.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(labelPath, "IMAGE_MAP_PROJECTION");
         LdemLabelChecks.CheckKind(root, map);
         PdsObject image = root.FindObject("IMAGE") ?? throw Missing(labelPath, "IMAGE");
@@ -48,31 +45,27 @@ public static class LdemLabelReader
         int? recordBytes = file.OptionalInteger("RECORD_BYTES", 1, int.MaxValue);
         PdsImagePointer pointer = PdsImagePointer.Read(file, recordBytes);
         double metresPerUnit = MetresPerUnit(image);
-        LdemLabel label = new()
-        {
-            LabelPath = labelPath,
-            ImagePath = pointer.FileName is null
-                ? labelPath
-                : Path.Combine(Path.GetDirectoryName(labelPath) ?? string.Empty, pointer.FileName),
-            ImageOffset = pointer.Offset,
-            FileBytes = (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
-            ProductId = ProductIdOf(root),
-            Body = LdemLabelChecks.BodyOf(root),
-            PixelsPerDegree = LdemLabelChecks.IsPolar(map) ? 0 : ResolutionOf(map),
-            Polar = LdemLabelChecks.IsPolar(map) ? PolarLabel.ProjectionOf(map) : null,
-            Lines = image.RequiredInteger("LINES", 1, LineLimit),
-            LineSamples = image.RequiredInteger("LINE_SAMPLES", 1, 2 * LineLimit),
-            SampleType = SampleTypeOf(image),
-            ScalingFactor = metresPerUnit * image.RequiredNumber("SCALING_FACTOR"),
-            Offset = metresPerUnit * image.RequiredNumber("OFFSET"),
-            Minimum = image.RequiredNumber("MINIMUM"),
-            Maximum = image.RequiredNumber("MAXIMUM"),
-            NorthDegrees = map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnits.Degrees),
-            SouthDegrees = map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
-            WestDegrees = map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
-            EastDegrees = map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
-            CoordinateSystem = map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty,
-        };
+        LdemLabel label = new(
+            LabelPath: labelPath,
+            ImagePath: pointer.PathBeside(labelPath),
+            ImageOffset: pointer.Offset,
+            FileBytes: (long?)recordBytes * file.OptionalInteger("FILE_RECORDS", 1, int.MaxValue),
+            ProductId: ProductIdOf(root),
+            Body: LdemLabelChecks.BodyOf(root),
+            PixelsPerDegree: LdemLabelChecks.IsPolar(map) ? 0 : ResolutionOf(map),
+            Polar: LdemLabelChecks.IsPolar(map) ? PolarLabel.ProjectionOf(map) : null,
+            Lines: image.RequiredInteger("LINES", 1, LineLimit),
+            LineSamples: image.RequiredInteger("LINE_SAMPLES", 1, 2 * LineLimit),
+            SampleType: SampleTypeOf(image),
+            ScalingFactor: metresPerUnit * image.RequiredNumber("SCALING_FACTOR"),
+            Offset: metresPerUnit * image.RequiredNumber("OFFSET"),
+            Minimum: image.RequiredNumber("MINIMUM"),
+            Maximum: image.RequiredNumber("MAXIMUM"),
+            NorthDegrees: map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnits.Degrees),
+            SouthDegrees: map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
+            WestDegrees: map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
+            EastDegrees: map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
+            CoordinateSystem: map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty);
         if (label.Polar is null)
         {
             LdemLabelChecks.CheckCover(label, image, map);
@@ -96,7 +89,7 @@ public static class LdemLabelReader
     {
         "METER" or "METERS" or "M" => 1.0,
         "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,
-        _ => throw image.WrongValue("UNIT", image.Required("UNIT"), "METER or KILOMETER is needed"),
+        _ => throw image.WrongValue("UNIT", "METER or KILOMETER is needed"),
     };
 
     private static LdemSampleType SampleTypeOf(PdsObject image)
@@ -110,7 +103,6 @@ public static class LdemLabelReader
             ("IEEE_REAL", 32) => LdemSampleType.Float32BigEndian,
             _ => throw image.WrongValue(
                 "SAMPLE_TYPE",
-                image.Required("SAMPLE_TYPE"),
                 $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
                     + $"16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
         };
@@ -124,14 +116,11 @@ public static class LdemLabelReader
 
     private static string ProductIdOf(PdsObject root)
     {
-        string productId = root.RequiredText("PRODUCT_ID");
-        return IsProductId(productId)
-            ? productId
-            : throw root.WrongValue("PRODUCT_ID", root.Required("PRODUCT_ID"), "1 to 40 letters, digits, '_', '-' or '.' are needed");
+        string text = root.RequiredText("PRODUCT_ID");
+        return text.Length <= 40 && text.All(character => char.IsAsciiLetterOrDigit(character) || character is '_' or '-' or '.')
+            ? text
+            : throw root.WrongValue("PRODUCT_ID", "1 to 40 letters, digits, '_', '-' or '.' are needed");
     }
-
-    private static bool IsProductId(string text) =>
-        text.Length <= 40 && text.All(character => char.IsAsciiLetterOrDigit(character) || character is '_' or '-' or '.');
 
     private static BadInputException Missing(string labelPath, string name) =>
         new($"{labelPath}: no OBJECT = {name}. Give the label of a LDEM product.");

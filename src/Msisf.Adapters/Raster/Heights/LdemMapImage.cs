@@ -4,77 +4,73 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// An LDEM model of the surroundings of a pole, mapped into memory: only the samples that are asked for are read. The radius of a sample is
-/// OFFSET + SCALING_FACTOR * value in doubles, in m.
+/// An LDEM model of a part of the Moon: the surroundings of a pole, or a band between two latitudes, as SLDEM2015, whose lines count in
+/// the whole Moon's grid.
 /// </summary>
-/// <remarks>Don't use it after or while it is disposed. A file that is made shorter while it is open ends the process.</remarks>
+/// <remarks>As of <see cref="LdemImage"/>.</remarks>
 public sealed class LdemMapImage : ITerrainGrid, IDisposable
 {
-    private readonly LdemPart _part;
-    private bool _isDisposed;
+    private readonly LdemImage _image;
 
-    private LdemMapImage(LdemPart part, PolarStereographic projection)
+    private LdemMapImage(LdemImage image)
     {
-        _part = part;
-        Projection = projection;
+        _image = image;
+        Projection = image.Set.Parts[0].Polar is { } polar ? polar : new Equirectangular(image.PixelsPerDegree);
+        Window = new GridWindow(image.Parts.Min(part => part.FirstLine), image.Parts.Max(part => part.EndLine), 0, Samples);
     }
 
     /// <inheritdoc/>
-    public string ProductId => _part.Label.ProductId;
+    public string ProductId => _image.ProductId;
 
     /// <inheritdoc/>
     public MapProjection Projection { get; }
 
     /// <inheritdoc/>
-    public int Lines => _part.Label.Lines;
+    public int Lines => _image.Lines;
 
     /// <inheritdoc/>
-    public int Samples => _part.Label.LineSamples;
+    public int Samples => _image.Samples;
 
     /// <inheritdoc/>
-    public (double Min, double Max) RadiusLimits => _part.Label.RadiusLimits;
+    public GridWindow Window { get; }
 
-    /// <summary>Opens the image of a label.</summary>
-    /// <param name="label">The label of a polar map.</param>
-    /// <exception cref="BadInputException">The image is missing, unreadable, or not as long as the label says.</exception>
-    public static LdemMapImage Open(LdemLabel label)
-    {
-        ArgumentNullException.ThrowIfNull(label.Polar);
-        return new LdemMapImage(LdemPart.Open(label), label.Polar);
-    }
+    /// <inheritdoc/>
+    public double ReferenceRadius => _image.ReferenceRadius;
+
+    /// <inheritdoc/>
+    public (double Min, double Max) RadiusLimits => _image.RadiusLimits;
+
+    /// <summary>Opens all images of a model.</summary>
+    /// <exception cref="BadInputException">An image is missing, unreadable, or not as long as its label says.</exception>
+    public static LdemMapImage Open(LdemSet set) => new(LdemImage.OpenParts(set));
 
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         CheckBlock(line, 1, firstSample, radii.Length);
-        _part.ReadRadii(line, firstSample, radii);
+        _image.ReadRadii(line, firstSample, radii);
     }
 
     /// <inheritdoc/>
     public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
     {
         CheckBlock(firstLine, lines, firstSample, samples);
-        return _part.RadiusBounds(firstLine, lines, firstSample, samples);
+        return _image.RadiusBounds(firstLine, lines, firstSample, samples);
     }
 
     /// <inheritdoc/>
-    public void ReleasePages() => _part.ReleasePages();
+    public void ReleasePages() => _image.ReleasePages();
 
-    /// <summary>Unmaps the file.</summary>
-    public void Dispose()
-    {
-        _isDisposed = true;
-        _part.Dispose();
-    }
+    /// <summary>Unmaps the files.</summary>
+    public void Dispose() => _image.Dispose();
 
+    /// <summary>The block lies in the window; that of a band may go around the Moon, which the image checks.</summary>
     private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
     {
-        ObjectDisposedException.ThrowIf(_isDisposed, this);
-        if (firstLine < 0 || lines < 1 || lines > Lines - firstLine || firstSample < 0 || samples < 1 || samples > Samples - firstSample)
+        if (firstLine < Window.FirstLine || lines > Window.EndLine - firstLine
+            || (Projection is PolarStereographic && samples > Samples - firstSample))
         {
-            throw new ArgumentOutOfRangeException(
-                nameof(firstLine),
-                $"No block of {Lines} x {Samples} samples: {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
+            _image.RefuseBlock(firstLine, lines, firstSample, samples);
         }
     }
 }

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.IO.MemoryMappedFiles;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 
@@ -12,10 +11,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 internal sealed unsafe class LdemPart : IDisposable
 {
-    private readonly MemoryMappedFile _file;
-    private readonly MemoryMappedViewAccessor _view;
+    private readonly MappedFile _file;
     private readonly SampleCodec _codec;
-    private readonly byte* _start;
     private readonly byte* _moonOrigin;
     private readonly long _lineBytes;
     private readonly int _sampleBytes;
@@ -33,16 +30,10 @@ internal sealed unsafe class LdemPart : IDisposable
         _codec = SampleCodec.For(label);
         _lineBytes = label.LineBytes;
         _sampleBytes = label.SampleBytes;
-        _file = MemoryMappedFile.CreateFromFile(
-            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
-        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
-        byte* start = null;
-        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref start);
-
-        _start = start;
+        _file = new MappedFile(stream);
 
         // Where the Moon's first sample would lie, so that an address needs no subtractions.
-        _moonOrigin = start + _view.PointerOffset + label.ImageOffset - (FirstLine * _lineBytes) - ((long)FirstSample * _sampleBytes);
+        _moonOrigin = _file.Start + label.ImageOffset - (FirstLine * _lineBytes) - ((long)FirstSample * _sampleBytes);
     }
 
     /// <summary>What the label says.</summary>
@@ -50,6 +41,9 @@ internal sealed unsafe class LdemPart : IDisposable
 
     /// <summary>The part's northernmost line.</summary>
     public int FirstLine { get; }
+
+    /// <summary>The line below its southernmost one.</summary>
+    public int EndLine => FirstLine + Label.Lines;
 
     /// <summary>The part's westernmost sample.</summary>
     public int FirstSample { get; }
@@ -108,18 +102,10 @@ internal sealed unsafe class LdemPart : IDisposable
     public ReadOnlySpan<byte> LineBytes(int line) => new(Address(line, FirstSample), checked((int)_lineBytes));
 
     /// <summary>Releases the pages that were read; they are mapped again when they are read again.</summary>
-    public void ReleasePages() => MemoryAdvice.ReleasePages(_start, _view.SafeMemoryMappedViewHandle.ByteLength);
+    public void ReleasePages() => _file.ReleasePages();
 
     /// <summary>Unmaps the file.</summary>
-    public void Dispose()
-    {
-        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
-        {
-            _view.SafeMemoryMappedViewHandle.ReleasePointer();
-            _view.Dispose();
-            _file.Dispose();
-        }
-    }
+    public void Dispose() => _file.Dispose();
 
     private static void CheckLength(LdemLabel label, string path, long found)
     {
@@ -127,10 +113,9 @@ internal sealed unsafe class LdemPart : IDisposable
         long expected = label.FileBytes ?? needed;
         if (found != expected)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(
                 $"{path}: {found} bytes, {expected} expected ({label.Lines} lines of {label.LineBytes} bytes by {label.LabelPath}). "
-                    + $"Get the file again."));
+                    + $"Get the file again.");
         }
     }
 

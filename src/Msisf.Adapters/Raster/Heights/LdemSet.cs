@@ -9,19 +9,14 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 public sealed class LdemSet
 {
-    private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree)
-    {
-        Parts = parts;
-        ProductId = productId;
-        PartOfDegree = partOfDegree;
-        IsWholeMoon = parts[0].Polar is null && !partOfDegree.Contains(LdemSetChecks.Nothing);
-    }
+    private LdemSet(LdemLabel[] parts, string productId, ushort[] partOfDegree) =>
+        (Parts, ProductId, PartOfDegree) = (parts, productId, partOfDegree);
 
     /// <summary>The labels, from the north, then from the west.</summary>
     public IReadOnlyList<LdemLabel> Parts { get; }
 
     /// <summary>Whether it covers the whole Moon; if not it is a polar map, or a band between two latitudes.</summary>
-    public bool IsWholeMoon { get; }
+    public bool IsWholeMoon => Parts[0].Polar is null && !PartOfDegree.Contains(LdemSetChecks.Nothing);
 
     /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
     public string ProductId { get; }
@@ -51,16 +46,11 @@ public sealed class LdemSet
 
     /// <summary>Takes the labels of one model.</summary>
     /// <param name="labels">At least one, in any order.</param>
+    /// <param name="mayBeBand">Whether the model may end at two parallels instead of the poles.</param>
     /// <exception cref="BadInputException">
     /// They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.
     /// </exception>
-    public static LdemSet Join(IReadOnlyList<LdemLabel> labels) => Join(labels, mayBeBand: false);
-
-    /// <summary>Takes the labels of one model.</summary>
-    /// <param name="labels">At least one, in any order.</param>
-    /// <param name="mayBeBand">Whether the model may end at two parallels instead of the poles.</param>
-    /// <exception cref="BadInputException">As of <see cref="Join(IReadOnlyList{LdemLabel})"/>.</exception>
-    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBeBand)
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBeBand = false)
     {
         LdemLabel[] parts = [.. labels
             .OrderByDescending(label => label.NorthDegrees)
@@ -80,5 +70,11 @@ public sealed class LdemSet
         ? Path.ChangeExtension(Parts[0].ImagePath, extension)
         : Path.Combine(FolderOf(Parts[0]), ProductId + extension);
 
-    private static string FolderOf(LdemLabel label) => Path.GetDirectoryName(label.ImagePath) is { Length: > 0 } folder ? folder : ".";
+    /// <summary>The places for such a file.</summary>
+    /// <param name="extension">With its dot.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    internal SidecarPlaces PlacesOf(string extension, string? cacheFolder) =>
+        SidecarPlaces.Of(FileBeside(extension), ProductId, extension, cacheFolder);
+
+    private static string FolderOf(LdemLabel label) => FileNames.FolderOf(label.ImagePath);
 }

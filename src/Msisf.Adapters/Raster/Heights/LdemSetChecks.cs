@@ -14,8 +14,8 @@ internal static class LdemSetChecks
     /// <summary>All parts mean the same by a sample value.</summary>
     /// <exception cref="BadInputException">Two differ.</exception>
     public static void CheckAlike(IReadOnlyList<LdemLabel> parts) =>
-        new PdsAgreement("part", "model").Require(
-            parts, label => label.LabelPath,
+        PdsAgreement.Require(
+            parts, label => label.LabelPath, "part", "model",
             ("MAP_RESOLUTION", label => label.PixelsPerDegree),
             ("SAMPLE_TYPE", label => label.SampleType),
             ("SCALING_FACTOR (in m)", label => label.ScalingFactor),
@@ -91,11 +91,10 @@ internal static class LdemSetChecks
                where cover[((90 - north) * 360) + west] == Nothing
                select name.ForRegion(new MoonRegion(north - height, north, west, west + width)),
         ];
-        string folder = Path.GetDirectoryName(parts[0].LabelPath) is { Length: > 0 } given ? given : ".";
-        return new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{folder}: of the {name.Before} product in several files {missing.Length} are missing: {FileNames.Listed(missing)}. "
-                + $"Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; the whole Moon is needed."));
+        return new BadInputException(
+            $"{FileNames.FolderOf(parts[0].LabelPath)}: of the {name.Before} product in several files {missing.Length} are missing: "
+                + $"{FileNames.Listed(missing)}. Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; "
+                + $"the whole Moon is needed.");
     }
 
     private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);

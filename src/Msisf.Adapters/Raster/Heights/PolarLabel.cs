@@ -37,13 +37,13 @@ public static class PolarLabel
         double latitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnits.Degrees);
         if (Math.Abs(latitude) != 90.0)
         {
-            throw map.WrongValue("CENTER_LATITUDE", map.Required("CENTER_LATITUDE"), "a pole, -90 or 90, is needed");
+            throw map.WrongValue("CENTER_LATITUDE", "a pole, -90 or 90, is needed");
         }
 
         double longitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnits.Degrees);
         if (longitude != 0.0)
         {
-            throw map.WrongValue("CENTER_LONGITUDE", map.Required("CENTER_LONGITUDE"), "0, as LOLA's polar maps have it, is needed");
+            throw map.WrongValue("CENTER_LONGITUDE", "0, as LOLA's polar maps have it, is needed");
         }
 
         // On another sphere the same directions lie farther apart, in proportion to its radius.
@@ -60,17 +60,14 @@ public static class PolarLabel
     {
         if (label.Lines < 2 || label.LineSamples < 2)
         {
-            throw image.WrongValue("LINES", image.Required("LINES"), "an image of at least 2 x 2 samples is needed");
+            throw image.WrongValue("LINES", "an image of at least 2 x 2 samples is needed");
         }
 
-        LdemLabelChecks.CheckNumber(map, "LINE_FIRST_PIXEL", 1, PdsUnits.Pixels);
-        LdemLabelChecks.CheckNumber(map, "LINE_LAST_PIXEL", label.Lines, PdsUnits.Pixels);
-        LdemLabelChecks.CheckNumber(map, "SAMPLE_FIRST_PIXEL", 1, PdsUnits.Pixels);
-        LdemLabelChecks.CheckNumber(map, "SAMPLE_LAST_PIXEL", label.LineSamples, PdsUnits.Pixels);
+        LdemLabelChecks.CheckPixels(label, map);
         PolarStereographic projection = label.Polar!;
         if (!projection.Holds(label.Lines, label.LineSamples))
         {
-            throw map.WrongValue(Scale, map.Required(Scale), string.Create(
+            throw map.WrongValue(Scale, string.Create(
                 CultureInfo.InvariantCulture,
                 $"with offsets of {projection.LineOffset:R} and {projection.SampleOffset:R} px and {label.Lines} lines of "
                     + $"{label.LineSamples} samples the map reaches farther than "
@@ -85,7 +82,7 @@ public static class PolarLabel
         double scale = isInKilometres
             ? 1000.0 * map.RequiredNumber(Scale, PdsUnits.KilometresPerPixel)
             : map.RequiredNumber(Scale, PdsUnits.MetresPerPixel);
-        return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, map.Required(Scale), string.Create(
+        return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, string.Create(
             CultureInfo.InvariantCulture, $"{MinScale:R} to {MaxScale:R} m a pixel are needed"));
     }
 
@@ -94,7 +91,7 @@ public static class PolarLabel
         double offset = map.RequiredNumber(keyword, PdsUnits.Pixels);
         return Math.Abs(offset) <= OffsetLimit
             ? offset
-            : throw map.WrongValue(keyword, map.Required(keyword), "the pole's place in the image, px, is needed");
+            : throw map.WrongValue(keyword, "the pole's place in the image, px, is needed");
     }
 
     private static void CheckResolution(PdsObject map, double scale, double radius)
@@ -104,7 +101,7 @@ public static class PolarLabel
         if (map.OptionalNumber(Keyword, PdsUnits.PixelsPerDegree) is { } given
             && !(Math.Abs(given - expected) <= ResolutionRounding * expected))
         {
-            throw map.WrongValue(Keyword, map.Required(Keyword), string.Create(
+            throw map.WrongValue(Keyword, string.Create(
                 CultureInfo.InvariantCulture, $"{Scale} = {map.Required(Scale)} needs {expected:F3}"));
         }
     }

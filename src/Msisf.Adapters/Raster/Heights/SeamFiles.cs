@@ -1,4 +1,3 @@
-using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
@@ -20,21 +19,13 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <param name="warn">Receives why a file can't be written.</param>
 public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, Action<string> warn) : ISeamStore
 {
-    private const int HashBytes = 32;
     private const int NameDigits = 16;
 
     private static ReadOnlySpan<byte> Magic => "MSISFSE1"u8;
 
     /// <inheritdoc/>
-    public GapTriangulation? Find(string productId, string border)
-    {
-        if (PlacesOf(productId, border) is not { } places)
-        {
-            return null;
-        }
-
-        return Read(places.Beside, productId, border) ?? (places.Cached is { } cached ? Read(cached, productId, border) : null);
-    }
+    public GapTriangulation? Find(string productId, string border) =>
+        PlacesOf(productId, border)?.Read(path => Read(path, productId, border));
 
     /// <inheritdoc/>
     public void Keep(GapTriangulation filling)
@@ -48,7 +39,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
         {
             string path = places.ForWriting();
             Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!);
-            AtomicFile.Write(path, stream => Write(stream, filling), flushToDisk: false);
+            AtomicFile.Write(path, stream => HashedContent.Write(stream, Magic, writer => Write(writer, filling)), flushToDisk: false);
         }
         catch (Exception exception) when (exception.IsFileError() || exception is ExternalPartException)
         {
@@ -57,9 +48,7 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
     }
 
     private SidecarPlaces? PlacesOf(string productId, string border) =>
-        sets.FirstOrDefault(set => set.ProductId == productId) is { } set
-            ? SidecarPlaces.Of(set, $".{border[..NameDigits]}.seam", cacheFolder)
-            : null;
+        sets.FirstOrDefault(set => set.ProductId == productId)?.PlacesOf($".{border[..NameDigits]}.seam", cacheFolder);
 
     private static GapTriangulation? Read(string path, string productId, string border)
     {
@@ -73,60 +62,38 @@ public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, 
         }
     }
 
-    private static GapTriangulation? Parse(ReadOnlySpan<byte> content, string productId, string border)
+    private static GapTriangulation? Parse(byte[] content, string productId, string border)
     {
-        int head = Magic.Length + HashBytes;
-        if (content.Length < head + (2 * sizeof(int)) || !content.StartsWith(Magic)
-            || !content.Slice(Magic.Length, HashBytes).SequenceEqual(SHA256.HashData(content[head..])))
+        using BinaryReader? reader = HashedContent.TryRead(content, Magic);
+        if (reader is null || reader.BaseStream.Length < 2 * sizeof(int))
         {
             return null;
         }
 
-        ReadOnlySpan<byte> rest = content[head..];
-        int borders = BinaryPrimitives.ReadInt32LittleEndian(rest);
-        int corners = BinaryPrimitives.ReadInt32LittleEndian(rest[sizeof(int)..]);
-        rest = rest[(2 * sizeof(int))..];
-        if (borders < 1 || corners < 0 || rest.Length != ((long)borders * HashBytes) + ((long)corners * sizeof(int)))
+        (int borders, int corners) = (reader.ReadInt32(), reader.ReadInt32());
+        if (borders < 1 || corners < 0 || reader.BaseStream.Length - reader.BaseStream.Position
+            != ((long)borders * SHA256.HashSizeInBytes) + ((long)corners * sizeof(int)))
         {
             return null;
         }
 
-        string[] hashes = new string[borders];
-        for (int i = 0; i < borders; i++, rest = rest[HashBytes..])
-        {
-            hashes[i] = Convert.ToHexStringLower(rest[..HashBytes]);
-        }
-
-        int[] numbers = new int[corners];
-        for (int i = 0; i < corners; i++)
-        {
-            numbers[i] = BinaryPrimitives.ReadInt32LittleEndian(rest[(i * sizeof(int))..]);
-        }
-
-        GapTriangulation filling = new(productId, hashes, numbers);
+        string[] hashes = [.. Enumerable.Range(0, borders).Select(_ => Convert.ToHexStringLower(reader.ReadBytes(SHA256.HashSizeInBytes)))];
+        GapTriangulation filling = new(productId, hashes, [.. Enumerable.Range(0, corners).Select(_ => reader.ReadInt32())]);
         return filling.Key == border ? filling : null;
     }
 
-    private static void Write(Stream stream, GapTriangulation filling)
+    private static void Write(BinaryWriter writer, GapTriangulation filling)
     {
-        byte[] rest = new byte[(2 * sizeof(int)) + (filling.Borders.Count * HashBytes) + (filling.Corners.Length * sizeof(int))];
-        BinaryPrimitives.WriteInt32LittleEndian(rest, filling.Borders.Count);
-        BinaryPrimitives.WriteInt32LittleEndian(rest.AsSpan(sizeof(int)), filling.Corners.Length);
-        int at = 2 * sizeof(int);
+        writer.Write(filling.Borders.Count);
+        writer.Write(filling.Corners.Length);
         foreach (string border in filling.Borders)
         {
-            Convert.FromHexString(border).CopyTo(rest, at);
-            at += HashBytes;
+            writer.Write(Convert.FromHexString(border));
         }
 
         foreach (int corner in filling.Corners)
         {
-            BinaryPrimitives.WriteInt32LittleEndian(rest.AsSpan(at), corner);
-            at += sizeof(int);
+            writer.Write(corner);
         }
-
-        stream.Write(Magic);
-        stream.Write(SHA256.HashData(rest));
-        stream.Write(rest);
     }
 }

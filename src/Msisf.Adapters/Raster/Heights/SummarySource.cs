@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
@@ -35,10 +36,8 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
     {
         FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
         using FileStream stream = File.OpenRead(label.LabelPath);
-        byte[] text = new byte[Math.Min(LongestLabel, stream.Length)];
-        stream.ReadExactly(text);
         return new SummarySource(
-            label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, Encoding.Latin1.GetString(text));
+            label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, PdsLabelParser.TextOf(stream, LongestLabel));
     });
 
     /// <summary>A hash of 32 bytes of all of it.</summary>

@@ -6,12 +6,7 @@ namespace Msisf.Adapters.Raster.Levels;
 /// <summary>The levels of detail of a model: from its sidecar if there is a valid one, else computed when they are read.</summary>
 public sealed class ModelLevels : IDisposable
 {
-    private ModelLevels(LodLevels levels, PyramidFile? file, string? warning)
-    {
-        Levels = levels;
-        Sidecar = file;
-        Warning = warning;
-    }
+    private ModelLevels(LodLevels levels, PyramidFile? file, string? warning) => (Levels, Sidecar, Warning) = (levels, file, warning);
 
     /// <summary>The levels; don't use them after this or the model is disposed.</summary>
     public LodLevels Levels { get; }
@@ -25,7 +20,7 @@ public sealed class ModelLevels : IDisposable
     /// <summary>The places for the sidecar of a model.</summary>
     /// <param name="set">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
-    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => SidecarPlaces.Of(set, ".pyramid", cacheFolder);
+    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => set.PlacesOf(".pyramid", cacheFolder);
 
     /// <summary>Opens the levels; no sample is read.</summary>
     /// <param name="image">The model.</param>
@@ -38,21 +33,19 @@ public sealed class ModelLevels : IDisposable
         long cacheBytes = LodLevels.DefaultCacheBytes,
         int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
     {
-        SidecarPlaces places = PlacesOf(image.Set, cacheFolder);
-        PyramidFile? file = PyramidFile.TryOpen(places.Beside, image, out string? problem);
-        string? warning = problem is null ? null : Unusable(places.Beside, problem);
-        if (file is null && places.Cached is { } cached)
+        string? warning = null;
+        PyramidFile? file = PlacesOf(image.Set, cacheFolder).Read(path =>
         {
-            file = PyramidFile.TryOpen(cached, image, out problem);
-            warning = file is not null ? null : warning ?? (problem is null ? null : Unusable(cached, problem));
-        }
-
-        return new ModelLevels(LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenReleases), file, warning);
+            PyramidFile? opened = PyramidFile.TryOpen(path, image, out string? problem);
+            warning ??= problem is null
+                ? null
+                : $"{path}: {problem}; it is not used. Make it again with 'msis ldem pyramid', or delete it.";
+            return opened;
+        });
+        return new ModelLevels(
+            LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenReleases), file, file is null ? warning : null);
     }
 
     /// <summary>Unmaps the sidecar; the model stays open.</summary>
     public void Dispose() => Sidecar?.Dispose();
-
-    private static string Unusable(string path, string problem) =>
-        $"{path}: {problem}; it is not used. Make it again with 'msis ldem pyramid', or delete it.";
 }

@@ -1,38 +1,26 @@
-using System.IO.MemoryMappedFiles;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Levels;
 
-/// <summary>A model's sidecar (docs/elevation-formats.md), mapped into memory. Don't use its levels after it is disposed.</summary>
+/// <summary>A model's sidecar (docs/elevation-models.md), mapped into memory. Don't use its levels after it is disposed.</summary>
 public sealed unsafe class PyramidFile : IDisposable
 {
     private readonly PyramidHeader _header;
-    private readonly MemoryMappedFile _file;
-    private readonly MemoryMappedViewAccessor _view;
+    private readonly MappedFile _file;
     private readonly PyramidLevel[] _levels;
 
     private PyramidFile(string path, PyramidHeader header, FileStream stream, uint[] checksums, IGlobalGrid source)
     {
-        FilePath = path;
-        _header = header;
-        _file = MemoryMappedFile.CreateFromFile(
-            stream, mapName: null, capacity: 0, MemoryMappedFileAccess.Read, HandleInheritability.None, leaveOpen: false);
-        _view = _file.CreateViewAccessor(0, 0, MemoryMappedFileAccess.Read);
-        byte* mapped = null;
-        _view.SafeMemoryMappedViewHandle.AcquirePointer(ref mapped);
-        byte* start = mapped + _view.PointerOffset;
+        (FilePath, _header, _file) = (path, header, new MappedFile(stream));
         PyramidLayout layout = new(header.PixelsPerDegree);
-        _levels = new PyramidLevel[layout.LevelCount];
-        for (int index = 0; index < _levels.Length; index++)
-        {
-            int first = layout.FirstBlockOf(index);
-            _levels[index] = new PyramidLevel(
-                source, PyramidLayout.FirstLevel + index, path, (float*)(start + layout.OffsetOf(first)), checksums, first);
-        }
+        _levels = [.. Enumerable.Range(0, layout.LevelCount).Select(index => new PyramidLevel(
+            source, PyramidLayout.FirstLevel + index, path, (float*)(_file.Start + layout.OffsetOf(layout.FirstBlockOf(index))),
+            checksums, layout.FirstBlockOf(index)))];
     }
 
     /// <summary>Where it is.</summary>
@@ -48,17 +36,15 @@ public sealed unsafe class PyramidFile : IDisposable
     public static PyramidFile? TryOpen(string path, LdemImage image, out string? problem)
     {
         problem = null;
-        if (!File.Exists(path))
-        {
-            return null;
-        }
-
         FileStream? stream = null;
         PyramidFile? file = null;
         try
         {
-            stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
-            (file, problem) = Open(path, stream, image);
+            if (File.Exists(path))
+            {
+                stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
+                (file, problem) = Open(path, stream, image);
+            }
         }
         catch (Exception exception) when (exception.IsFileError())
         {
@@ -81,13 +67,9 @@ public sealed unsafe class PyramidFile : IDisposable
     /// <exception cref="BadInputException">A block is damaged, or the model's samples are others.</exception>
     public void Verify(LdemImage image, CancellationToken cancellation)
     {
-        foreach (PyramidLevel level in _levels)
-        {
-            level.Verify();
-        }
-
+        Array.ForEach(_levels, level => level.Verify());
         using LdemContentHash content = new(image);
-        for (int line = 0; line < 180 * image.PixelsPerDegree; line += image.PixelsPerDegree)
+        for (int line = 0; line < image.Lines; line += image.PixelsPerDegree)
         {
             cancellation.ThrowIfCancellationRequested();
             content.Append(line, image.PixelsPerDegree);
@@ -101,15 +83,7 @@ public sealed unsafe class PyramidFile : IDisposable
     }
 
     /// <summary>Unmaps the file.</summary>
-    public void Dispose()
-    {
-        if (!_view.SafeMemoryMappedViewHandle.IsClosed)
-        {
-            _view.SafeMemoryMappedViewHandle.ReleasePointer();
-            _view.Dispose();
-            _file.Dispose();
-        }
-    }
+    public void Dispose() => _file.Dispose();
 
     private static (PyramidFile? File, string? Problem) Open(string path, FileStream stream, LdemImage image)
     {
@@ -137,5 +111,65 @@ public sealed unsafe class PyramidFile : IDisposable
         return SHA256.HashData(MemoryMarshal.AsBytes(checksums.AsSpan())).AsSpan().SequenceEqual(header.ChecksumsHash)
             ? (new PyramidFile(path, header, stream, checksums, image), null)
             : (null, "it is damaged");
+    }
+}
+
+/// <summary>One level of a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
+internal sealed unsafe class PyramidLevel : BlockedGrid, IGlobalGrid
+{
+    private readonly string _path;
+    private readonly float* _blocks;
+    private readonly uint[] _checksums;
+    private readonly int _firstBlock;
+    private readonly bool[] _isChecked;
+
+    /// <param name="source">The model.</param>
+    /// <param name="level">How many times the model's resolution is halved.</param>
+    /// <param name="path">For messages.</param>
+    /// <param name="blocks">The level's first block; valid as long as the level is used.</param>
+    /// <param name="checksums">Of all levels' blocks.</param>
+    /// <param name="firstBlock">Number of the level's first block among them.</param>
+    public PyramidLevel(IGlobalGrid source, int level, string path, float* blocks, uint[] checksums, int firstBlock)
+        : base(source, level)
+    {
+        PixelsPerDegree = source.PixelsPerDegree >> level;
+        (_path, _checksums, _firstBlock) = (path, checksums, firstBlock);
+        _blocks = blocks;
+        _isChecked = new bool[Layout.Blocks];
+    }
+
+    /// <inheritdoc/>
+    public int PixelsPerDegree { get; }
+
+    /// <summary>Checks all blocks.</summary>
+    /// <exception cref="BadInputException">One is damaged.</exception>
+    public void Verify()
+    {
+        for (int block = 0; block < _isChecked.Length; block++)
+        {
+            HeightsOf(block / Layout.BlockColumns, block % Layout.BlockColumns);
+        }
+    }
+
+    /// <inheritdoc/>
+    protected override ReadOnlySpan<float> HeightsOf(int row, int column)
+    {
+        int block = (row * Layout.BlockColumns) + column;
+        ReadOnlySpan<float> heights = new(_blocks + ((long)block * LodLayout.BlockSamples), LodLayout.BlockSamples);
+
+        // Two threads may check the same block; that does no harm.
+        if (!_isChecked[block])
+        {
+            if (PyramidLayout.ChecksumOf(heights) != _checksums[_firstBlock + block])
+            {
+                throw new BadInputException(
+                    $"{_path}: block {block} of the level of {PixelsPerDegree} px/deg is damaged. "
+                        + $"Delete the file, or make it again with 'msis ldem pyramid'.");
+            }
+
+            _isChecked[block] = true;
+        }
+
+        return heights;
     }
 }

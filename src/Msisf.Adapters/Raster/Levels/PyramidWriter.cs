@@ -5,6 +5,7 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Levels;
 
@@ -73,7 +74,7 @@ public sealed class PyramidWriter
         for (int row = 0; row < rows; row++)
         {
             Parallel.Invoke(
-                () => content.Append(row * bandLines, Math.Min(bandLines, (180 * _image.PixelsPerDegree) - (row * bandLines))),
+                () => content.Append(row * bandLines, Math.Min(bandLines, _image.Lines - (row * bandLines))),
                 () => _levels[0].Fill(row, _reducers[0], _options));
             WriteRow(stream, 0, row);
             progress?.Report((row + 1.0) / rows);
@@ -113,4 +114,73 @@ public sealed class PyramidWriter
         stream.Position = _layout.OffsetOf(firstBlock);
         stream.Write(MemoryMarshal.AsBytes(heights));
     }
+}
+
+/// <summary>A level of detail while its sidecar is made: the last two rows of blocks, from which a row of the next level follows.</summary>
+internal sealed class PyramidBands : BlockedGrid
+{
+    private readonly float[][] _bands;
+
+    /// <param name="source">The model.</param>
+    /// <param name="level">How many times its resolution is halved.</param>
+    public PyramidBands(IGlobalGrid source, int level)
+        : base(source, level)
+    {
+        int samples = Layout.BlockColumns * LodLayout.BlockSamples;
+        _bands = [new float[samples], new float[samples]];
+    }
+
+    /// <summary>Blocks from west to east.</summary>
+    public int Columns => Layout.BlockColumns;
+
+    /// <summary>Blocks from north to south.</summary>
+    public int Rows => Layout.BlockRows;
+
+    /// <summary>The samples of a row of blocks, one block after the other.</summary>
+    public Span<float> Row(int row) => _bands[row & 1];
+
+    /// <summary>Computes a row of blocks.</summary>
+    public void Fill(int row, BlockReducer reducer, ParallelOptions options)
+    {
+        float[] band = _bands[row & 1];
+        if (Layout.SamplesOf(row, 0).Lines < LodLayout.Side)
+        {
+            Array.Clear(band); // what the last blocks lack is zero in the file
+        }
+
+        Parallel.For(
+            0,
+            Columns,
+            options,
+            column => reducer.Reduce(row, column, band.AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples)));
+    }
+
+    /// <inheritdoc/>
+    protected override ReadOnlySpan<float> HeightsOf(int row, int column) =>
+        _bands[row & 1].AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples);
+}
+
+/// <summary>
+/// SHA-256 of a model's samples: each file's samples are hashed in the file's order, then these hashes in the order of the files.
+/// </summary>
+internal sealed class LdemContentHash(LdemImage image) : IDisposable
+{
+    private readonly IncrementalHash[] _hashes = [.. image.Parts.Select(_ => IncrementalHash.CreateHash(HashAlgorithmName.SHA256))];
+
+    /// <summary>Adds lines of the whole Moon, from north to south, each once.</summary>
+    public void Append(int firstLine, int lines)
+    {
+        foreach ((LdemPart part, IncrementalHash hash) in image.Parts.Zip(_hashes))
+        {
+            for (int line = Math.Max(firstLine, part.FirstLine); line < Math.Min(firstLine + lines, part.EndLine); line++)
+            {
+                hash.AppendData(part.LineBytes(line));
+            }
+        }
+    }
+
+    /// <summary>The hash of all that was added.</summary>
+    public byte[] Finish() => SHA256.HashData([.. _hashes.SelectMany(hash => hash.GetCurrentHash())]);
+
+    public void Dispose() => Array.ForEach(_hashes, hash => hash.Dispose());
 }

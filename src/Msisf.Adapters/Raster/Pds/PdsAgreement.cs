@@ -4,30 +4,28 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>Checks that the labels of one product's files say the same.</summary>
-/// <param name="file">What each file is, e.g. "part".</param>
-/// <param name="whole">What they make up, e.g. "model".</param>
-internal sealed class PdsAgreement(string file, string whole)
+internal static class PdsAgreement
 {
     /// <summary>Requires that keywords have the same values in all labels.</summary>
     /// <param name="labels">The labels; at least one.</param>
     /// <param name="pathOf">Path of a label.</param>
+    /// <param name="file">What each file is, e.g. "part".</param>
+    /// <param name="whole">What they make up, e.g. "model".</param>
     /// <param name="keywords">The keywords, and the value that a label has for each.</param>
     /// <exception cref="BadInputException">Two values differ.</exception>
-    public void Require<TLabel>(
-        IReadOnlyList<TLabel> labels, Func<TLabel, string> pathOf, params IReadOnlyList<(string Keyword, Func<TLabel, object> Of)> keywords)
+    public static void Require<TLabel>(
+        IReadOnlyList<TLabel> labels, Func<TLabel, string> pathOf, string file, string whole,
+        params IReadOnlyList<(string Keyword, Func<TLabel, object> Of)> keywords)
     {
         TLabel first = labels[0];
         foreach (TLabel other in labels.Skip(1))
         {
-            foreach ((string keyword, Func<TLabel, object> of) in keywords)
+            if (keywords.FirstOrDefault(one => !one.Of(first).Equals(one.Of(other))) is { Of: { } of } differing)
             {
-                if (!of(first).Equals(of(other)))
-                {
-                    throw new BadInputException(string.Create(
-                        CultureInfo.InvariantCulture,
-                        $"{pathOf(other)}: {keyword} is {of(other)}, but {of(first)} in {pathOf(first)}, another {file} of "
-                            + $"the same {whole}. Get all {file}s of one release."));
-                }
+                throw new BadInputException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{pathOf(other)}: {differing.Keyword} is {of(other)}, but {of(first)} in {pathOf(first)}, another {file} of "
+                        + $"the same {whole}. Get all {file}s of one release."));
             }
         }
     }

@@ -18,36 +18,29 @@ internal readonly record struct PdsImagePointer(string? FileName, long Offset)
     public static PdsImagePointer Read(PdsObject holder, int? recordBytes)
     {
         PdsValue pointer = holder.Required(Keyword);
-        return pointer.Items switch
+        return (pointer.Items ?? [pointer]) switch
         {
-            null when pointer.IsQuoted => new PdsImagePointer(PlainName(holder, pointer), Offset: 0),
-            null => new PdsImagePointer(FileName: null, OffsetOf(holder, pointer, recordBytes)),
-            [{ IsQuoted: true } file] => new PdsImagePointer(PlainName(holder, file), Offset: 0),
-            [{ IsQuoted: true } file, var place] => new PdsImagePointer(PlainName(holder, file), OffsetOf(holder, place, recordBytes)),
-            _ => throw holder.WrongValue(Keyword, pointer, "a file name, a place, or both are needed"),
+            [{ IsQuoted: true } file] => new PdsImagePointer(PlainName(file), Offset: 0),
+            [{ IsQuoted: true } file, var place] => new PdsImagePointer(PlainName(file), OffsetOf(place)),
+            [var place] when pointer.Items is null => new PdsImagePointer(FileName: null, OffsetOf(place)),
+            _ => throw holder.WrongValue(Keyword, "a file name, a place, or both are needed"),
         };
-    }
 
-    private static string PlainName(PdsObject holder, PdsValue file) =>
-        file.Text.Length > 0 && file.Text.IndexOfAny(['/', '\\', ':']) < 0 && !file.Text.Any(char.IsControl)
-            ? file.Text
-            : throw holder.WrongValue(Keyword, file, "the plain name of a file beside the label is needed");
+        string PlainName(PdsValue file) =>
+            file.Text.Length > 0 && file.Text.IndexOfAny(['/', '\\', ':']) < 0 && !file.Text.Any(char.IsControl)
+                ? file.Text
+                : throw holder.WrongValue(Keyword, file, "the plain name of a file beside the label is needed");
 
-    private static long OffsetOf(PdsObject holder, PdsValue place, int? recordBytes)
-    {
-        if (place.IsQuoted || !uint.TryParse(place.Text, out uint number) || number == 0)
-        {
-            throw holder.WrongValue(Keyword, place, "a record or byte number from 1 is needed");
-        }
-
-        if (place.Unit is null)
-        {
-            return (number - 1L)
-                * (recordBytes ?? throw holder.WrongValue(Keyword, place, "the label has no RECORD_BYTES to count records with"));
-        }
-
-        return string.Equals(place.Unit, "BYTES", StringComparison.OrdinalIgnoreCase)
-            ? number - 1L
+        long OffsetOf(PdsValue place) =>
+            place.IsQuoted || !uint.TryParse(place.Text, out uint number) || number == 0
+                ? throw holder.WrongValue(Keyword, place, "a record or byte number from 1 is needed")
+            : place.Unit is null ? (number - 1L)
+                * (recordBytes ?? throw holder.WrongValue(Keyword, place, "the label has no RECORD_BYTES to count records with"))
+            : string.Equals(place.Unit, "BYTES", StringComparison.OrdinalIgnoreCase) ? number - 1L
             : throw holder.WrongValue(Keyword, place, "the unit <BYTES> or none is needed");
     }
+
+    /// <summary>Path of the image's file.</summary>
+    public string PathBeside(string labelPath) =>
+        FileName is null ? labelPath : Path.Combine(Path.GetDirectoryName(labelPath) ?? string.Empty, FileName);
 }

@@ -1,4 +1,4 @@
-using System.Globalization;
+using System.Text;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Pds;
@@ -7,7 +7,7 @@ namespace Msisf.Adapters.Raster.Pds;
 /// Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.
 /// </summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
-public sealed class PdsLabelParser
+internal sealed class PdsLabelParser
 {
     private readonly PdsTokenizer _tokens;
     private readonly string _file;
@@ -18,6 +18,15 @@ public sealed class PdsLabelParser
         _file = file;
         _tokens = new PdsTokenizer(text, file);
         _token = _tokens.Next();
+    }
+
+    /// <summary>The text with which a file begins.</summary>
+    /// <param name="stream">The file, where its label begins.</param>
+    /// <param name="limit">Bytes: labels are shorter; of an attached image no more than this is read.</param>
+    public static string TextOf(Stream stream, int limit)
+    {
+        byte[] bytes = new byte[stream.CanSeek ? Math.Min(limit, stream.Length - stream.Position) : limit];
+        return Encoding.Latin1.GetString(bytes, 0, stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false));
     }
 
     /// <summary>Reads a label up to its END.</summary>
@@ -33,7 +42,7 @@ public sealed class PdsLabelParser
                 + $"Give the .LBL file that belongs to the elevation model.");
         }
 
-        PdsObject label = new(file, "the label", line: 1);
+        PdsObject label = new(file, "the label", 1);
         parser.ReadStatements(label, closing: null);
         return label;
     }
@@ -66,13 +75,12 @@ public sealed class PdsLabelParser
 
     private void ReadEnd(PdsToken keyword, PdsObject target, string? closing)
     {
+        string need = closing is null
+            ? "no object is open here"
+            : $"{closing} = {target.Name} is needed first (line {target.Line} opens it)";
         if (keyword.Text != (closing ?? "END"))
         {
-            throw Wrong(
-                keyword,
-                closing is null
-                    ? "no object is open here"
-                    : $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+            throw Wrong(keyword, need);
         }
 
         if (closing is not null && _token.IsSign("="))
@@ -81,30 +89,36 @@ public sealed class PdsLabelParser
             PdsToken name = Take(PdsTokenKind.Word, "an object's name");
             if (name.Text != target.Name)
             {
-                throw Wrong(
-                    name,
-                    $"{closing} = {target.Name} is needed first (line {target.Line.ToString(CultureInfo.InvariantCulture)} opens it)");
+                throw Wrong(name, need);
             }
         }
     }
 
     private PdsValue ReadValue()
     {
-        int line = _token.Line;
-        if (_token.IsSign("(") || _token.IsSign("{"))
+        PdsToken first = _token;
+        List<PdsValue>? items = null;
+        if (first.IsSign("(") || first.IsSign("{"))
         {
-            List<PdsValue> items = ReadItems(_token.Text == "(" ? ")" : "}");
-            return new PdsValue(string.Empty, IsQuoted: false, TakeUnit(), items, line);
+            items = ReadItems(first.Text == "(" ? ")" : "}");
+        }
+        else if (first.Kind is not (PdsTokenKind.Word or PdsTokenKind.Quoted))
+        {
+            throw Wrong(first, "a value is needed");
+        }
+        else
+        {
+            Advance();
         }
 
-        if (_token.Kind is not (PdsTokenKind.Word or PdsTokenKind.Quoted))
+        string? unit = null;
+        if (_token.Kind == PdsTokenKind.Unit)
         {
-            throw Wrong(_token, "a value is needed");
+            unit = _token.Text.Trim();
+            Advance();
         }
 
-        PdsToken text = _token;
-        Advance();
-        return new PdsValue(text.Text.Trim(), text.Kind == PdsTokenKind.Quoted, TakeUnit(), Items: null, line);
+        return new PdsValue(items is null ? first.Text.Trim() : string.Empty, first.Kind == PdsTokenKind.Quoted, unit, items, first.Line);
     }
 
     private List<PdsValue> ReadItems(string closing)
@@ -123,18 +137,6 @@ public sealed class PdsLabelParser
 
         Advance();
         return items;
-    }
-
-    private string? TakeUnit()
-    {
-        if (_token.Kind != PdsTokenKind.Unit)
-        {
-            return null;
-        }
-
-        string unit = _token.Text.Trim();
-        Advance();
-        return unit;
     }
 
     private PdsToken Take(PdsTokenKind kind, string need)
@@ -162,8 +164,7 @@ public sealed class PdsLabelParser
 
     private void Advance() => _token = _tokens.Next();
 
-    private BadInputException Wrong(PdsToken found, string need) => new(string.Create(
-        CultureInfo.InvariantCulture,
+    private BadInputException Wrong(PdsToken found, string need) => new(
         $"{_file}, line {found.Line}: {(found.Kind == PdsTokenKind.End ? "the label ends" : $"'{found.Text}'")}; {need}. "
-            + $"Is this a whole PDS3 label?"));
+            + $"Is this a whole PDS3 label?");
 }

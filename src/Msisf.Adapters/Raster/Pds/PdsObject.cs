@@ -3,58 +3,64 @@ using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Pds;
 
+/// <summary>A value of a PDS3 label: one text, or a sequence or set of values.</summary>
+/// <param name="Text">The text without quotes; empty for a sequence or set.</param>
+/// <param name="IsQuoted">The text stood in quotes, so it is no number.</param>
+/// <param name="Unit">Unit as written, e.g. "pix/deg"; null if none is given.</param>
+/// <param name="Items">The values of a sequence or set; null for one text.</param>
+/// <param name="Line">Line of the label, from 1.</param>
+internal sealed record PdsValue(string Text, bool IsQuoted, string? Unit, IReadOnlyList<PdsValue>? Items, int Line)
+{
+    /// <summary>As the label writes it, on one line.</summary>
+    public override string ToString() => Items is null
+        ? string.Join(' ', Text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)) + (Unit is null ? string.Empty : $" <{Unit}>")
+        : $"({string.Join(", ", Items)})";
+}
+
+/// <summary>The spellings of units that labels use; the first is NASA's in LDEM labels.</summary>
+internal static class PdsUnits
+{
+    public static readonly string[] Degrees = ["deg", "degree", "degrees"];
+    public static readonly string[] PixelsPerDegree = ["pix/deg", "pixel/deg", "pixel/degree", "pixels/degree"];
+    public static readonly string[] Pixels = ["pix", "pixel", "pixels"];
+    public static readonly string[] MetresPerPixel = ["m/pix", "m/pixel", "meter/pix", "meter/pixel", "meters/pix", "meters/pixel"];
+    public static readonly string[] KilometresPerPixel =
+        ["km/pix", "km/pixel", "kilometer/pix", "kilometer/pixel", "kilometers/pix", "kilometers/pixel"];
+
+    public static readonly string[] Kilometres = ["km", "kilometer", "kilometers"];
+}
+
 /// <summary>An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it.</summary>
-public sealed class PdsObject
+/// <param name="file">Name of the label's file for messages.</param>
+/// <param name="name">Name of the object, e.g. "IMAGE_MAP_PROJECTION".</param>
+/// <param name="line">Line where it begins, from 1.</param>
+internal sealed class PdsObject(string file, string name, int line)
 {
     private readonly Dictionary<string, PdsValue> _values = new(StringComparer.Ordinal);
     private readonly List<PdsObject> _children = [];
-    private readonly string _file;
 
-    /// <summary>Makes an empty object.</summary>
-    /// <param name="file">Name of the label's file for messages.</param>
-    /// <param name="name">Name of the object.</param>
-    /// <param name="line">Line where it begins, from 1.</param>
-    internal PdsObject(string file, string name, int line)
-    {
-        _file = file;
-        Name = name;
-        Line = line;
-    }
+    public string Name => name;
 
-    /// <summary>Name of the object, e.g. "IMAGE_MAP_PROJECTION".</summary>
-    public string Name { get; }
-
-    /// <summary>Line where it begins, from 1.</summary>
-    public int Line { get; }
+    public int Line => line;
 
     /// <summary>The value of a keyword of this object itself; null if it has none.</summary>
     public PdsValue? Find(string keyword) => _values.GetValueOrDefault(keyword);
 
     /// <summary>The first object of a name, in the order of the label, however deep; null if there is none.</summary>
-    public PdsObject? FindObject(string name)
-    {
-        foreach (PdsObject child in _children)
-        {
-            if ((child.Name == name ? child : child.FindObject(name)) is { } found)
-            {
-                return found;
-            }
-        }
-
-        return null;
-    }
+    public PdsObject? FindObject(string wanted) =>
+        _children.Select(child => child.Name == wanted ? child : child.FindObject(wanted)).FirstOrDefault(found => found is not null);
 
     /// <summary>The value of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing.</exception>
     public PdsValue Required(string keyword) => Find(keyword)
-        ?? throw new BadInputException($"{_file}: {Name} has no {keyword}. Get the label again from the archive that holds the product.");
+        ?? throw new BadInputException($"{file}: {name} has no {keyword}. Get the label again from the archive that holds the product.");
 
     /// <summary>The one-line text of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing, empty or a sequence.</exception>
     public string RequiredText(string keyword)
     {
         PdsValue value = Required(keyword);
-        return value.Items is null && value.Text.Length > 0 ? value.ToString() : throw WrongValue(keyword, value, "one text is needed");
+        return value.Items is null && value.Text.Length > 0 ? value.ToString() : throw WrongValue(keyword, "one text is needed");
     }
 
     /// <summary>The number of a keyword that must be there; its unit, if it has one, must be one of the given spellings.</summary>
@@ -68,55 +74,66 @@ public sealed class PdsObject
 
     /// <summary>The whole number of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing, no whole number, or out of range.</exception>
-    public int RequiredInteger(string keyword, int minimum, int maximum) => Integer(keyword, Required(keyword), minimum, maximum);
+    public int RequiredInteger(string keyword, int minimum, int maximum)
+    {
+        double number = Number(keyword, Required(keyword), []);
+        return number == Math.Floor(number) && number >= minimum && number <= maximum
+            ? (int)number
+            : throw WrongValue(keyword, $"a whole number from {minimum} to {maximum} is needed");
+    }
 
     /// <summary>The whole number of a keyword; null if it is missing.</summary>
     /// <exception cref="BadInputException">It is no whole number, or out of range.</exception>
     public int? OptionalInteger(string keyword, int minimum, int maximum) =>
-        Find(keyword) is { } value ? Integer(keyword, value, minimum, maximum) : null;
+        Find(keyword) is null ? null : RequiredInteger(keyword, minimum, maximum);
 
-    /// <summary>The error for a value that is not allowed.</summary>
+    /// <summary>Checks that a text, if the label has it, is the expected one.</summary>
+    /// <exception cref="BadInputException">It is another one.</exception>
+    public void CheckText(string keyword, string expected, string need)
+    {
+        if (Find(keyword) is { } value && value.ToString() != expected)
+        {
+            throw WrongValue(keyword, need);
+        }
+    }
+
+    /// <summary>Checks that a number, if the label has it, is the expected one.</summary>
+    /// <exception cref="BadInputException">It is another one.</exception>
+    public void CheckNumber(string keyword, double expected, params string[] units)
+    {
+        if (OptionalNumber(keyword, units) is { } number && number != expected)
+        {
+            throw WrongValue(keyword, string.Create(CultureInfo.InvariantCulture, $"the rest of the label needs {expected:R}"));
+        }
+    }
+
+    /// <summary>The error for the value of a keyword that must be there.</summary>
     /// <param name="keyword">The keyword.</param>
-    /// <param name="value">Its value.</param>
     /// <param name="need">What is needed instead.</param>
-    public BadInputException WrongValue(string keyword, PdsValue value, string need) => new(string.Create(
-        CultureInfo.InvariantCulture, $"{_file}, line {value.Line}: {keyword} = {value}; {need}."));
+    public BadInputException WrongValue(string keyword, string need) => WrongValue(keyword, Required(keyword), need);
+
+    /// <summary>The error for a value, or for a part of it.</summary>
+    public BadInputException WrongValue(string keyword, PdsValue value, string need) =>
+        new($"{file}, line {value.Line}: {keyword} = {value}; {need}.");
 
     /// <summary>Adds a keyword while the label is read.</summary>
     /// <exception cref="BadInputException">The object has the keyword already, with another value.</exception>
-    internal void Add(string keyword, PdsValue value)
+    public void Add(string keyword, PdsValue value)
     {
         if (!_values.TryAdd(keyword, value) && _values[keyword].ToString() != value.ToString())
         {
-            throw WrongValue(keyword, value, string.Create(
-                CultureInfo.InvariantCulture, $"line {_values[keyword].Line} of the same object says {_values[keyword]}"));
+            throw WrongValue(keyword, value, $"line {_values[keyword].Line} of the same object says {_values[keyword]}");
         }
     }
 
     /// <summary>Adds an object while the label is read.</summary>
-    internal void Add(PdsObject child) => _children.Add(child);
+    public void Add(PdsObject child) => _children.Add(child);
 
-    private double Number(string keyword, PdsValue value, string[] units)
-    {
-        if (value.Items is not null || value.IsQuoted || !TryParse(value.Text, out double number))
-        {
-            throw WrongValue(keyword, value, "a finite number is needed");
-        }
-
-        return units.Length == 0 || value.Unit is null || units.Contains(value.Unit, StringComparer.OrdinalIgnoreCase)
-            ? number
-            : throw WrongValue(keyword, value, $"the unit <{units[0]}> is needed");
-    }
-
-    private int Integer(string keyword, PdsValue value, int minimum, int maximum)
-    {
-        double number = Number(keyword, value, []);
-        return number == Math.Floor(number) && number >= minimum && number <= maximum
-            ? (int)number
-            : throw WrongValue(keyword, value, string.Create(
-                CultureInfo.InvariantCulture, $"a whole number from {minimum} to {maximum} is needed"));
-    }
-
-    private static bool TryParse(string text, out double number) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out number) && double.IsFinite(number);
+    private double Number(string keyword, PdsValue value, string[] units) =>
+        value.Items is not null || value.IsQuoted || !double.TryParse(
+            value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !double.IsFinite(number)
+            ? throw WrongValue(keyword, value, "a finite number is needed")
+            : units.Length == 0 || value.Unit is null || units.Contains(value.Unit, StringComparer.OrdinalIgnoreCase)
+                ? number
+                : throw WrongValue(keyword, value, $"the unit <{units[0]}> is needed");
 }

@@ -1,61 +1,58 @@
-using System.Globalization;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Pds;
 
+/// <summary>
+/// What a piece of a PDS3 label is: a keyword or an unquoted value; a value in quotes; a unit in angle brackets; one of = ( ) { } and the
+/// comma; the end of the text.
+/// </summary>
+internal enum PdsTokenKind { Word, Quoted, Unit, Sign, End }
+
+/// <summary>A piece of a PDS3 label.</summary>
+/// <param name="Kind">What it is.</param>
+/// <param name="Text">Its text, without quotes or brackets.</param>
+/// <param name="Line">Line of its first character, from 1.</param>
+internal readonly record struct PdsToken(PdsTokenKind Kind, string Text, int Line)
+{
+    public bool IsSign(string sign) => Kind == PdsTokenKind.Sign && Text == sign;
+}
+
 /// <summary>Cuts the text of a PDS3 label (Object Description Language) into tokens, comments left out.</summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapter 12.</remarks>
-internal sealed class PdsTokenizer
+/// <param name="text">The label; what follows its END may be anything.</param>
+/// <param name="file">Name for messages.</param>
+internal sealed class PdsTokenizer(string text, string file)
 {
-    private const string Signs = "=(){},";
-
-    private readonly string _text;
-    private readonly string _file;
     private int _position;
     private int _line = 1;
-
-    /// <summary>Starts at the beginning of a label.</summary>
-    /// <param name="text">The label; what follows its END may be anything.</param>
-    /// <param name="file">Name for messages.</param>
-    public PdsTokenizer(string text, string file)
-    {
-        _text = text;
-        _file = file;
-    }
 
     /// <summary>The next token.</summary>
     /// <exception cref="BadInputException">A quotation, comment or unit has no end.</exception>
     public PdsToken Next()
     {
         SkipBlanksAndComments();
-        if (_position >= _text.Length)
+        int line = _line;
+        return _position == text.Length ? new PdsToken(PdsTokenKind.End, string.Empty, line) : text[_position] switch
         {
-            return new PdsToken(PdsTokenKind.End, string.Empty, _line);
-        }
-
-        char first = _text[_position];
-        return first switch
-        {
-            '"' or '\'' => Enclosed(PdsTokenKind.Quoted, first, "quotation"),
-            '<' => Enclosed(PdsTokenKind.Unit, '>', "unit"),
-            _ when Signs.Contains(first, StringComparison.Ordinal) =>
-                new PdsToken(PdsTokenKind.Sign, _text.Substring(_position++, 1), _line),
-            _ => Word(),
+            '"' => new PdsToken(PdsTokenKind.Quoted, TakeTo("\"", 1, "quotation"), line),
+            '\'' => new PdsToken(PdsTokenKind.Quoted, TakeTo("'", 1, "quotation"), line),
+            '<' => new PdsToken(PdsTokenKind.Unit, TakeTo(">", 1, "unit"), line),
+            var first when IsSign(first) => new PdsToken(PdsTokenKind.Sign, text.Substring(_position++, 1), line),
+            _ => new PdsToken(PdsTokenKind.Word, TakeWord(), line),
         };
     }
 
     private void SkipBlanksAndComments()
     {
-        while (_position < _text.Length)
+        while (_position < text.Length)
         {
-            if (IsBlank(_text[_position]))
+            if (IsBlank(text[_position]))
             {
-                CountLine(_text[_position++]);
+                _line += text[_position++] == '\n' ? 1 : 0;
             }
-            else if (IsCommentStart(_position))
+            else if (IsComment(_position))
             {
-                int end = _text.IndexOf("*/", _position + 2, StringComparison.Ordinal);
-                MoveTo(end < 0 ? throw Endless("comment", _line) : end + 2);
+                TakeTo("*/", 2, "comment");
             }
             else
             {
@@ -64,43 +61,37 @@ internal sealed class PdsTokenizer
         }
     }
 
-    private PdsToken Enclosed(PdsTokenKind kind, char closing, string what)
+    /// <summary>What stands before a closing sign, without the characters that open it.</summary>
+    private string TakeTo(string closing, int opening, string what)
     {
-        int startLine = _line;
-        int start = _position + 1;
-        int end = _text.IndexOf(closing, start);
-        MoveTo(end < 0 ? throw Endless(what, startLine) : end + 1);
-        return new PdsToken(kind, _text[start..end], startLine);
+        int start = _position + opening;
+        int end = text.IndexOf(closing, start, StringComparison.Ordinal);
+        if (end < 0)
+        {
+            throw new BadInputException(
+                $"{file}, line {_line}: the {what} that begins here has no end. Is this a whole PDS3 label?");
+        }
+
+        _line += text.AsSpan(start, end - start).Count('\n');
+        _position = end + closing.Length;
+        return text[start..end];
     }
 
-    private PdsToken Word()
+    private string TakeWord()
     {
         int start = _position;
-        while (_position < _text.Length && !IsWordEnd(_text[_position]) && !IsCommentStart(_position))
+        while (_position < text.Length && !IsBlank(text[_position]) && text[_position] is not ('"' or '\'' or '<')
+            && !IsSign(text[_position]) && !IsComment(_position))
         {
             _position++;
         }
 
-        return new PdsToken(PdsTokenKind.Word, _text[start.._position], _line);
+        return text[start.._position];
     }
 
-    private void MoveTo(int target)
-    {
-        while (_position < target)
-        {
-            CountLine(_text[_position++]);
-        }
-    }
-
-    private void CountLine(char character) => _line += character == '\n' ? 1 : 0;
-
-    private bool IsCommentStart(int index) => _text.AsSpan(index).StartsWith("/*", StringComparison.Ordinal);
-
-    private BadInputException Endless(string what, int startLine) => new(string.Create(
-        CultureInfo.InvariantCulture, $"{_file}, line {startLine}: the {what} that begins here has no end. Is this a whole PDS3 label?"));
+    private bool IsComment(int index) => text.AsSpan(index).StartsWith("/*", StringComparison.Ordinal);
 
     private static bool IsBlank(char character) => char.IsWhiteSpace(character) || character == '\0';
 
-    private static bool IsWordEnd(char character) =>
-        IsBlank(character) || character is '"' or '\'' or '<' || Signs.Contains(character, StringComparison.Ordinal);
+    private static bool IsSign(char character) => character is '=' or '(' or ')' or '{' or '}' or ',';
 }

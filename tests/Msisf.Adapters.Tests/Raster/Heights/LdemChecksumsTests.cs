@@ -121,7 +121,7 @@ public sealed class LdemChecksumsTests : IDisposable
     {
         string label = Large();
         Read(label, null);
-        string cached = SidecarPlaces.Of(LdemSet.Join([LdemLabelReader.ReadFile(label)]), ".checksums", _folder["cache"]).Cached!;
+        string cached = LdemSet.Join([LdemLabelReader.ReadFile(label)]).PlacesOf(".checksums", _folder["cache"]).Cached!;
         Directory.CreateDirectory(_folder["cache"]);
         File.Move(Remembered(label), cached);
 

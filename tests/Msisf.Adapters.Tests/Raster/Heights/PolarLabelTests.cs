@@ -89,7 +89,7 @@ public sealed class PolarLabelTests : IDisposable
     [Fact]
     public void Open_Map_ReadsTheSamplesOfItsLines()
     {
-        using LdemMapImage image = LdemMapImage.Open(LdemLabelReader.ReadFile(PolarTestModel.Write(_folder.Path)));
+        using LdemMapImage image = Open(PolarTestModel.Write(_folder.Path));
         double[] radii = new double[10];
         image.ReadRadii(59, 54, radii);
         Assert.Equal(
@@ -106,7 +106,7 @@ public sealed class PolarLabelTests : IDisposable
     {
         string label = PolarTestModel.Write(_folder.Path);
         File.WriteAllBytes(Path.ChangeExtension(label, ".IMG"), new byte[bytes]);
-        BadInputException exception = Assert.Throws<BadInputException>(() => LdemMapImage.Open(LdemLabelReader.ReadFile(label)));
+        BadInputException exception = Assert.Throws<BadInputException>(() => Open(label));
         Assert.Contains(message, exception.Message, StringComparison.Ordinal);
     }
 
@@ -117,7 +117,7 @@ public sealed class PolarLabelTests : IDisposable
         File.Delete(Path.ChangeExtension(label, ".IMG"));
         Assert.Contains(
             "missing; ",
-            Assert.Throws<BadInputException>(() => LdemMapImage.Open(LdemLabelReader.ReadFile(label))).Message,
+            Assert.Throws<BadInputException>(() => Open(label)).Message,
             StringComparison.Ordinal);
     }
 
@@ -125,7 +125,7 @@ public sealed class PolarLabelTests : IDisposable
     public void ReadRadii_SampleOutsideTheLimits_NamesItsPlace()
     {
         string label = PolarTestModel.Write(_folder.Path, PolarTestModel.Label.Replace("= 4000\n", "= 3000\n", StringComparison.Ordinal));
-        using LdemMapImage image = LdemMapImage.Open(LdemLabelReader.ReadFile(label));
+        using LdemMapImage image = Open(label);
         BadInputException exception = Assert.Throws<BadInputException>(() => image.RadiusBounds(0, 60, 0, 64));
         Assert.Contains("LDEM_85S_5000M.IMG, line ", exception.Message, StringComparison.Ordinal);
     }
@@ -149,4 +149,6 @@ public sealed class PolarLabelTests : IDisposable
         using MemoryStream stream = new(Encoding.Latin1.GetBytes(text));
         return LdemLabelReader.Read(stream, "LDEM_85S_5000M.LBL");
     }
+
+    private static LdemMapImage Open(string label) => LdemMapImage.Open(LdemSet.OfMap(LdemLabelReader.ReadFile(label)));
 }

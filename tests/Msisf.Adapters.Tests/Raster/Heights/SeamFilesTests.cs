@@ -1,3 +1,4 @@
+using Msisf.Adapters.Raster;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Surface.Sources;
 using Msisf.TestSupport;
@@ -81,7 +82,7 @@ public sealed class SeamFilesTests : IDisposable
         string model = Model();
         string cache = _folder["cache"];
         new SeamFiles([LdemCatalog.Read(model)], cache, _warnings.Add).Keep(Filling());
-        SidecarPlaces places = SidecarPlaces.Of(LdemCatalog.Read(model), ".0123456789abcdef.seam", cache);
+        SidecarPlaces places = LdemCatalog.Read(model).PlacesOf(".0123456789abcdef.seam", cache);
         Directory.CreateDirectory(cache);
         File.Move(places.Beside, places.Cached!);
 

@@ -7,7 +7,7 @@ using Xunit;
 
 namespace Msisf.Adapters.Tests.Raster.Heights;
 
-public sealed class LdemBandImageTests : IDisposable
+public sealed class LdemMapImageTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
@@ -28,7 +28,7 @@ public sealed class LdemBandImageTests : IDisposable
 
         LdemSet set = LdemCatalog.Find(2, label, []);
         Assert.False(set.IsWholeMoon);
-        using LdemBandImage band = LdemBandImage.Open(set);
+        using LdemMapImage band = LdemMapImage.Open(set);
         Assert.Equal(new GridWindow(60, 300, 0, 720), band.Window);
         double[] expected = new double[720];
         double[] found = new double[720];

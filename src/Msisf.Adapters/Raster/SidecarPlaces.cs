@@ -1,0 +1,52 @@
+using Msisf.Adapters.IO;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster;
+
+/// <summary>
+/// The possible places of a file that is derived from a model: beside the model, or, if that folder can't be written to, in the user's
+/// cache.
+/// </summary>
+/// <param name="Beside">Beside the model.</param>
+/// <param name="Cached">In the cache, under a name of the model's own place; null without a cache.</param>
+public sealed record SidecarPlaces(string Beside, string? Cached)
+{
+    /// <summary>The places for a model.</summary>
+    /// <param name="beside">The place beside the model.</param>
+    /// <param name="productId">The model's name.</param>
+    /// <param name="extension">Of the file, with its dot.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    internal static SidecarPlaces Of(string beside, string productId, string extension, string? cacheFolder) =>
+        new(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{productId}-{PathKey.Of(beside)}{extension}"));
+
+    /// <summary>Reads the file: what stands beside the model, else what the cache has.</summary>
+    internal T? Read<T>(Func<string, T?> read)
+        where T : class => read(Beside) ?? (Cached is null ? null : read(Cached));
+
+    /// <summary>The first place whose folder takes files; without a cache the failure of writing says why.</summary>
+    public string ForWriting() =>
+        Cached is null || TakesFiles(Path.GetDirectoryName(Path.GetFullPath(Beside))!) ? Beside : Cached;
+
+    /// <summary>Whether files can be made in a folder.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="isMade">Whether it is made if it is missing.</param>
+    internal static bool TakesFiles(string folder, bool isMade = false)
+    {
+        try
+        {
+            if (isMade)
+            {
+                Directory.CreateDirectory(folder);
+            }
+
+            string probe = Path.Combine(folder, Path.GetRandomFileName());
+            using FileStream file = new(
+                probe, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
+            return true;
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            return false;
+        }
+    }
+}
