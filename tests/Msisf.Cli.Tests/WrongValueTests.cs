@@ -43,7 +43,6 @@ public sealed class WrongValueTests : IDisposable
         ["--account"] = ["a b"],
         ["--listen"] = ["x", "127.0.0.1", "127.0.0.1:65536", "moon.example.org:80", "0.0.0.0:80"],
         ["--allow-host"] = ["a b", "http://moon.example.org", "a,,b"],
-        ["--batch-euler"] = ["x", "zyx", "ZZY"],
         ["--folders"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--catalogues"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--sbatch-options"] = ["-x", "time=1"],
