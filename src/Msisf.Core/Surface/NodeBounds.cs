@@ -1,3 +1,5 @@
+using Msisf.Core.Numerics;
+
 namespace Msisf.Core.Surface;
 
 /// <summary>Bounds of the facets of a node, including its border vertices, as floats that are rounded outwards.</summary>
@@ -17,3 +19,22 @@ internal readonly record struct NodeBounds(float Min, float Max, float MaxSlope)
     public static NodeBounds Union(NodeBounds a, NodeBounds b) =>
         new(Math.Min(a.Min, b.Min), Math.Max(a.Max, b.Max), Math.Max(a.MaxSlope, b.MaxSlope));
 }
+
+/// <summary>Bounding volumes of the facets of a node: a cap of directions and a box.</summary>
+/// <param name="Up">Direction of the node's middle, MOON_ME, length 1.</param>
+/// <param name="CapRadius">Angle around <paramref name="Up"/> that contains the directions of the facets.</param>
+/// <param name="Box">Box that contains the facets, MOON_ME; its axes point up and along the grid at the middle of the node.</param>
+internal readonly record struct NodeBox(Vector3D Up, SineCosine CapRadius, OrientedBox Box);
+
+/// <summary>Neighbouring nodes of one level.</summary>
+/// <param name="FirstRow">Northernmost row.</param>
+/// <param name="EndRow">One past the southernmost row.</param>
+/// <param name="FirstColumn">Westernmost column.</param>
+/// <param name="EndColumn">One past the easternmost column.</param>
+internal readonly record struct NodeRange(int FirstRow, int EndRow, int FirstColumn, int EndColumn);
+
+/// <summary>All directions within an angle of a centre direction.</summary>
+/// <param name="Centre">Unit vector, MOON_ME.</param>
+/// <param name="CosRadius">Cosine of the angle.</param>
+/// <param name="SinRadius">Sine of the angle, which is below pi.</param>
+internal readonly record struct SphericalCap(Vector3D Centre, double CosRadius, double SinRadius);

@@ -73,3 +73,92 @@ internal sealed class FrontEdges(SeamGeometry geometry)
     /// <param name="edges">Receives their numbers, in no order.</param>
     public void Find(Vector3D centre, Vector3D reach, List<int> edges) => _index.Find(centre, reach, edges);
 }
+
+/// <summary>
+/// Finds edges near a place, whatever their lengths: a tree of cubes, each with the edges that are about as long as it is wide.
+/// </summary>
+internal sealed class FrontIndex
+{
+    /// <summary>m: half the width of the cube that holds the Moon.</summary>
+    private const double Half = 1 << 22;
+
+    /// <summary>m: half the width of the smallest cubes.</summary>
+    private const double Smallest = 1.0 / 1024.0;
+
+    private readonly Cube _top = new();
+
+    /// <summary>Adds an edge.</summary>
+    /// <param name="edge">Its number.</param>
+    /// <param name="middle">Its middle, m.</param>
+    /// <param name="length">Its length, m.</param>
+    public void Add(int edge, Vector3D middle, double length) => Change(middle, length, 1).Edges.Add(edge);
+
+    /// <summary>Removes an edge that was added with the same numbers.</summary>
+    public void Remove(int edge, Vector3D middle, double length) => Change(middle, length, -1).Edges.Remove(edge);
+
+    /// <summary>Finds all edges with a point in a box, and some others.</summary>
+    /// <param name="centre">Its middle, m.</param>
+    /// <param name="reach">Half of its extent along each axis, m.</param>
+    /// <param name="edges">Receives their numbers, in no order.</param>
+    public void Find(Vector3D centre, Vector3D reach, List<int> edges)
+    {
+        edges.Clear();
+        Visit(_top, default, Half, centre, reach, edges);
+    }
+
+    private static void Visit(Cube cube, Vector3D middle, double half, Vector3D centre, Vector3D reach, List<int> edges)
+    {
+        // An edge is no longer than its cube is wide, and its middle is in the cube; some more, as edges lie below the sphere.
+        double around = 2.1 * half;
+        if (cube.Count == 0 || Math.Abs(centre.X - middle.X) > reach.X + around || Math.Abs(centre.Y - middle.Y) > reach.Y + around
+            || Math.Abs(centre.Z - middle.Z) > reach.Z + around)
+        {
+            return;
+        }
+
+        edges.AddRange(cube.Edges);
+        for (int child = 0; child < cube.Children.Length; child++)
+        {
+            if (cube.Children[child] is { } next)
+            {
+                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, reach, edges);
+            }
+        }
+    }
+
+    private static Vector3D MiddleOf(Vector3D parent, double half, int child) => new(
+        parent.X + ((child & 1) != 0 ? half : -half), parent.Y + ((child & 2) != 0 ? half : -half),
+        parent.Z + ((child & 4) != 0 ? half : -half));
+
+    /// <summary>Counts an edge in all cubes around it, and returns the smallest of them.</summary>
+    private Cube Change(Vector3D middle, double length, int by)
+    {
+        Cube cube = _top;
+        Vector3D place = default;
+        cube.Count += by;
+        for (double half = 0.5 * Half; 2.0 * half >= length && half >= Smallest; half *= 0.5)
+        {
+            int child = (middle.X >= place.X ? 1 : 0) | (middle.Y >= place.Y ? 2 : 0) | (middle.Z >= place.Z ? 4 : 0);
+            place = MiddleOf(place, half, child);
+            if (cube.Children.Length == 0)
+            {
+                cube.Children = new Cube?[8];
+            }
+
+            cube = cube.Children[child] ??= new Cube();
+            cube.Count += by;
+        }
+
+        return cube;
+    }
+
+    private sealed class Cube
+    {
+        public Cube?[] Children { get; set; } = [];
+
+        public List<int> Edges { get; } = [];
+
+        /// <summary>Number of edges in this cube and those within it.</summary>
+        public int Count { get; set; }
+    }
+}
