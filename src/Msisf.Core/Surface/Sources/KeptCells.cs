@@ -92,7 +92,7 @@ internal static class KeptCells
                 return Visit.Descend;
             }
 
-            if (finer.Kept.HasAll(reached[0]))
+            if (mask.StateOf(row, column) != CellMask.BlockState.Empty && finer.Kept.HasAll(reached[0]))
             {
                 mask.RemoveBlock(row, column);
             }
