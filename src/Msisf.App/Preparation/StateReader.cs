@@ -53,7 +53,8 @@ internal sealed class StateReader
             FixedStateSettings fixedState => [fixedState.State],
             BatchFileSettings file => BatchFile(file, cancellation),
             PlaceSettings place => AtPlace(place, cancellation),
-            _ => OnOrbit((OrbitSettings)trajectory, cancellation),
+            OrbitSettings orbit => OnOrbit(orbit, cancellation),
+            _ => throw new ArgumentException($"no states are known of {trajectory.GetType().Name}", nameof(trajectory)),
         };
         if (trajectory is BatchFileSettings)
         {

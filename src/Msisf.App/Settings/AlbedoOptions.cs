@@ -13,7 +13,7 @@ internal static partial class AlbedoOptions
 
     /// <summary>The map.</summary>
     public static PathSpec Map { get; } = new(
-        "--albedo-map", PathKind.Any,
+        "--albedo-map", DecidesBytes.As(frame => frame.Map?.Name ?? (frame.MayHaveMap ? NoMap : null)), PathKind.Any,
         "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...; of several tiles one, or their folder), or an image that "
             + "GDAL reads; none for no map")
     {
@@ -22,7 +22,7 @@ internal static partial class AlbedoOptions
 
     /// <summary>What the map's values mean.</summary>
     public static TextSpec Properties { get; } = new(
-        "--albedo-map-properties", "LIST",
+        "--albedo-map-properties", DecidesBytes.As(frame => frame.Map is null ? null : frame.Settings.Albedo.Properties.ToString()), "LIST",
         "What the map's values mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band (nm)")
     {
         DefaultNote = "those of the known map, or of its label",
@@ -30,14 +30,15 @@ internal static partial class AlbedoOptions
 
     /// <summary>Checksum of the map.</summary>
     public static TextSpec Checksum { get; } = new(
-        "--albedo-map-checksum", "HEX", "SHA-256 that the map's file must have (of several tiles that of all: docs/photometry.md)")
+        "--albedo-map-checksum", DecidesBytes.As(frame => frame.Map?.Sha256),
+        "HEX", "SHA-256 that the map's file must have (of several tiles that of all: docs/photometry.md)")
     {
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };
 
     /// <summary>Spectral band.</summary>
     public static ChoiceSpec<int> Band { get; } = new(
-        "--band",
+        "--band", DecidesBytes.As(frame => frame.HasBand ? frame.Settings.Albedo.Band.Nanometres : null),
         [.. SpectralBand.All.Select(band => (NumberSpec.TextOf(band.Nanometres), band.Nanometres))],
         "Band of the law moon, of the map and of the radiance, nm")
     {
@@ -63,3 +64,12 @@ internal static partial class AlbedoOptions
     [GeneratedRegex("^[0-9A-Fa-f]{64}$")]
     private static partial Regex HexDigits();
 }
+
+/// <summary>The checked options of the map of the Moon's reflectance.</summary>
+/// <param name="MapPath">The map; null for none, or for the installed one.</param>
+/// <param name="IsGiven">Whether the user names a map, or none; if not, an installed map may be used.</param>
+/// <param name="Properties">Properties of the map that the user gives.</param>
+/// <param name="Sha256">SHA-256 that the map must have; null for any.</param>
+/// <param name="Band">Band of the law moon, of the map and of the radiance.</param>
+internal sealed record AlbedoSettings(
+    string? MapPath, bool IsGiven, MapProperties Properties, string? Sha256, SpectralBand Band);

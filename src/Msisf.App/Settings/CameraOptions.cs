@@ -10,18 +10,18 @@ internal static class CameraOptions
 {
     /// <summary>One state.</summary>
     public static NumberListSpec FixedState { get; } = new(
-        "--fixed-state", ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"],
+        "--fixed-state", DecidesBytes.ByStates, ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"],
         "One image: time (MJD or ISO 8601, UTC), position (m, ME/PA) and orientation (quaternion)");
 
     /// <summary>States in a file.</summary>
     public static PathSpec BatchFile { get; } = new(
-        "--batch-file", PathKind.File,
+        "--batch-file", DecidesBytes.ByStates, PathKind.File,
         "One image a line of the file: MJD rx ry rz qx qy qz q0, or the columns that its first line names (time,lat,lon,height,...); "
             + "# begins a comment; - reads standard input");
 
     /// <summary>An orbit by its elements.</summary>
     public static NumberListSpec KeplerSet { get; } = new(
-        "--kepler-set",
+        "--kepler-set", DecidesBytes.ByStates,
         ["a", "e", "omega", "Omega", "i", "M0"],
         "Kepler orbit: semi-major axis (m), eccentricity, argument of periapsis, longitude of the ascending node, inclination, "
             + "mean anomaly at the epoch (rad)")
@@ -31,31 +31,35 @@ internal static class CameraOptions
 
     /// <summary>An orbit by position and velocity.</summary>
     public static NumberListSpec StateVectors { get; } = new(
-        "--state-vectors", ["rx", "ry", "rz", "drx", "dry", "drz"], "Orbit by position (m) and velocity (m/s) at the epoch")
+        "--state-vectors", DecidesBytes.ByStates,
+        ["rx", "ry", "rz", "drx", "dry", "drz"], "Orbit by position (m) and velocity (m/s) at the epoch")
     {
         Aliases = ["-s"],
     };
 
     /// <summary>Time of the orbit.</summary>
     public static TimeSpec Epoch { get; } = new(
-        "--epoch", "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
+        "--epoch", DecidesBytes.ByStates,
+        "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
     {
         Aliases = ["-e"],
     };
 
     /// <summary>One time.</summary>
-    public static TimeSpec Time { get; } = new("--time", "Time of one image (UTC)") { Aliases = ["-t"] };
+    public static TimeSpec Time { get; } = new("--time", DecidesBytes.ByStates, "Time of one image (UTC)") { Aliases = ["-t"] };
 
     /// <summary>Several times.</summary>
-    public static NumberListSpec Times { get; } = new("--times", ["MJD"], "Times of several images (UTC)") { Aliases = ["-tt"] };
+    public static NumberListSpec Times { get; } = new(
+        "--times", DecidesBytes.ByStates, ["MJD"], "Times of several images (UTC)") { Aliases = ["-tt"] };
 
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
-        "--time-interval", "[start:step:end]",
+        "--time-interval", DecidesBytes.ByStates, "[start:step:end]",
         "Times of a series of images: from start to end (UTC) in steps of days, or as in 10s, 5min, 2h; the brackets may be left out");
 
     /// <summary>Orientation at the epoch.</summary>
-    public static NumberListSpec Attitude { get; } = new("--attitude", ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
+    public static NumberListSpec Attitude { get; } = new(
+        "--attitude", DecidesBytes.ByStates, ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
     {
         Aliases = ["-a"],
         DefaultNote = "the nadir, north up",
@@ -63,7 +67,8 @@ internal static class CameraOptions
 
     /// <summary>Rotation of the spacecraft.</summary>
     public static NumberListSpec AttitudeTransition { get; } = new(
-        "--attitude-transition", ["wx", "wy", "wz"], "Angular velocity about the spacecraft's own axes (rad/s), from the epoch on")
+        "--attitude-transition", DecidesBytes.ByStates,
+        ["wx", "wy", "wz"], "Angular velocity about the spacecraft's own axes (rad/s), from the epoch on")
     {
         Aliases = ["-at"],
         DefaultNote = "{0,0,0}",
@@ -71,7 +76,7 @@ internal static class CameraOptions
 
     /// <summary>Frame of the orbit.</summary>
     public static ChoiceSpec<OrbitFrame> OrbitFrame { get; } = new(
-        "--orbit-frame",
+        "--orbit-frame", DecidesBytes.ByStates,
         [
             new Choice("moon-me", Core.Orbit.OrbitFrame.MoonMe),
             new Choice("moon-me-epoch", Core.Orbit.OrbitFrame.MoonMeEpoch),
@@ -84,7 +89,7 @@ internal static class CameraOptions
 
     /// <summary>Frame of the attitude.</summary>
     public static ChoiceSpec<AttitudeFrame> AttitudeFrame { get; } = new(
-        "--attitude-frame",
+        "--attitude-frame", DecidesBytes.ByStates,
         [
             ("moon-me", Core.Attitude.AttitudeFrame.MoonMe), ("moon-me-epoch", Core.Attitude.AttitudeFrame.MoonMeEpoch),
             ("j2000", Core.Attitude.AttitudeFrame.J2000), ("lvlh", Core.Attitude.AttitudeFrame.Lvlh),
@@ -97,12 +102,13 @@ internal static class CameraOptions
 
     /// <summary>Whether quaternions may be rounded.</summary>
     public static FlagSpec Normalize { get; } = new(
-        "--normalize", "Take quaternions and matrices of few decimals (2 or more), and make them rotations; their length must else be 1 "
+        "--normalize", DecidesBytes.ByStates,
+        "Take quaternions and matrices of few decimals (2 or more), and make them rotations; their length must else be 1 "
             + "within 1e-6");
 
     /// <summary>Motion of the camera.</summary>
     public static NumberListSpec Motion { get; } = new(
-        "--motion",
+        "--motion", DecidesBytes.ByStates,
         CameraMotion.NumberNames,
         "Velocity over the Moon (m/s, ME/PA) and angular velocity about the camera's axes (rad/s, relative to ME/PA) during the exposure. "
             + "For a camera file that has a shutter, and no orbit");

@@ -8,14 +8,14 @@ internal static class CutOptions
 {
     /// <summary>Number of pieces.</summary>
     public static WholeNumberSpec Pieces { get; } = new(
-        "--pieces", "N", 1, int.MaxValue, "Cut the run into so many pieces")
+        "--pieces", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into so many pieces")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Number of frames per piece.</summary>
     public static WholeNumberSpec FramesPerPiece { get; } = new(
-        "--frames-per-piece", "N", 1, int.MaxValue, "Cut the run into pieces of so many images")
+        "--frames-per-piece", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into pieces of so many images")
     {
         IsOfOneCall = true,
     };
@@ -32,3 +32,8 @@ internal static class CutOptions
                 : "nothing says how the run is cut. Give --pieces or --frames-per-piece.");
     }
 }
+
+/// <summary>How a run is cut into pieces.</summary>
+/// <param name="Pieces">Number of pieces; null if the number of frames is given.</param>
+/// <param name="FramesPerPiece">Frames of each piece except the last; null if the number of pieces is given.</param>
+internal sealed record CutSettings(int? Pieces, int? FramesPerPiece);

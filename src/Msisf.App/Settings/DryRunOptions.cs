@@ -8,14 +8,15 @@ internal static class DryRunOptions
 {
     /// <summary>Whether to print what the images would show.</summary>
     public static FlagSpec DryRun { get; } = new(
-        "--dry-run", "Draw nothing; print what each image would show: where the camera is, where it looks, the Sun there, how much is lit")
+        "--dry-run", OptionRole.WhatIsPrinted,
+        "Draw nothing; print what each image would show: where the camera is, where it looks, the Sun there, how much is lit")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Form of the output.</summary>
     public static ChoiceSpec<PreviewFormat> Format { get; } = new(
-        "--format",
+        "--format", OptionRole.WhatIsPrinted,
         [("table", PreviewFormat.Table), ("csv", PreviewFormat.Csv), ("json", PreviewFormat.Json)],
         "Form in which --dry-run prints")
     {
@@ -38,4 +39,17 @@ internal static class DryRunOptions
             ? throw new UsageException("--dry-run and --list-patterns exclude each other. Leave one of them out.").About(DryRun)
             : format;
     }
+}
+
+/// <summary>The form in which <c>--dry-run</c> prints.</summary>
+internal enum PreviewFormat
+{
+    /// <summary>Aligned columns with few digits, for people.</summary>
+    Table,
+
+    /// <summary>Comma-separated values with a header and all digits.</summary>
+    Csv,
+
+    /// <summary>An array of objects with all digits.</summary>
+    Json,
 }

@@ -15,14 +15,15 @@ internal static class FolderOptions
 
     /// <summary>Whether to print step numbers instead of lines.</summary>
     public static FlagSpec PrintFrames { get; } = new(
-        "--print-frames", "Print only the steps that have to be made again, as --frames takes them; an empty line if none")
+        "--print-frames", OptionRole.WhatIsPrinted,
+        "Print only the steps that have to be made again, as --frames takes them; an empty line if none")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Whether to make a contact sheet: one image of many small images.</summary>
     public static FlagSpec ContactSheet { get; } = new(
-        "--contact-sheet",
+        "--contact-sheet", DecidesBytes.OfNoFrame,
         string.Create(
             CultureInfo.InvariantCulture,
             $"When all images are there, make contact-sheet.png: small images of up to {Adapters.Metadata.ContactSheet.MaxImages} frames "
@@ -30,7 +31,8 @@ internal static class FolderOptions
 
     /// <summary>Frame rate of a video, frames per second.</summary>
     public static NumberSpec Video { get; } = new(
-        "--video", "FPS", "When all images are there, make video.mp4 of the last run with so many frames a second, by ffmpeg")
+        "--video", DecidesBytes.OfNoFrame,
+        "FPS", "When all images are there, make video.mp4 of the last run with so many frames a second, by ffmpeg")
     {
         Limits = new NumberRange(0.0, MaxFrameRate) { ExcludesMin = true },
     };
@@ -39,3 +41,8 @@ internal static class FolderOptions
     /// <exception cref="BadInputException">A value is wrong.</exception>
     public static MergeSettings ReadMerge(OptionValues values) => new(ContactSheet.Read(values), Video.ReadIfGiven(values));
 }
+
+/// <summary>The files to make when all images of a run are complete.</summary>
+/// <param name="ContactSheet">Whether to make one image of many small images.</param>
+/// <param name="FrameRate">Frame rate of a video, frames per second; null for no video.</param>
+internal sealed record MergeSettings(bool ContactSheet, double? FrameRate);

@@ -9,7 +9,9 @@ internal static class ImageOptions
     private const int MaxSide = 16384;
 
     /// <summary>Horizontal field of view, degrees.</summary>
-    public static NumberSpec FieldOfView { get; } = new("--fov", "DEGREES", "Horizontal field of view")
+    public static NumberSpec FieldOfView { get; } = new(
+        "--fov", DecidesBytes.As(frame => frame.Settings.Camera is null ? frame.Settings.FieldOfViewDegrees : null),
+        "DEGREES", "Horizontal field of view")
     {
         Aliases = ["-f"],
         Limits = new NumberRange(0.0, 180.0) { ExcludesMin = true, ExcludesMax = true },
@@ -17,14 +19,19 @@ internal static class ImageOptions
     };
 
     /// <summary>Width, px.</summary>
-    public static WholeNumberSpec Width { get; } = new("--width", "PX", 1, MaxSide, "Image width") { Aliases = ["-w"], Default = 1024 };
+    public static WholeNumberSpec Width { get; } = new(
+        "--width", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedWidth : frame.Settings.Width),
+        "PX", 1, MaxSide, "Image width") { Aliases = ["-w"], Default = 1024 };
 
     /// <summary>Height, px.</summary>
-    public static WholeNumberSpec Height { get; } = new("--height", "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
+    public static WholeNumberSpec Height { get; } = new(
+        "--height", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedHeight : frame.Settings.Height),
+        "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
 
     /// <summary>A camera file, or a preset.</summary>
     public static TextSpec Camera { get; } = new(
-        "--camera", "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "
+        "--camera", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? CameraChoice.TextOf(camera) : null),
+        "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "
             + "--width and --height. A file without width or height needs that option");
 
     /// <summary>The options of this class as a group of the help text.</summary>

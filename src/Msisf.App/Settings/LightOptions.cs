@@ -8,11 +8,12 @@ namespace Msisf.App.Settings;
 internal static class LightOptions
 {
     /// <summary>Whether the light comes from the camera instead of the Sun.</summary>
-    public static FlagSpec IgnoreSun { get; } = new("--ignore-sun", "Light the scene from the camera instead of the Sun");
+    public static FlagSpec IgnoreSun { get; } = new(
+        "--ignore-sun", DecidesBytes.As(frame => frame.Settings.IgnoreSun), "Light the scene from the camera instead of the Sun");
 
     /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
-        "--ephemeris",
+        "--ephemeris", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Engine ?? EphemerisChoice.BuiltIn),
         [
             new Choice("cspice", EphemerisChoice.CSpice),
             new Choice("builtin", EphemerisChoice.BuiltIn),
@@ -26,7 +27,7 @@ internal static class LightOptions
 
     /// <summary>Corrections of the Sun's position for light time and aberration.</summary>
     public static ChoiceSpec<Aberration> Aberration { get; } = new(
-        "--aberration",
+        "--aberration", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Settings.Aberration),
         [
             new Choice("none", Core.Ephemeris.Aberration.None),
             new Choice("lt", Core.Ephemeris.Aberration.LightTime),
@@ -39,7 +40,7 @@ internal static class LightOptions
 
     /// <summary>SPICE meta-kernel to load.</summary>
     public static PathSpec Kernels { get; } = new(
-        "--kernels", PathKind.File, "SPICE meta-kernel")
+        "--kernels", DecidesBytes.ByFiles, PathKind.File, "SPICE meta-kernel")
     {
         DefaultNote = "kernels/msisf.tm of the installation",
     };

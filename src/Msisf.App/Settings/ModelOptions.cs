@@ -20,7 +20,7 @@ internal static class ModelOptions
 
     /// <summary>Map projection of a new model.</summary>
     public static ChoiceSpec<SyntheticProjection> Projection { get; } = new(
-        "--projection",
+        "--projection", DecidesBytes.OfNoFrame,
         [
             new Choice("cylindrical", SyntheticProjection.Cylindrical), new Choice("polar-south", SyntheticProjection.PolarSouth),
             new Choice("polar-north", SyntheticProjection.PolarNorth),
@@ -31,14 +31,16 @@ internal static class ModelOptions
     };
 
     /// <summary>Scale of a new polar map, m/px.</summary>
-    public static NumberSpec MapScale { get; } = new("--map-scale", "METRES", "Width of a pixel of a polar map; required for one")
+    public static NumberSpec MapScale { get; } = new(
+        "--map-scale", DecidesBytes.OfNoFrame, "METRES", "Width of a pixel of a polar map; required for one")
     {
         Limits = new NumberRange(PolarLabel.MinScale, PolarLabel.MaxScale),
     };
 
     /// <summary>Absolute latitude of the middle of the sides of a new polar map, degrees.</summary>
     public static NumberSpec Latitude { get; } = new(
-        "--latitude", "DEGREES", "Latitude, north or south, to which a polar map reaches in the middle of its sides")
+        "--latitude", DecidesBytes.OfNoFrame,
+        "DEGREES", "Latitude, north or south, to which a polar map reaches in the middle of its sides")
     {
         Default = SyntheticMapWriter.LowestLatitudeWithBase,
         Limits = new NumberRange(SyntheticMapWriter.LowestLatitude, 90.0) { ExcludesMax = true },
@@ -46,7 +48,7 @@ internal static class ModelOptions
 
     /// <summary>Seed of the random terrain.</summary>
     public static TextSpec Seed { get; } = new(
-        "--seed", "N", "Number that the terrain is drawn from; the same number gives the same bytes")
+        "--seed", DecidesBytes.OfNoFrame, "N", "Number that the terrain is drawn from; the same number gives the same bytes")
     {
         IsRequired = true,
     };
@@ -59,14 +61,14 @@ internal static class ModelOptions
 
     /// <summary>Base model, which the new model continues to smaller scales.</summary>
     public static PathSpec Base { get; } = new(
-        "--base", PathKind.File, "Model that the new one continues to smaller scales: its label or image")
+        "--base", DecidesBytes.OfNoFrame, PathKind.File, "Model that the new one continues to smaller scales: its label or image")
     {
         DefaultNote = "none, an invented Moon",
     };
 
     /// <summary>Part of the Moon that the new model covers.</summary>
     public static TextSpec Region { get; } = new(
-        "--region",
+        "--region", DecidesBytes.OfNoFrame,
         "latmin:latmax:lonmin:lonmax",
         "Part of the Moon that gets the detail, in whole degrees; over the prime meridian as in 350:10")
     {
@@ -75,7 +77,7 @@ internal static class ModelOptions
 
     /// <summary>What lies outside the region.</summary>
     public static ChoiceSpec<SyntheticRest> Rest { get; } = new(
-        "--rest",
+        "--rest", DecidesBytes.OfNoFrame,
         [new Choice("base", SyntheticRest.Base), new Choice("flat", SyntheticRest.Flat), new Choice("none", SyntheticRest.None)],
         "Around the region: the base, interpolated; the reference sphere, which takes no room on the disk; or nothing, a part that "
             + "can't be drawn alone")
@@ -85,7 +87,7 @@ internal static class ModelOptions
 
     /// <summary>How the samples are stored.</summary>
     public static ChoiceSpec<LdemSampleType> SampleType { get; } = new(
-        "--sample-type",
+        "--sample-type", DecidesBytes.OfNoFrame,
         [new Choice("int16", LdemSampleType.Int16LittleEndian), new Choice("float32", LdemSampleType.Float32LittleEndian)],
         "Samples in 16-bit steps of 0.5 m, or in 32-bit floats")
     {
@@ -116,7 +118,7 @@ internal static class ModelOptions
 
     /// <summary>Whether to compare an existing file with the model instead of making it.</summary>
     public static FlagSpec Verify { get; } = new(
-        "--verify", "Make nothing; read the model and its pyramid and compare them")
+        "--verify", OptionRole.HowItRuns, "Make nothing; read the model and its pyramid and compare them")
     {
         IsOfOneCall = true,
     };
@@ -187,3 +189,11 @@ internal static class ModelOptions
     public static PyramidSettings ReadPyramid(OptionValues values) =>
         new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));
 }
+
+/// <summary>Selects the elevation model whose coarser levels are made or checked.</summary>
+/// <param name="Model">Label, image or folder of the model; null for the default folders.</param>
+/// <param name="PixelsPerDegree">
+/// Resolution of the model, px/deg, needed for a folder; null if <paramref name="Model"/> determines it.
+/// </param>
+/// <param name="Unattended">Whether to draw no progress bar.</param>
+internal sealed record PyramidSettings(string? Model, int? PixelsPerDegree, bool Unattended);

@@ -18,7 +18,7 @@ internal static class NativeOptions
 
     /// <summary>Number of samples per pixel, or the error that they may leave.</summary>
     public static TextSpec Samples { get; } = new(
-        "--samples", "N|auto[:ERROR]",
+        "--samples", DecidesBytes.As(frame => frame.Native is { } native ? SamplesReader.TextOf(native.Render) : null), "N|auto[:ERROR]",
         "Samples a pixel: a square number on a regular grid (1, 4, 9, 16, ... 256). With auto there are more only where brightness "
             + $"differs, for an rms error of ERROR levels of 255 ({NumberSpec.TextOf(AdaptiveSampling.DefaultError)} unless given)")
     {
@@ -28,7 +28,8 @@ internal static class NativeOptions
 
     /// <summary>Model of the surface normals.</summary>
     public static ChoiceSpec<NormalModel> Shading { get; } = new(
-        "--shading", [new Choice("facet", NormalModel.Facet), new Choice("smooth", NormalModel.Smooth)],
+        "--shading", DecidesBytes.As(frame => frame.Native?.Render.Normals),
+        [new Choice("facet", NormalModel.Facet), new Choice("smooth", NormalModel.Smooth)],
         "Normals of the facets, or interpolated between those of the samples")
     {
         Default = NormalModel.Facet,
@@ -36,7 +37,7 @@ internal static class NativeOptions
 
     /// <summary>Model of the Sun as a light source.</summary>
     public static ChoiceSpec<SunModel> Sun { get; } = new(
-        "--sun",
+        "--sun", DecidesBytes.As(frame => frame.Native?.Render.Sun),
         [new Choice("point", SunModel.Point), new Choice("disc", SunModel.Disc)],
         "The Sun as a point, or as its disc with penumbras")
     {
@@ -45,7 +46,7 @@ internal static class NativeOptions
 
     /// <summary>Reflectance law and its parameters.</summary>
     public static TextSpec Reflectance { get; } = new(
-        "--reflectance", "LAW",
+        "--reflectance", DecidesBytes.As(frame => frame.Native?.ReflectanceText), "LAW",
         $"Law of reflectance: {string.Join(", ", ReflectanceFactory.Laws)}; parameters after a colon: hapke:w=0.3,b0=1.2")
     {
         Default = ReflectanceFactory.DefaultLaw,
@@ -54,13 +55,15 @@ internal static class NativeOptions
 
     /// <summary>Map of Hapke's parameters.</summary>
     public static PathSpec HapkeMap { get; } = new(
-        "--hapke-map", PathKind.File, "Parameters of the law moon by place: LROC's WAC_HAPKEPARAMMAP_643NM.IMG")
+        "--hapke-map", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.HapkeMap)),
+        PathKind.File, "Parameters of the law moon by place: LROC's WAC_HAPKEPARAMMAP_643NM.IMG")
     {
         DefaultNote = "the same everywhere",
     };
 
     /// <summary>Albedo of the reflectance law.</summary>
-    public static NumberSpec Albedo { get; } = new("--albedo", "A", "Albedo of a law that is not the Moon's own")
+    public static NumberSpec Albedo { get; } = new(
+        "--albedo", DecidesBytes.As(frame => frame.Native?.Albedo), "A", "Albedo of a law that is not the Moon's own")
     {
         Limits = new NumberRange(0.0, 1.0),
         DefaultNote = NumberSpec.TextOf(ReflectanceFactory.DefaultAlbedo),
@@ -68,7 +71,7 @@ internal static class NativeOptions
 
     /// <summary>Grey level of a radiance factor of 1.</summary>
     public static NumberSpec Exposure { get; } = new(
-        "--exposure", "X", "Linear grey of a radiance factor of 1, where 1 is white")
+        "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), "X", "Linear grey of a radiance factor of 1, where 1 is white")
     {
         DefaultNote = string.Create(
             CultureInfo.InvariantCulture, $"{ExposureOfMoon} for moon, nac and hapke with w, else {ExposureOfOtherLaws}"),
@@ -76,7 +79,8 @@ internal static class NativeOptions
 
     /// <summary>Transfer curve of the grey levels.</summary>
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
-        "--transfer", [new Choice("srgb", GreyTransfer.Srgb), new Choice("linear", GreyTransfer.Linear)],
+        "--transfer", DecidesBytes.As(frame => frame.Native?.Grey.Transfer),
+        [new Choice("srgb", GreyTransfer.Srgb), new Choice("linear", GreyTransfer.Linear)],
         "Grey levels along sRGB's curve, as POV-Ray's, or in proportion to the radiance")
     {
         Default = GreyTransfer.Srgb,
@@ -84,7 +88,8 @@ internal static class NativeOptions
 
     /// <summary>Bits per pixel of the image.</summary>
     public static ChoiceSpec<int> BitDepth { get; } = new(
-        "--bit-depth", [new Choice("8", 8), new Choice("16", 16)], "Bits of the image's grey levels")
+        "--bit-depth", DecidesBytes.As(frame => frame.Native?.BitDepth),
+        [new Choice("8", 8), new Choice("16", 16)], "Bits of the image's grey levels")
     {
         Default = 8,
     };
@@ -94,7 +99,7 @@ internal static class NativeOptions
 
     /// <summary>Exposure time of a camera's detector.</summary>
     public static TextSpec ExposureTime { get; } = new(
-        "--exposure-time", $"SECONDS|{AutomaticTime}",
+        "--exposure-time", DecidesBytes.As(frame => frame.Native?.ExposureTime), $"SECONDS|{AutomaticTime}",
         "Exposure time of a camera file with a detector; auto: so long that 99.5 % of the lit pixels stay below full well and highest DN, "
             + "found from 32 images spread over the whole run")
     {
@@ -104,7 +109,7 @@ internal static class NativeOptions
 
     /// <summary>Seed of a detector's noise.</summary>
     public static TextSpec NoiseSeed { get; } = new(
-        "--noise-seed", "N[:STEP]",
+        "--noise-seed", DecidesBytes.ByStates, "N[:STEP]",
         "Noise of a camera file's detector from this number and the image's step, whatever its state; STEP is that of the first image")
     {
         DefaultNote = "from the detector's seed and the state",
@@ -112,7 +117,7 @@ internal static class NativeOptions
 
     /// <summary>Seed of invented detail below the elevation model.</summary>
     public static TextSpec Refine { get; } = new(
-        "--refine", "SEED",
+        "--refine", DecidesBytes.As(frame => frame.Native?.Refine?.Seed), "SEED",
         "Invents craters, roughness and boulders below the elevation model's resolution, from this number; real heights stay")
     {
         DefaultNote = "no invented detail",
@@ -120,7 +125,8 @@ internal static class NativeOptions
 
     /// <summary>Width of the narrowest cells of invented detail.</summary>
     public static NumberSpec RefineCell { get; } = new(
-        "--refine-cell", "METRES", "Narrowest cells of invented detail; the next smaller power of two is taken")
+        "--refine-cell", DecidesBytes.As(frame => frame.Native?.Refine?.Cell),
+        "METRES", "Narrowest cells of invented detail; the next smaller power of two is taken")
     {
         Default = RefineSettings.DefaultCell,
         Limits = new NumberRange(RefineSettings.NarrowestCell, RefineSettings.WidestCell),
@@ -128,7 +134,8 @@ internal static class NativeOptions
 
     /// <summary>Layers of ground truth to write.</summary>
     public static TextSpec Layers { get; } = new(
-        "--layers", "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
+        "--layers", DecidesBytes.As(frame => frame.WithLayers?.Layers!.Layers.Select(layer => layer.Name)),
+        "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
     {
         Separator = ",",
         Words = [LayerSet.AllText, .. LayerCatalogue.All.Select(layer => layer.Name)],
@@ -136,7 +143,8 @@ internal static class NativeOptions
 
     /// <summary>File format of the layers.</summary>
     public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
-        "--layers-format", [new Choice("fits", Settings.LayersFormat.Fits), new Choice("npy", Settings.LayersFormat.Npy)],
+        "--layers-format", DecidesBytes.As(frame => frame.WithLayers?.LayersFormat),
+        [new Choice("fits", Settings.LayersFormat.Fits), new Choice("npy", Settings.LayersFormat.Npy)],
         "Format of the layers: one file, or one a layer")
     {
         Default = Settings.LayersFormat.Fits,
@@ -144,7 +152,8 @@ internal static class NativeOptions
 
     /// <summary>Precision of the layers' real numbers.</summary>
     public static ChoiceSpec<LayerPrecision> LayersPrecision { get; } = new(
-        "--layers-precision", [new Choice("double", LayerPrecision.Real64), new Choice("single", LayerPrecision.Real32)],
+        "--layers-precision", DecidesBytes.UnlessDefault(frame => frame.WithLayers?.LayersPrecision),
+        [new Choice("double", LayerPrecision.Real64), new Choice("single", LayerPrecision.Real32)],
         "Precision of the layers' real numbers; with single, latitude, longitude and position stay double")
     {
         Default = LayerPrecision.Real64,
@@ -152,7 +161,8 @@ internal static class NativeOptions
 
     /// <summary>Compression of the layers in FITS.</summary>
     public static ChoiceSpec<LayerCompression> LayersCompression { get; } = new(
-        "--layers-compression", [new Choice("none", LayerCompression.None), new Choice("gzip", LayerCompression.Gzip)],
+        "--layers-compression", DecidesBytes.UnlessDefault(frame => frame.WithLayers?.LayersCompression),
+        [new Choice("none", LayerCompression.None), new Choice("gzip", LayerCompression.Gzip)],
         "Lossless compression of the layers in FITS")
     {
         Default = LayerCompression.None,

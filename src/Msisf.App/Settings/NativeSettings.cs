@@ -54,3 +54,10 @@ internal sealed record NativeSettings
         Detector = Detector! with { Settings = Detector.Settings with { ExposureTime = seconds } },
     };
 }
+
+/// <summary>File format of the layers.</summary>
+internal enum LayersFormat
+{
+    Fits,
+    Npy,
+}

@@ -11,7 +11,7 @@ internal static class OutputOptions
     public const string DefaultName = "MoonSurfIllumSim_step_{step:00000}";
 
     /// <summary>Folder of the outputs.</summary>
-    public static PathSpec Folder { get; } = new("--output-dir", PathKind.Folder, "Folder of the outputs")
+    public static PathSpec Folder { get; } = new("--output-dir", OptionRole.HowItRuns, PathKind.Folder, "Folder of the outputs")
     {
         Aliases = ["-o"],
         Default = "output",
@@ -20,7 +20,7 @@ internal static class OutputOptions
 
     /// <summary>Pattern of the file names.</summary>
     public static TextSpec Name { get; } = new(
-        "--output-name", "PATTERN",
+        "--output-name", OptionRole.HowItRuns, "PATTERN",
         "File names without extension; {step}, {step:00000}, {mjd} and {mjd:0.000} stand for the image's number and time")
     {
         Default = DefaultName,
@@ -28,21 +28,23 @@ internal static class OutputOptions
 
     /// <summary>Spacing of the meta file's pixels in both directions, px.</summary>
     public static WholeNumberSpec Grid { get; } = new(
-        "--grid", "PX", 1, int.MaxValue, "Spacing of the pixels that the meta file lists, both ways")
+        "--grid", DecidesBytes.ByOthers, "PX", 1, int.MaxValue, "Spacing of the pixels that the meta file lists, both ways")
     {
         Aliases = ["-g"],
         Default = PixelGrid.DefaultSpacing,
     };
 
     /// <summary>Horizontal spacing of the meta file's pixels, px.</summary>
-    public static WholeNumberSpec GridHorizontal { get; } = new("--gridH", "PX", 1, int.MaxValue, "The same, horizontally")
+    public static WholeNumberSpec GridHorizontal { get; } = new(
+        "--gridH", DecidesBytes.As(frame => frame.Settings.GridHorizontal), "PX", 1, int.MaxValue, "The same, horizontally")
     {
         Aliases = ["-gH"],
         DefaultNote = "--grid",
     };
 
     /// <summary>Vertical spacing of the meta file's pixels, px.</summary>
-    public static WholeNumberSpec GridVertical { get; } = new("--gridV", "PX", 1, int.MaxValue, "The same, vertically")
+    public static WholeNumberSpec GridVertical { get; } = new(
+        "--gridV", DecidesBytes.As(frame => frame.Settings.GridVertical), "PX", 1, int.MaxValue, "The same, vertically")
     {
         Aliases = ["-gV"],
         DefaultNote = "--grid",
@@ -50,7 +52,7 @@ internal static class OutputOptions
 
     /// <summary>Surface on which the meta file's pixels lie.</summary>
     public static ChoiceSpec<PixelSurface> Surface { get; } = new(
-        "--surface",
+        "--surface", DecidesBytes.As(frame => frame.Settings.Surface),
         [new Choice("sphere", PixelSurface.Sphere), new Choice("terrain", PixelSurface.Terrain)],
         "Where the meta file's pixels lie: on the reference sphere, or on the terrain that the image shows")
     {
@@ -59,7 +61,8 @@ internal static class OutputOptions
 
     /// <summary>Whether to write a second image with annotations.</summary>
     public static FlagSpec Annotation { get; } = new(
-        "--rendering-annotation", "Make a second image with the illumination directions and the scene's data drawn on it");
+        "--rendering-annotation", DecidesBytes.As(frame => frame.Settings.Annotate),
+        "Make a second image with the illumination directions and the scene's data drawn on it");
 
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Output", [Folder, Name, Annotation, Surface, Grid, GridHorizontal, GridVertical]);

@@ -11,7 +11,7 @@ internal static class PatternsOptions
 {
     /// <summary>Source of the elevation samples; the value is true for the database.</summary>
     public static ChoiceSpec<bool> Source { get; } = new(
-        "--source", [new Choice("ldem", false), new Choice("mysql", true)],
+        "--source", DecidesBytes.OfNoFrame, [new Choice("ldem", false), new Choice("mysql", true)],
         "Where the samples come from: the elevation model's file, or the database of scripts/ldem_mysql_insert.php")
     {
         Default = false,
@@ -19,13 +19,14 @@ internal static class PatternsOptions
 
     /// <summary>Option file with the connection to the database.</summary>
     public static PathSpec DefaultsFile { get; } = new(
-        "--defaults-file",
+        "--defaults-file", DecidesBytes.OfNoFrame,
         PathKind.File,
         "With --source mysql: option file with the connection in its [client] group; "
             + "what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE and _SSL_CA");
 
     /// <summary>Overlap of neighbouring patterns, degrees.</summary>
-    public static NumberSpec Margin { get; } = new("--margin", "DEGREES", "Overlap with the neighbours, for scenes of 2012")
+    public static NumberSpec Margin { get; } = new(
+        "--margin", DecidesBytes.OfNoFrame, "DEGREES", "Overlap with the neighbours, for scenes of 2012")
     {
         Limits = new NumberRange(0.0, PatternOptions.MaxMarginDegrees),
         Default = 0.0,
@@ -33,7 +34,7 @@ internal static class PatternsOptions
 
     /// <summary>Mesh format of the patterns.</summary>
     public static ChoiceSpec<PatternFormat> Format { get; } = new(
-        "--format", [new Choice("mesh2", PatternFormat.Mesh2), new Choice("mesh", PatternFormat.Mesh)],
+        "--format", DecidesBytes.OfNoFrame, [new Choice("mesh2", PatternFormat.Mesh2), new Choice("mesh", PatternFormat.Mesh)],
         "Form of the patterns: exact and compact, or the thesis's text form for old scenes")
     {
         Default = PatternFormat.Mesh2,
@@ -115,3 +116,15 @@ internal static class PatternsOptions
         }
     }
 }
+
+/// <summary>Selects the patterns of a whole model and the source of their samples.</summary>
+/// <param name="PixelsPerDegree">Resolution of the model, px/deg.</param>
+/// <param name="Ldem">The model's file or folder; null for the default folders or the database.</param>
+/// <param name="IsDatabase">Whether to take the samples from the database.</param>
+/// <param name="DefaultsFile">Option file with the connection to the database; null for the environment alone.</param>
+/// <param name="PatternRepository">Folder of the patterns.</param>
+/// <param name="Patterns">Format of the patterns.</param>
+/// <param name="Unattended">Whether to draw no progress bar.</param>
+internal sealed record WholeMoonSettings(
+    int PixelsPerDegree, string? Ldem, bool IsDatabase, string? DefaultsFile, string PatternRepository, PatternOptions Patterns,
+    bool Unattended);

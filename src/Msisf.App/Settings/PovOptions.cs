@@ -9,7 +9,8 @@ internal static class PovOptions
     private const int MaxTimeout = int.MaxValue / 1000;
 
     /// <summary>Folder of the surface patterns.</summary>
-    public static PathSpec PatternRepository { get; } = new("--pattern-repos", PathKind.Folder, "Folder of the surface patterns")
+    public static PathSpec PatternRepository { get; } = new(
+        "--pattern-repos", OptionRole.HowItRuns, PathKind.Folder, "Folder of the surface patterns")
     {
         Aliases = ["-p"],
         Default = "pattern-repository",
@@ -18,20 +19,21 @@ internal static class PovOptions
 
     /// <summary>Path of the POV-Ray program.</summary>
     public static PathSpec Program { get; } = new(
-        "--pov-path", PathKind.Any, "POV-Ray's program or its folder")
+        "--pov-path", DecidesBytes.ByFiles, PathKind.Any, "POV-Ray's program or its folder")
     {
         DefaultNote = "searched along the PATH",
     };
 
     /// <summary>Further command-line options for POV-Ray.</summary>
     public static TextSpec MoreOptions { get; } = new(
-        "--pov-options", "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
+        "--pov-options", DecidesBytes.As(frame => frame.Native is null ? frame.Settings.PovOptions : null),
+        "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
     {
         Separator = " ",
     };
 
     /// <summary>Time limit of one POV-Ray process, s.</summary>
-    public static NumberSpec Timeout { get; } = new("--timeout", "SECONDS", "Longest time of one POV-Ray run")
+    public static NumberSpec Timeout { get; } = new("--timeout", OptionRole.HowItRuns, "SECONDS", "Longest time of one POV-Ray run")
     {
         Limits = new NumberRange(0.0, MaxTimeout) { ExcludesMin = true },
         DefaultNote = "no limit",
@@ -39,7 +41,7 @@ internal static class PovOptions
 
     /// <summary>Whether to list the tiles and render nothing.</summary>
     public static FlagSpec ListPatterns { get; } = new(
-        "--list-patterns", "Print the tiles of each image and why each is taken or left out; render nothing")
+        "--list-patterns", OptionRole.WhatIsPrinted, "Print the tiles of each image and why each is taken or left out; render nothing")
     {
         IsOfOneCall = true,
     };

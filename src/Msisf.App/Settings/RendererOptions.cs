@@ -10,7 +10,7 @@ internal static class RendererOptions
 {
     /// <summary>The renderer.</summary>
     public static ChoiceSpec<RendererKind> Renderer { get; } = new(
-        "--renderer",
+        "--renderer", DecidesBytes.As(frame => frame.Settings.Renderer),
         [new Choice("povray", RendererKind.PovRay), new Choice("native", RendererKind.Native)],
         "What draws: POV-Ray from surface patterns, or msis itself straight from the elevation model")
     {

@@ -9,7 +9,7 @@ internal static class RunOptions
     private const int MaxJobs = 1024;
 
     /// <summary>Number of frames drawn at once.</summary>
-    public static WholeNumberSpec Jobs { get; } = new("--jobs", "N", 1, MaxJobs, "Images at once")
+    public static WholeNumberSpec Jobs { get; } = new("--jobs", OptionRole.HowItRuns, "N", 1, MaxJobs, "Images at once")
     {
         Aliases = ["-j"],
         DefaultNote = "as many as cores and memory allow",
@@ -17,7 +17,8 @@ internal static class RunOptions
 
     /// <summary>Steps of the run to make.</summary>
     public static TextSpec Frames { get; } = new(
-        "--frames", "LIST", "Only these steps of the run, e.g. 1001:2000 or 3:5,17; numbers and names stay those of the whole run")
+        "--frames", OptionRole.HowItRuns,
+        "LIST", "Only these steps of the run, e.g. 1001:2000 or 3:5,17; numbers and names stay those of the whole run")
     {
         IsOfOneCall = true,
         DefaultNote = "all",
@@ -25,40 +26,45 @@ internal static class RunOptions
 
     /// <summary>Whether to make existing frames again.</summary>
     public static FlagSpec Overwrite { get; } = new(
-        "--overwrite", "Make all images again, also those that are there and complete")
+        "--overwrite", OptionRole.HowItRuns, "Make all images again, also those that are there and complete")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Whether to stop at the first frame that fails.</summary>
-    public static FlagSpec FailFast { get; } = new("--fail-fast", "Stop at the first image that fails instead of going on with the others");
+    public static FlagSpec FailFast { get; } = new(
+        "--fail-fast", OptionRole.HowItRuns, "Stop at the first image that fails instead of going on with the others");
 
     /// <summary>File for the times of single frames.</summary>
     public static PathSpec FrameTimes { get; } = new(
-        "--frame-times", PathKind.File, "Write a line for each image made: step, name, seconds; separated by tabs")
+        "--frame-times", OptionRole.WhatIsPrinted,
+        PathKind.File, "Write a line for each image made: step, name, seconds; separated by tabs")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Whether to print the times of the parts of the run.</summary>
-    public static FlagSpec Timing { get; } = new("--timing", "Print run times as one line of JSON on standard error");
+    public static FlagSpec Timing { get; } = new(
+        "--timing", OptionRole.WhatIsPrinted, "Print run times as one line of JSON on standard error");
 
     /// <summary>Whether the run is unattended: no questions and no progress bars.</summary>
-    public static FlagSpec Batch { get; } = new("--batch", "Unattended: ask nothing, draw no progress bars") { Aliases = ["-b"] };
+    public static FlagSpec Batch { get; } = new(
+        "--batch", OptionRole.WhatIsPrinted, "Unattended: ask nothing, draw no progress bars") { Aliases = ["-b"] };
 
     /// <summary>Configuration file; all commands have this option.</summary>
     public static PathSpec Config { get; } = new(
-        "--config", PathKind.File,
+        "--config", DecidesBytes.ByOthers, PathKind.File,
         "Settings for options that are not given, one \"key: value\" a line; they go before those of ~/.config/msisf/config.yaml")
     {
         IsOfOneCall = true,
     };
 
     /// <summary>Prints help.</summary>
-    public static FlagSpec Help { get; } = new("--help", "Show this help") { Aliases = ["-?"], IsOfOneCall = true };
+    public static FlagSpec Help { get; } = new(
+        "--help", OptionRole.WhatIsPrinted, "Show this help") { Aliases = ["-?"], IsOfOneCall = true };
 
     /// <summary>Prints the version.</summary>
-    public static FlagSpec Version { get; } = new("--version", "Show the version of msis") { IsOfOneCall = true };
+    public static FlagSpec Version { get; } = new("--version", OptionRole.WhatIsPrinted, "Show the version of msis") { IsOfOneCall = true };
 
     /// <summary>The options of a run as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Run", [Jobs, Frames, Overwrite, FailFast, Batch, FrameTimes, Timing, Config]);

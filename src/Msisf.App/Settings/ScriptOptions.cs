@@ -8,7 +8,7 @@ internal static class ScriptOptions
 {
     /// <summary>Format of the script.</summary>
     public static ChoiceSpec<ScriptFormat> Format { get; } = new(
-        "--format",
+        "--format", OptionRole.HowItRuns,
         [
             new Choice("sh", ScriptFormat.Sh),
             new Choice("bat", ScriptFormat.Bat),
@@ -21,7 +21,7 @@ internal static class ScriptOptions
     };
 
     /// <summary>Path of the script.</summary>
-    public static PathSpec Script { get; } = new("--script", PathKind.File, "The script")
+    public static PathSpec Script { get; } = new("--script", OptionRole.HowItRuns, PathKind.File, "The script")
     {
         IsOfOneCall = true,
         DefaultNote = "./msis-pieces with the format's ending",
@@ -32,7 +32,7 @@ internal static class ScriptOptions
 
     /// <summary>Whether to follow the jobs of Slurm to their end.</summary>
     public static FlagSpec Wait { get; } = new(
-        "--wait", "Tell the progress, and end with the exit code of the whole")
+        "--wait", OptionRole.WhatIsPrinted, "Tell the progress, and end with the exit code of the whole")
     {
         IsOfOneCall = true,
     };
@@ -58,4 +58,20 @@ internal static class ScriptOptions
         ScriptFormat.Parallel => "msis-pieces.parallel.sh",
         _ => "msis-pieces.slurm.sh",
     };
+}
+
+/// <summary>The format of a script: which program runs the pieces of a run.</summary>
+internal enum ScriptFormat
+{
+    /// <summary>A POSIX shell, one after another.</summary>
+    Sh,
+
+    /// <summary>Windows's cmd, one after another.</summary>
+    Bat,
+
+    /// <summary>GNU parallel, several at once.</summary>
+    Parallel,
+
+    /// <summary>Slurm, as a job array.</summary>
+    Slurm,
 }

@@ -20,7 +20,7 @@ internal static partial class ServeOptions
 
     /// <summary>Where the server listens.</summary>
     public static TextSpec Listen { get; } = new(
-        "--listen", "ADDRESS:PORT|PATH",
+        "--listen", OptionRole.HowItRuns, "ADDRESS:PORT|PATH",
         "Where to listen: an address and a port (0 for any free one), or the path of a Unix socket, which holds a /")
     {
         Default = $"127.0.0.1:{DefaultPort}",
@@ -28,52 +28,56 @@ internal static partial class ServeOptions
 
     /// <summary>File with the token that clients send.</summary>
     public static PathSpec TokenFile { get; } = new(
-        "--token-file", PathKind.File,
+        "--token-file", OptionRole.HowItRuns, PathKind.File,
         "File whose first line clients send as 'Authorization: Bearer', or as password; needed for any address that is not loopback");
 
     /// <summary>Certificate of TLS.</summary>
-    public static PathSpec Certificate { get; } = new("--tls-certificate", PathKind.File, "Certificate for TLS, PEM");
+    public static PathSpec Certificate { get; } = new("--tls-certificate", OptionRole.HowItRuns, PathKind.File, "Certificate for TLS, PEM");
 
     /// <summary>Key of the certificate.</summary>
-    public static PathSpec CertificateKey { get; } = new("--tls-key", PathKind.File, "Key of the certificate, PEM");
+    public static PathSpec CertificateKey { get; } = new("--tls-key", OptionRole.HowItRuns, PathKind.File, "Key of the certificate, PEM");
 
     /// <summary>Further names of the server.</summary>
     public static TextSpec Hosts { get; } = new(
-        "--allow-host", "LIST", "Names under which clients may ask for the server, beside localhost and addresses; separated by commas")
+        "--allow-host", OptionRole.HowItRuns,
+        "LIST", "Names under which clients may ask for the server, beside localhost and addresses; separated by commas")
     {
         Separator = ",",
         Form = (HostNames(), "names of computers separated by commas are needed, e.g. moon.example.org"),
     };
 
     /// <summary>Largest image.</summary>
-    public static WholeNumberSpec MaxPixels { get; } = new("--max-pixels", "PX", 1, int.MaxValue, "Pixels of the largest image")
+    public static WholeNumberSpec MaxPixels { get; } = new(
+        "--max-pixels", OptionRole.HowItRuns, "PX", 1, int.MaxValue, "Pixels of the largest image")
     {
         Default = DefaultMaxPixels,
     };
 
     /// <summary>Largest answer.</summary>
     public static WholeNumberSpec MaxMegabytes { get; } = new(
-        "--max-megabytes", "MB", 1, MaxOfMegabytes, "Megabytes (of 1,000,000 bytes) of the largest answer, without compression")
+        "--max-megabytes", OptionRole.HowItRuns,
+        "MB", 1, MaxOfMegabytes, "Megabytes (of 1,000,000 bytes) of the largest answer, without compression")
     {
         Default = DefaultMaxMegabytes,
     };
 
     /// <summary>Requests that wait.</summary>
-    public static WholeNumberSpec Queue { get; } = new("--queue", "N", 1, MaxQueue, "Requests that may wait while others are drawn")
+    public static WholeNumberSpec Queue { get; } = new(
+        "--queue", OptionRole.HowItRuns, "N", 1, MaxQueue, "Requests that may wait while others are drawn")
     {
         Default = DefaultQueue,
     };
 
     /// <summary>Longest time of a request.</summary>
     public static WholeNumberSpec TimeLimit { get; } = new(
-        "--max-seconds", "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
+        "--max-seconds", OptionRole.HowItRuns, "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
     {
         Default = DefaultTimeLimit,
     };
 
     /// <summary>Whether the server ends with the program that started it.</summary>
     public static FlagSpec EndWithInput { get; } = new(
-        "--end-with-input",
+        "--end-with-input", OptionRole.HowItRuns,
         "End, without finishing images, when standard input ends or the program dies that started this one; for clients that start a "
             + "server");
 

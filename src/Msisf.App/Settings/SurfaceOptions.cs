@@ -15,7 +15,9 @@ internal static class SurfaceOptions
     private const double MaxLevelOfDetailError = 100.0;
 
     /// <summary>Resolution of the elevation model, px/deg.</summary>
-    public static WholeNumberSpec Resolution { get; } = new("--res", "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
+    public static WholeNumberSpec Resolution { get; } = new(
+        "--res", DecidesBytes.As(frame => frame.NamesOfSeveralModels is null ? frame.Settings.Resolution.PixelsPerDegree : null),
+        "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
     {
         Aliases = ["-r"],
         Default = 4,
@@ -24,7 +26,8 @@ internal static class SurfaceOptions
 
     /// <summary>Path of the elevation model.</summary>
     public static PathSpec Ldem { get; } = new(
-        "--ldem", PathKind.Any,
+        "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels),
+        PathKind.Any,
         "Elevation model: its label, its image (of a split model any of them), or a folder of models; "
             + "given several times, the finest model wins where it has data")
     {
@@ -34,7 +37,7 @@ internal static class SurfaceOptions
 
     /// <summary>NAIF's number of the body that is drawn.</summary>
     public static ChoiceSpec<int> Body { get; } = new(
-        "--body",
+        "--body", DecidesBytes.As(frame => frame.Settings.Body.IsMoon ? null : frame.Settings.Body.NaifNumber),
         [.. CelestialBody.All.Select(body => new Choice(body.Name.ToLowerInvariant(), body.NaifNumber))],
         "Body that is drawn; another one than the Moon needs --ldem with a model of it, and --renderer native")
     {
@@ -43,14 +46,16 @@ internal static class SurfaceOptions
 
     /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
-        "--lod", [new Choice("auto", false), new Choice("off", true)],
+        "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null),
+        [new Choice("auto", false), new Choice("off", true)],
         "Coarser levels of the model where its cells are smaller than a pixel, or always the model itself")
     {
         Default = false,
     };
 
     /// <summary>Allowed error of the levels, px.</summary>
-    public static NumberSpec LevelOfDetailError { get; } = new("--lod-error", "PX", "How far coarser levels may move what is seen")
+    public static NumberSpec LevelOfDetailError { get; } = new(
+        "--lod-error", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError), "PX", "How far coarser levels may move what is seen")
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(

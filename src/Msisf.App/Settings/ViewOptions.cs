@@ -9,7 +9,7 @@ internal static class ViewOptions
 
     /// <summary>Output folders and batch files for the time line.</summary>
     public static TextSpec Folders { get; } = new(
-        "--folders", ListOfPaths,
+        "--folders", OptionRole.HowItRuns, ListOfPaths,
         "Output folders and batch files for the viewer's time line, separated by commas; the name is the path's last part if none is given")
     {
         Separator = ",",
@@ -17,13 +17,14 @@ internal static class ViewOptions
 
     /// <summary>Catalogues of craters.</summary>
     public static TextSpec Catalogues { get; } = new(
-        "--catalogues", ListOfPaths, "Catalogues of craters in CSV for the viewer, separated by commas, named in the same way")
+        "--catalogues", OptionRole.HowItRuns,
+        ListOfPaths, "Catalogues of craters in CSV for the viewer, separated by commas, named in the same way")
     {
         Separator = ",",
     };
 
     /// <summary>Whether to open no browser.</summary>
-    public static FlagSpec NoBrowser { get; } = new("--no-browser", "Open no browser; only print the address");
+    public static FlagSpec NoBrowser { get; } = new("--no-browser", OptionRole.HowItRuns, "Open no browser; only print the address");
 
     /// <summary>What to open first.</summary>
     public static ArgumentSpec Opened { get; } = new("PATH", "An output folder or a batch file for the time line")

@@ -8,9 +8,11 @@ namespace Msisf.App.Settings.Specs;
 /// generic code for types of other assemblies is compiled at each start of the program.
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
+/// <param name="Role">What the option decides.</param>
 /// <param name="Choices">Each word with its value.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
-internal abstract record ChoiceSpec(string Name, IReadOnlyList<Choice> Choices, string Help) : OptionSpec(Name, Help)
+internal abstract record ChoiceSpec(string Name, OptionRole Role, IReadOnlyList<Choice> Choices, string Help)
+    : OptionSpec(Name, Role, Help)
 {
     /// <summary>The default, one of the choices' values; null if there is none.</summary>
     public object? Default { get; init; }
@@ -22,16 +24,16 @@ internal abstract record ChoiceSpec(string Name, IReadOnlyList<Choice> Choices, 
     public override IReadOnlyList<string> Suggestions => [.. Choices.Select(choice => choice.Word)];
 
     /// <inheritdoc/>
-    public override string? DefaultValue => Default is { } value ? ChoiceOf(value).Word : null;
+    public override string? DefaultValue => Default is { } value ? TextOf(value) : null;
 
     /// <inheritdoc/>
     public override string Canonical(string text) => ChoiceOf(text)?.Word ?? text;
 
+    /// <inheritdoc/>
+    public override string TextOf(object value) => Choices.First(choice => choice.Value.Equals(value)).Word;
+
     /// <summary>Whether two words are the same, in capitals or small letters.</summary>
     public static bool IsSame(string a, string b) => a.Equals(b, StringComparison.OrdinalIgnoreCase);
-
-    /// <summary>The choice with a value.</summary>
-    protected Choice ChoiceOf(object value) => Choices.First(choice => choice.Value.Equals(value));
 
     /// <summary>The choice that is given; null if the option is not.</summary>
     /// <exception cref="UsageException">The word is none of the choices; the message names the nearest one.</exception>
@@ -46,4 +48,16 @@ internal abstract record ChoiceSpec(string Name, IReadOnlyList<Choice> Choices, 
     }
 
     private Choice? ChoiceOf(string text) => Choices.FirstOrDefault(choice => IsSame(choice.Word, text));
+}
+
+/// <summary>One word of a <see cref="ChoiceSpec"/> with its value.</summary>
+/// <param name="word">The word, as the help text shows it.</param>
+/// <param name="value">What it stands for.</param>
+internal sealed class Choice(string word, object value)
+{
+    /// <summary>The word, as the help text shows it.</summary>
+    public string Word { get; } = word;
+
+    /// <summary>What it stands for.</summary>
+    public object Value { get; } = value;
 }

@@ -9,25 +9,23 @@ internal sealed record ChoiceSpec<T> : ChoiceSpec
 {
     /// <summary>Declares the option.</summary>
     /// <param name="name">Long name with its dashes.</param>
+    /// <param name="role">What the option decides.</param>
     /// <param name="choices">Each word with its value.</param>
     /// <param name="help">See <see cref="OptionSpec"/>.</param>
-    public ChoiceSpec(string name, IReadOnlyList<Choice> choices, string help)
-        : base(name, choices, help)
+    public ChoiceSpec(string name, OptionRole role, IReadOnlyList<Choice> choices, string help)
+        : base(name, role, choices, help)
     {
     }
 
     /// <summary>Declares the option by pairs; code for pairs is compiled at each start of the program, so choices are better.</summary>
-    /// <inheritdoc cref="ChoiceSpec{T}(string, IReadOnlyList{Choice}, string)"/>
-    public ChoiceSpec(string name, IReadOnlyList<(string Word, T Value)> choices, string help)
-        : base(name, [.. choices.Select(choice => new Choice(choice.Word, choice.Value))], help)
+    /// <inheritdoc cref="ChoiceSpec{T}(string, OptionRole, IReadOnlyList{Choice}, string)"/>
+    public ChoiceSpec(string name, OptionRole role, IReadOnlyList<(string Word, T Value)> choices, string help)
+        : base(name, role, [.. choices.Select(choice => new Choice(choice.Word, choice.Value))], help)
     {
     }
 
     /// <summary>The word for a value.</summary>
-    public string WordOf(T value) => ChoiceOf((object)value).Word;
-
-    /// <summary>The command-line words that set the option to a value.</summary>
-    public string[] Words(T value) => [Name, WordOf(value)];
+    public string WordOf(T value) => TextOf(value);
 
     /// <summary>Reads the value of the given word, or the default, which must exist unless the option is required.</summary>
     /// <exception cref="UsageException">The word is none of the choices.</exception>

@@ -31,3 +31,27 @@ internal sealed record CommandSpec(string Name, string Summary)
     /// <summary>All options of the command.</summary>
     public IEnumerable<OptionSpec> Options => Groups.SelectMany(group => group.Options);
 }
+
+/// <summary>Options that the help text shows together.</summary>
+/// <param name="Title">Title of the group, e.g. "Light".</param>
+/// <param name="Options">Options in the order of the help text, common ones first.</param>
+internal sealed record OptionGroup(string Title, IReadOnlyList<OptionSpec> Options)
+{
+    /// <summary>A sentence below the title that applies to all options of the group; null for none.</summary>
+    public string? Note { get; init; }
+}
+
+/// <summary>A positional argument of a command.</summary>
+/// <param name="Name">Name in the help text, e.g. "DIR".</param>
+/// <param name="Help">Description of the argument: one sentence without a full stop.</param>
+internal sealed record ArgumentSpec(string Name, string Help)
+{
+    /// <summary>Whether the argument may be omitted.</summary>
+    public bool IsOptional { get; init; }
+
+    /// <summary>Whether several words may be given, which are joined by blanks.</summary>
+    public bool TakesSeveralWords { get; init; }
+
+    /// <summary>The allowed values; empty for a path.</summary>
+    public IReadOnlyList<string> Words { get; init; } = [];
+}

@@ -8,9 +8,11 @@ namespace Msisf.App.Settings.Specs;
 /// it.
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
+/// <param name="Role">What the option decides.</param>
 /// <param name="Fields">Names of the numbers in their order; a single name for a list of any length.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
-internal sealed record NumberListSpec(string Name, IReadOnlyList<string> Fields, string Help) : OptionSpec(Name, Help)
+internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyList<string> Fields, string Help)
+    : OptionSpec(Name, Role, Help)
 {
     /// <inheritdoc/>
     public override string ValueName => Fields is [string only] ? $"{{{only},{only},...}}" : $"{{{string.Join(',', Fields)}}}";

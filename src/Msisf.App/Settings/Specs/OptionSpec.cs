@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>
@@ -5,10 +7,11 @@ namespace Msisf.App.Settings.Specs;
 /// configuration keys, a frame's canonical arguments and the tables in docs are all made from these objects.
 /// </summary>
 /// <param name="Name">Long name with its dashes, e.g. "--fov".</param>
+/// <param name="Role">What the option decides.</param>
 /// <param name="Help">
 /// Description of the option: one sentence without a full stop. Choices, range and default are not included; they are added to it.
 /// </param>
-internal abstract record OptionSpec(string Name, string Help)
+internal abstract record OptionSpec(string Name, OptionRole Role, string Help)
 {
     /// <summary>Other names, e.g. "-f".</summary>
     public IReadOnlyList<string> Aliases { get; init; } = [];
@@ -47,6 +50,10 @@ internal abstract record OptionSpec(string Name, string Help)
 
     /// <summary>A value as it is compared with others: a word of a choice in the case in which the help text has it.</summary>
     public virtual string Canonical(string text) => text;
+
+    /// <summary>A value of the option as it would be typed on the command line.</summary>
+    public virtual string TextOf(object value) =>
+        value is double number ? NumberSpec.TextOf(number) : Convert.ToString(value, CultureInfo.InvariantCulture)!;
 
     /// <summary>Key in a configuration file: the long name without its dashes.</summary>
     public string Key => Name[2..];

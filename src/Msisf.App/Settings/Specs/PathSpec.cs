@@ -5,9 +5,10 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a path; a relative path in a configuration file starts at that file's folder.</summary>
 /// <param name="Name">Long name with its dashes.</param>
+/// <param name="Role">What the option decides.</param>
 /// <param name="Kind">Kind of the path: file, folder or both.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
-internal sealed record PathSpec(string Name, PathKind Kind, string Help) : OptionSpec(Name, Help)
+internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, string Help) : OptionSpec(Name, Role, Help)
 {
     /// <summary>Stands between several paths of a configuration file.</summary>
     public const string Separator = "\n";
@@ -64,4 +65,17 @@ internal sealed record PathSpec(string Name, PathKind Kind, string Help) : Optio
             ? words
             : throw new UsageException($"{Name} is empty; a path is needed.").About(this);
     }
+}
+
+/// <summary>What a path leads to.</summary>
+internal enum PathKind
+{
+    /// <summary>A file.</summary>
+    File,
+
+    /// <summary>A folder.</summary>
+    Folder,
+
+    /// <summary>A file or a folder.</summary>
+    Any,
 }

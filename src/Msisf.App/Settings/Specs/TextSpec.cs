@@ -5,7 +5,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a text with a syntax of its own.</summary>
 /// <inheritdoc/>
-internal sealed record TextSpec(string Name, string ValueName, string Help) : OptionSpec(Name, Help)
+internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, string Help) : OptionSpec(Name, Role, Help)
 {
     /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;

@@ -6,7 +6,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a time: an MJD (UTC), or ISO 8601.</summary>
 /// <inheritdoc/>
-internal sealed record TimeSpec(string Name, string Help) : OptionSpec(Name, Help)
+internal sealed record TimeSpec(string Name, OptionRole Role, string Help) : OptionSpec(Name, Role, Help)
 {
     /// <inheritdoc/>
     public override string ValueName => "TIME";

@@ -7,15 +7,18 @@ namespace Msisf.App.Tests.Settings.Specs;
 /// <summary>Options that are numbers: their ranges, borders included or not, and their messages.</summary>
 public sealed class NumberSpecTests
 {
-    private static readonly NumberSpec Angle = new("--angle", "DEGREES", "An angle")
+    private static readonly NumberSpec Angle = new("--angle", OptionRole.HowItRuns, "DEGREES", "An angle")
     {
         Limits = new NumberRange(0.0, 180.0) { ExcludesMin = true, ExcludesMax = true },
         Default = 40.0,
     };
 
-    private static readonly NumberSpec Share = new("--share", "PART", "A part") { Limits = new NumberRange(0.0, 1.0) };
+    private static readonly NumberSpec Share = new("--share", OptionRole.HowItRuns, "PART", "A part")
+    {
+        Limits = new NumberRange(0.0, 1.0),
+    };
 
-    private static readonly WholeNumberSpec Count = new("--count", "N", 1, 16, "A count") { Default = 4 };
+    private static readonly WholeNumberSpec Count = new("--count", OptionRole.HowItRuns, "N", 1, 16, "A count") { Default = 4 };
 
     [Theory]
     [InlineData("1e-3", 1e-3)]

@@ -7,9 +7,9 @@ namespace Msisf.App.Tests.Settings.Specs;
 /// <summary>Where an option came from decides the exit code of its error, and what the message says.</summary>
 public sealed class OptionValuesTests
 {
-    private static readonly TextSpec Typed = new("--typed", "TEXT", "On the command line");
+    private static readonly TextSpec Typed = new("--typed", OptionRole.HowItRuns, "TEXT", "On the command line");
 
-    private static readonly TextSpec Filed = new("--filed", "TEXT", "In a file");
+    private static readonly TextSpec Filed = new("--filed", OptionRole.HowItRuns, "TEXT", "In a file");
 
     private static readonly OptionValues Values = new(
     [

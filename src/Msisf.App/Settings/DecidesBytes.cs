@@ -1,0 +1,65 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The role of an option that decides bytes of the outputs, so that another value makes another frame.</summary>
+internal sealed class DecidesBytes : OptionRole
+{
+    /// <summary>The state of each frame stands for the option.</summary>
+    public static readonly DecidesBytes ByStates = new();
+
+    /// <summary>The checksums of files, or the version of a program, stand for the option.</summary>
+    public static readonly DecidesBytes ByFiles = new();
+
+    /// <summary>Canonical arguments of other options stand for the option.</summary>
+    public static readonly DecidesBytes ByOthers = new();
+
+    /// <summary>The option decides bytes of patterns, models or videos; frames do not know it.</summary>
+    public static readonly DecidesBytes OfNoFrame = new();
+
+    private DecidesBytes()
+    {
+    }
+
+    /// <summary>The option's value among the canonical arguments of a frame; null where it stands for nothing.</summary>
+    public Func<FrameContent, object?> Value { get; private init; } = _ => null;
+
+    /// <summary>Whether the default is left out, because frames of older versions have it without saying so.</summary>
+    public bool LeavesOutDefault { get; private init; }
+
+    /// <summary>The option is one of the canonical arguments.</summary>
+    /// <param name="value">Its value; null where the option has no meaning.</param>
+    public static DecidesBytes As(Func<FrameContent, object?> value) => new() { Value = value };
+
+    /// <summary>The option is one of the canonical arguments if it has another value than its default; for a new option.</summary>
+    /// <inheritdoc cref="As"/>
+    public static DecidesBytes UnlessDefault(Func<FrameContent, object?> value) => new() { Value = value, LeavesOutDefault = true };
+}
+
+/// <summary>What decides the bytes of frames, except their states.</summary>
+/// <param name="Settings">Settings of the run.</param>
+/// <param name="Engine">The ephemeris engine for the Sun's position; null if none is used.</param>
+/// <param name="Map">The map of the Moon's reflectance; null if none is used.</param>
+internal sealed record FrameContent(RenderSettings Settings, EphemerisChoice? Engine, InputFile? Map)
+{
+    /// <summary>Settings of the program's own renderer; null with POV-Ray.</summary>
+    public NativeSettings? Native => Settings.Renderer == RendererKind.Native ? Settings.Native : null;
+
+    /// <summary>The same; null without layers too.</summary>
+    public NativeSettings? WithLayers => Native?.Layers is null ? null : Native;
+
+    /// <summary>Whether an installed map would be used if no option said that there is none.</summary>
+    public bool MayHaveMap => Native?.ReflectanceText == ReflectanceFactory.DefaultLaw;
+
+    /// <summary>Whether the map, the law or the radiance depends on the band.</summary>
+    public bool HasBand => Map is not null || MayHaveMap || WithLayers?.Layers!.Layers.Any(layer => layer.Name == "radiance") == true;
+
+    /// <summary>Several models are named, in any order; null for one, whose resolution is enough.</summary>
+    public IEnumerable<string>? NamesOfSeveralModels => Settings.Ldem.Count > 1
+        ? Settings.Ldem.Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)
+        : null;
+}

@@ -1,8 +1,0 @@
-namespace Msisf.App.Settings;
-
-/// <summary>File format of the layers.</summary>
-internal enum LayersFormat
-{
-    Fits,
-    Npy,
-}
