@@ -50,7 +50,8 @@ internal static class CameraOptions
 
     /// <summary>Several times.</summary>
     public static NumberListSpec Times { get; } = new(
-        "--times", DecidesBytes.ByStates, ["MJD"], "Times of several images (UTC)") { Aliases = ["-tt"] };
+        "--times", DecidesBytes.ByStates, ["MJD"], "Times of several images (UTC)")
+    { Aliases = ["-tt"] };
 
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(

@@ -21,12 +21,14 @@ internal static class ImageOptions
     /// <summary>Width, px.</summary>
     public static WholeNumberSpec Width { get; } = new(
         "--width", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedWidth : frame.Settings.Width),
-        "PX", 1, MaxSide, "Image width") { Aliases = ["-w"], Default = 1024 };
+        "PX", 1, MaxSide, "Image width")
+    { Aliases = ["-w"], Default = 1024 };
 
     /// <summary>Height, px.</summary>
     public static WholeNumberSpec Height { get; } = new(
         "--height", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedHeight : frame.Settings.Height),
-        "PX", 1, MaxSide, "Image height") { Aliases = ["-h"], Default = 1024 };
+        "PX", 1, MaxSide, "Image height")
+    { Aliases = ["-h"], Default = 1024 };
 
     /// <summary>A camera file, or a preset.</summary>
     public static TextSpec Camera { get; } = new(

@@ -49,7 +49,8 @@ internal static class RunOptions
 
     /// <summary>Whether the run is unattended: no questions and no progress bars.</summary>
     public static FlagSpec Batch { get; } = new(
-        "--batch", OptionRole.WhatIsPrinted, "Unattended: ask nothing, draw no progress bars") { Aliases = ["-b"] };
+        "--batch", OptionRole.WhatIsPrinted, "Unattended: ask nothing, draw no progress bars")
+    { Aliases = ["-b"] };
 
     /// <summary>Configuration file; all commands have this option.</summary>
     public static PathSpec Config { get; } = new(
@@ -61,7 +62,8 @@ internal static class RunOptions
 
     /// <summary>Prints help.</summary>
     public static FlagSpec Help { get; } = new(
-        "--help", OptionRole.WhatIsPrinted, "Show this help") { Aliases = ["-?"], IsOfOneCall = true };
+        "--help", OptionRole.WhatIsPrinted, "Show this help")
+    { Aliases = ["-?"], IsOfOneCall = true };
 
     /// <summary>Prints the version.</summary>
     public static FlagSpec Version { get; } = new("--version", OptionRole.WhatIsPrinted, "Show the version of msis") { IsOfOneCall = true };

@@ -80,7 +80,13 @@ public sealed class ExposureSurveyTests
     {
         DetectorSettings settings = Plain with
         {
-            Gain = gain, ConverterBits = bits, FullWell = fullWell, ReadNoise = 25.0, ResponseNonuniformity = 0.01, Seed = 5, Bias = 20.0,
+            Gain = gain,
+            ConverterBits = bits,
+            FullWell = fullWell,
+            ReadNoise = 25.0,
+            ResponseNonuniformity = 0.01,
+            Seed = 5,
+            Bias = 20.0,
         };
         double time = Survey(settings, _ => 1000.0).LongestTime()!.Value;
         DetectorSettings exposed = settings with { ExposureTime = time };

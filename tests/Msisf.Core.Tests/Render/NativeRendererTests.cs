@@ -159,7 +159,9 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     public void Render_SeveralSamplesByAnyLaw_IsTheMeanOfItsSamples(int across, string law, SunModel sun, NormalModel normals) =>
         CompareWithFine("south-pole", across, Options with
         {
-            Reflectance = ReflectanceFactory.Create(law, new Dictionary<string, double>()), Sun = sun, Normals = normals,
+            Reflectance = ReflectanceFactory.Create(law, new Dictionary<string, double>()),
+            Sun = sun,
+            Normals = normals,
             KeepGroundTruth = across == 2,
         });
 

@@ -80,7 +80,10 @@ internal static class KnownMaps
     /// </summary>
     private static readonly Dictionary<int, double> ScaleOfColourMap = new()
     {
-        [415] = 1.76e-4, [566] = 2.63e-4, [643] = 3.16e-4, [689] = 3.45e-4,
+        [415] = 1.76e-4,
+        [566] = 2.63e-4,
+        [643] = 3.16e-4,
+        [689] = 3.45e-4,
     };
 
     /// <summary>Whether a file's name is that of the colour map of NASA SVS 4720.</summary>
