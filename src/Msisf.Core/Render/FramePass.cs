@@ -75,24 +75,31 @@ internal sealed class FramePass : IDrawnFrame
             _radianceFactors = new double[pixels];
         }
 
-        bool isGrid = options.SubsamplesPerAxis > 1;
-        if (isGrid && !options.KeepGroundTruth)
+        if (LightPass.CanMerge(camera, light, options))
         {
-            _visibility.Prepare(camera, threads, cancellation);
-        }
-        else
-        {
-            // The pixels' centres: the image itself, or the truth of one with several samples.
-            _visible = _visibility.Run(camera, threads, cancellation);
-            SampleWeight weight = new(isGrid ? 0.0 : 1.0, IsFirst: true);
-            _light.Run(_visible, light, options, weight, _sunlight, _radianceFactors, threads, cancellation);
+            DrawGrid(threads, cancellation);
+            return;
         }
 
-        if (isGrid)
+        // With an odd number of samples per edge, the middle sample is the pixel's centre. It is drawn last, so that its result remains as
+        // the ground truth of the pixel.
+        int across = options.SubsamplesPerAxis;
+        int samples = across * across;
+        int middle = across % 2 == 1 ? samples / 2 : -1;
+        double weight = 1.0 / samples;
+        bool isFirst = true;
+        foreach (int sample in Enumerable.Range(0, samples).Where(sample => sample != middle))
         {
-            _grid.Run(_visibility, light, _light, options, _radianceFactors, threads, cancellation);
+            DrawSample(Offset(sample % across, across), Offset(sample / across, across), weight, isFirst, threads, cancellation);
+            isFirst = false;
         }
-        else if (options.Adaptive is not null)
+
+        if (middle >= 0 || options.KeepGroundTruth)
+        {
+            DrawSample(0.0, 0.0, middle >= 0 ? weight : 0.0, isFirst, threads, cancellation);
+        }
+
+        if (options.Adaptive is not null)
         {
             _sampling.Run(_visibility, light, _light, options, _sunlight, _radianceFactors, threads, cancellation);
         }
@@ -141,6 +148,30 @@ internal sealed class FramePass : IDrawnFrame
 
     /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
     public bool TryGetSurface(int x, int y, out SurfaceHit hit) => KeptSurface().TryGet(x, y, out hit);
+
+    private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
+
+    private void DrawSample(
+        double offsetX, double offsetY, double weight, bool isFirst, int threads, CancellationToken cancellation)
+    {
+        _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
+        SampleWeight sample = new(weight, IsFirst: isFirst);
+        _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
+    }
+
+    private void DrawGrid(int threads, CancellationToken cancellation)
+    {
+        if (_options!.KeepGroundTruth)
+        {
+            DrawSample(0.0, 0.0, weight: 0.0, isFirst: true, threads, cancellation);
+        }
+        else
+        {
+            _visibility.Prepare(Camera, threads, cancellation);
+        }
+
+        _grid.Run(_visibility, Light, _light, _options, _radianceFactors, threads, cancellation);
+    }
 
     private VisibleSurface KeptSurface() => _options is { KeepGroundTruth: true } && _visible is not null
         ? _visible

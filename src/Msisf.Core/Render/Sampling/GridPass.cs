@@ -8,17 +8,18 @@ using Msisf.Core.Scene;
 namespace Msisf.Core.Render.Sampling;
 
 /// <summary>
-/// Draws frames with the same samples in each pixel, on a regular grid. The samples share the blocks of terrain and their projection, and
-/// where that is sure the light and the brightness of a facet. One object serves many frames, one at a time.
+/// Draws frames with the same samples in each pixel, on a regular grid, where light and brightness follow from facet and Sun alone
+/// (<see cref="LightPass.CanMerge"/>). The samples share the blocks of terrain and their projection, and where that is sure the light of
+/// a facet. One object serves many frames, one at a time.
 /// </summary>
 /// <param name="pass">Finds the parts of pixels, their light and their brightness.</param>
 internal sealed class GridPass(PartPass pass)
 {
     /// <summary>Parts of pixels, or samples, that are lit and shaded together; bounds the memory.</summary>
-    private const int PartsAtOnce = 1 << 19;
+    private const int PartsAtOnce = 1 << 18;
 
     /// <summary>Bands that are drawn between two looks at the number of parts.</summary>
-    private const int BandsAtOnce = 4;
+    private const int BandsAtOnce = 2;
 
     private readonly SampledPixels _pixels = new();
     private readonly List<PixelParts> _parts = [];
@@ -38,51 +39,28 @@ internal sealed class GridPass(PartPass pass)
     {
         FrameCamera camera = frame.View.Camera;
         Array.Clear(radianceFactors, 0, camera.Width * camera.Height);
-        bool isMerged = LightPass.CanMerge(camera, light, options);
-        double ofSample = 1.0 / (options.SubsamplesPerAxis * options.SubsamplesPerAxis);
-        foreach (SamplePattern pattern in SamplePattern.OfGrid(options.SubsamplesPerAxis))
-        {
-            _pixels.TakeAll(
-                camera.Width, camera.Height, pattern, isSplit: !isMerged, isGrid: pattern.IsRegular && camera.Model.Lens is null);
-            Draw(
-                new SampledFrame(frame, _pixels, light, lights, options, radianceFactors, threads, cancellation)
-                {
-                    Share = ofSample * pattern.Count,
-                },
-                isMerged);
-        }
-    }
-
-    private void Draw(SampledFrame frame, bool isMerged)
-    {
-        int bands = frame.Pixels.Bands.Count;
+        _pixels.TakeAll(camera.Width, camera.Height, SamplePattern.OfGrid(options.SubsamplesPerAxis));
+        SampledFrame sampled = new(frame, _pixels, light, lights, options, radianceFactors, threads, cancellation);
+        int bands = _pixels.Bands.Count;
         for (int first = 0, end; first < bands; first = end)
         {
             end = first;
             for (int parts = 0; end < bands && parts < PartsAtOnce;)
             {
                 int next = Math.Min(end + BandsAtOnce, bands);
-                pass.Find(frame, (end, next), _parts, end - first);
+                pass.Find(sampled, (end, next), _parts, end - first);
                 for (; end < next; end++)
                 {
                     parts += _parts[end - first].Count;
                 }
             }
 
-            if (isMerged)
-            {
-                LightMerged(frame, end - first);
-            }
-            else
-            {
-                pass.Light(frame, _parts, end - first);
-                Collect(frame, _parts, end - first);
-            }
+            Light(sampled, end - first);
         }
     }
 
     /// <summary>Lights and shades the samples on a facet of a pixel at once where that is sure, and each by itself elsewhere.</summary>
-    private void LightMerged(SampledFrame frame, int count)
+    private void Light(SampledFrame frame, int count)
     {
         double[] factors = pass.Lay(frame, _parts, count);
         frame.Lights.RunMerged(pass.Rows, frame.Light, frame.Options, pass.Sunlight, factors, frame.Threads, frame.Cancellation);

@@ -86,7 +86,7 @@ internal sealed class PartPass(SurfaceModel surface)
         ReadOnlySpan<double> factors = FactorsOf(list, parts);
         for (int part = 0; part < factors.Length; part++)
         {
-            frame.RadianceFactors[parts.Pixels[part]] += frame.Share * parts.Weights[part] * factors[part];
+            frame.RadianceFactors[parts.Pixels[part]] += parts.Weights[part] * factors[part];
         }
     }
 

@@ -15,8 +15,4 @@ namespace Msisf.Core.Render.Sampling;
 /// <param name="Cancellation">Cancels the work.</param>
 internal sealed record SampledFrame(
     VisibilityPass Frame, SampledPixels Pixels, SceneLight Light, LightPass Lights, NativeRenderOptions Options,
-    double[] RadianceFactors, int Threads, CancellationToken Cancellation)
-{
-    /// <summary>Weight of the samples of <see cref="Pixels"/> among all of a pixel.</summary>
-    public double Share { get; init; } = 1.0;
-}
+    double[] RadianceFactors, int Threads, CancellationToken Cancellation);

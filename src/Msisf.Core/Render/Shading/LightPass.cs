@@ -65,7 +65,8 @@ internal sealed class LightPass
     /// point, and a law that depends on nothing but the angle to the Sun, which is the same all over the part of a pixel.
     /// </summary>
     public static bool CanMerge(FrameCamera camera, SceneLight light, NativeRenderOptions options) =>
-        camera.Model.Lens is null && light.IsSun && !HasDisc(light, options) && RowShader.IsFlat(options);
+        options.SubsamplesPerAxis is > 1 and <= SamplePattern.MaxAcross && camera.Model.Lens is null && light.IsSun
+        && !HasDisc(light, options) && RowShader.IsFlat(options);
 
     /// <summary>Finds the light and brightness of parts of pixels as far as all their samples have the same.</summary>
     /// <param name="parts">The parts.</param>

@@ -14,14 +14,13 @@ internal sealed class GridParts
 
     /// <summary>Finds the parts of the pixels of a band in which each sample of a grid was drawn as a pixel.</summary>
     /// <param name="band">The band.</param>
-    /// <param name="pixels">The grid.</param>
+    /// <param name="pattern">The grid.</param>
     /// <param name="model">The camera, a pinhole.</param>
     /// <param name="parts">Receives the parts.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else wait for it
-    public void Find(Band band, SampledPixels pixels, CameraModel model, PixelParts parts)
+    public void Find(Band band, SamplePattern pattern, CameraModel model, PixelParts parts)
     {
         parts.Begin(band.Records);
-        SamplePattern pattern = pixels.Pattern;
         int across = pattern.Across;
         int corner = (across - 1) * (band.Stride + 1); // from the first sample of a pixel to the last
         ulong all = ulong.MaxValue >> (64 - pattern.Count);
@@ -35,10 +34,10 @@ internal sealed class GridParts
             for (int column = 0; column < model.Width; column++, start += across)
             {
                 int facet = band.Facets[start];
-                if (pixels.IsSplit || !IsWhole(band, start, across, facet))
+                if (!IsWhole(band, start, across, facet))
                 {
                     parts.EnsureRoom(pattern.Count + model.Width - column);
-                    FindMixed(band, pixels, start, column, row, model, parts);
+                    FindMixed(band, pattern, start, column, row, model, parts);
                 }
                 else if (facet != Band.NotRecorded)
                 {
@@ -69,12 +68,11 @@ internal sealed class GridParts
         return true;
     }
 
-    /// <summary>Finds the parts of a pixel that shows several facets, or each of its samples.</summary>
+    /// <summary>Finds the parts of a pixel that shows several facets.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void FindMixed(
-        Band band, SampledPixels pixels, int start, int column, int row, CameraModel model, PixelParts parts)
+        Band band, SamplePattern pattern, int start, int column, int row, CameraModel model, PixelParts parts)
     {
-        SamplePattern pattern = pixels.Pattern;
         for (int line = 0; line < pattern.Across; line++)
         {
             // Whole vectors: what they write beyond a line is overwritten by the next one.
@@ -86,9 +84,8 @@ internal sealed class GridParts
         double weight = 1.0 / pattern.Count;
         for (ulong left = ulong.MaxValue >> (64 - pattern.Count); left != 0;)
         {
-            int first = BitOperations.TrailingZeroCount(left);
-            int facet = _facetsOfPixel[first];
-            ulong taken = pixels.IsSplit ? 1ul << first : left & SampleSums.SamplesOf(ref _facetsOfPixel[0], pattern.Vectors, facet);
+            int facet = _facetsOfPixel[BitOperations.TrailingZeroCount(left)];
+            ulong taken = left & SampleSums.SamplesOf(ref _facetsOfPixel[0], pattern.Vectors, facet);
             left &= ~taken;
             if (facet == Band.NotRecorded)
             {

@@ -12,18 +12,17 @@ internal sealed class SamplePattern
     /// <summary>Maximum number of vectors of a pattern.</summary>
     public const int MaxVectors = 8;
 
-    private const int MaxCount = Lanes * MaxVectors;
+    /// <summary>Maximum number of samples along the edge of a grid that is a pattern.</summary>
+    public const int MaxAcross = 8;
 
     private static readonly int[] Shifts = [1, 3, 4, 6, 0, 2, 5, 7];
 
-    private SamplePattern(int across, int first, int count, Func<int, (int Column, int Row)> placeOf)
+    private SamplePattern(int across, Func<int, (int Column, int Row)> placeOf)
     {
-        (Count, Across) = (count, across);
-        IsRegular = count == across * across && placeOf(0) == (0, 0) && placeOf(count - 1) == (across - 1, across - 1);
+        (Across, Count) = (across, across * across);
         Reach = 0.5 - (0.5 / across);
-        Vectors = (count + Lanes - 1) / Lanes;
-        (int Column, int Row)[] places =
-            [.. Enumerable.Range(0, Vectors * Lanes).Select(sample => placeOf(first + Math.Min(sample, count - 1)))];
+        Vectors = (Count + Lanes - 1) / Lanes;
+        (int Column, int Row)[] places = [.. Enumerable.Range(0, Vectors * Lanes).Select(sample => placeOf(Math.Min(sample, Count - 1)))];
         Right = [.. places.Select(place => ((place.Column + 0.5) / across) - 0.5)];
         Down = [.. places.Select(place => ((place.Row + 0.5) / across) - 0.5)];
     }
@@ -38,7 +37,7 @@ internal sealed class SamplePattern
     /// 0.027 with 16 and 0.017 with 32 (tests/reference/sample_pattern.py).
     /// </remarks>
     public static SamplePattern Progressive { get; } = new(
-        Lanes, 0, MaxCount, sample => (Reversed(sample % Lanes) ^ Shifts[sample / Lanes], sample % Lanes));
+        Lanes, sample => (Reversed(sample % Lanes) ^ Shifts[sample / Lanes], sample % Lanes));
 
     /// <summary>px: distance of each sample from the pixel's centre to the right; whole vectors.</summary>
     public double[] Right { get; }
@@ -52,26 +51,15 @@ internal sealed class SamplePattern
     /// <summary>Number of samples, 1 to 64.</summary>
     public int Count { get; }
 
-    /// <summary>Number of samples along the edge of the grid of which these are some.</summary>
+    /// <summary>Number of samples along the edge of the grid.</summary>
     public int Across { get; }
-
-    /// <summary>Whether they are the whole of a grid, row by row.</summary>
-    public bool IsRegular { get; }
 
     /// <summary>Number of vectors that hold them.</summary>
     public int Vectors { get; }
 
-    /// <summary>The samples of a regular grid, row by row; a large grid has several patterns of at most 64 samples.</summary>
-    /// <param name="across">Number of samples along a pixel's edge.</param>
-    public static IEnumerable<SamplePattern> OfGrid(int across)
-    {
-        int all = across * across;
-        for (int first = 0; first < all; first += MaxCount)
-        {
-            yield return new SamplePattern(
-                across, first, Math.Min(MaxCount, all - first), sample => (sample % across, sample / across));
-        }
-    }
+    /// <summary>The samples of a regular grid, row by row.</summary>
+    /// <param name="across">Number of samples along a pixel's edge, 1 to <see cref="MaxAcross"/>.</param>
+    public static SamplePattern OfGrid(int across) => new(across, sample => (sample % across, sample / across));
 
     private static int Reversed(int row) => ((row & 1) << 2) | (row & 2) | (row >> 2);
 }

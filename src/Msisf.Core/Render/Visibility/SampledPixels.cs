@@ -24,9 +24,6 @@ internal sealed class SampledPixels
     /// <summary>Whether all pixels have the samples of the pattern, a whole grid, which is drawn as an image with smaller pixels.</summary>
     public bool IsGrid { get; private set; }
 
-    /// <summary>With <see cref="IsGrid"/>: whether each sample gets light of its own.</summary>
-    public bool IsSplit { get; private set; }
-
     /// <summary>The code of each pixel, row by row.</summary>
     public byte[] Codes { get; private set; } = [];
 
@@ -54,19 +51,15 @@ internal sealed class SampledPixels
         }
     }
 
-    /// <summary>Gives each pixel of an image all samples of a pattern.</summary>
+    /// <summary>Gives each pixel of an image all samples of a grid, which is drawn as an image with smaller pixels.</summary>
     /// <param name="width">The image's width, px.</param>
     /// <param name="height">Its height.</param>
-    /// <param name="pattern">The pattern.</param>
-    /// <param name="isSplit">Whether each sample gets light of its own.</param>
-    /// <param name="isGrid">Whether the pattern is a whole grid, drawn as an image with smaller pixels.</param>
-    public void TakeAll(int width, int height, SamplePattern pattern, bool isSplit, bool isGrid)
+    /// <param name="grid">The grid.</param>
+    public void TakeAll(int width, int height, SamplePattern grid)
     {
         Prepare(width, height);
-        (Pattern, IsSplit, IsGrid) = (pattern, isSplit, isGrid);
-        Codes.AsSpan(0, width * height).Fill((byte)(pattern.Vectors | (isSplit ? HasBorder : 0)));
-        VectorsOfRow.AsSpan(0, height).Fill(
-            isGrid ? ((width * pattern.Count) + SamplePattern.Lanes - 1) / SamplePattern.Lanes : width * pattern.Vectors);
+        (Pattern, IsGrid) = (grid, true);
+        VectorsOfRow.AsSpan(0, height).Fill(((width * grid.Count) + SamplePattern.Lanes - 1) / SamplePattern.Lanes);
         Cut();
     }
 

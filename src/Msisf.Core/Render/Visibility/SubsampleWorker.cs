@@ -53,7 +53,7 @@ internal sealed class SubsampleWorker
         _grid.Begin(across * camera.Width, across * rows.FirstRow, across * (rows.LastRow - rows.FirstRow + 1));
         _grid.ClearFacets();
         _worker.Draw(surface, new ImageView(camera, 0.0, 0.0, perAxis: across), frame.Blocks, _grid);
-        _gridParts.Find(_grid, pixels, camera.Model, parts);
+        _gridParts.Find(_grid, pixels.Pattern, camera.Model, parts);
     }
 
     private void DrawPinhole(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks)
