@@ -27,7 +27,7 @@ internal sealed class GridPass(PartPass pass)
 
     /// <summary>Draws a frame.</summary>
     /// <param name="frame">The frame, prepared or drawn with one sample a pixel at the pixels' centres.</param>
-    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="light">The Sun.</param>
     /// <param name="lights">Finds light and brightness.</param>
     /// <param name="options">The settings.</param>
     /// <param name="radianceFactors">Receives the brightness of the pixels.</param>
@@ -79,7 +79,7 @@ internal sealed class GridPass(PartPass pass)
                 frame.Threads,
                 end - first,
                 (_, index) => _samples[index].TakeSamples(
-                    _parts[first + index], states[first + index], ShadowPass.Unsure, frame.Pixels.Pattern, frame.Frame.View),
+                    _parts[first + index], states[first + index], ShadowPass.Unsure, frame.Pixels.Grid!, frame.Frame.View),
                 frame.Cancellation);
             pass.Light(frame, _samples, end - first);
             Collect(frame, _samples, end - first);

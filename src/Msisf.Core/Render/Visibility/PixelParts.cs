@@ -60,7 +60,7 @@ internal sealed class PixelParts
         {
             (int row, int column) = Math.DivRem(pixel, band.Width);
             row += band.FirstRow;
-            TakePixel(band, model, column, row, band.SamplesOf(column, row), mayBeSplit && band.HasBorder(column, row));
+            TakePixel(band, model, column, row, band.VectorsOf(column, row) * Lanes, mayBeSplit && band.HasBorder(column, row));
         }
     }
 
@@ -144,7 +144,7 @@ internal sealed class PixelParts
         {
             int first = BitOperations.TrailingZeroCount(left);
             int facet = band.Facets[start + first];
-            ulong same = isSplit ? 1ul << first : left & SampleSums.SamplesOf(ref band.Facets[start], (samples + Lanes - 1) / Lanes, facet);
+            ulong same = isSplit ? 1ul << first : left & SampleSums.SamplesOf(ref band.Facets[start], samples / Lanes, facet);
             left &= ~same;
             if (facet == Band.NotRecorded)
             {

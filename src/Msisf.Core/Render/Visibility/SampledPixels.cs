@@ -18,11 +18,11 @@ internal sealed class SampledPixels
     private readonly List<SampledBand> _bands = [];
     private int _height;
 
-    /// <summary>The places of the samples.</summary>
-    public SamplePattern Pattern { get; private set; } = SamplePattern.Progressive;
-
-    /// <summary>Whether all pixels have the samples of the pattern, a whole grid, which is drawn as an image with smaller pixels.</summary>
-    public bool IsGrid { get; private set; }
+    /// <summary>
+    /// The samples that all pixels get, which are drawn as an image with smaller pixels; null if each pixel gets the
+    /// <see cref="SamplePattern.Progressive"/> ones of its code.
+    /// </summary>
+    public SamplePattern? Grid { get; private set; }
 
     /// <summary>The code of each pixel, row by row.</summary>
     public byte[] Codes { get; private set; } = [];
@@ -58,7 +58,7 @@ internal sealed class SampledPixels
     public void TakeAll(int width, int height, SamplePattern grid)
     {
         Prepare(width, height);
-        (Pattern, IsGrid) = (grid, true);
+        Grid = grid;
         VectorsOfRow.AsSpan(0, height).Fill(((width * grid.Count) + SamplePattern.Lanes - 1) / SamplePattern.Lanes);
         Cut();
     }

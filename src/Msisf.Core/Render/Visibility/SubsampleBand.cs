@@ -12,7 +12,6 @@ namespace Msisf.Core.Render.Visibility;
 internal sealed class SubsampleBand
 {
     private byte[] _codes = [];
-    private SamplePattern _pattern = SamplePattern.Progressive;
 
     /// <summary>The image's width, px.</summary>
     public int Width { get; private set; }
@@ -65,8 +64,7 @@ internal sealed class SubsampleBand
         Width = model.Width;
         (FirstRow, LastRow) = (band.FirstRow, band.LastRow);
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
-        _pattern = pixels.Pattern;
-        Margin = _pattern.Reach;
+        Margin = SamplePattern.Progressive.Reach;
         Records.Clear();
         Count = band.Vectors * SamplePattern.Lanes;
         _codes = pixels.Codes;
@@ -99,10 +97,6 @@ internal sealed class SubsampleBand
     /// <summary>Number of vectors of samples of a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int VectorsOf(int column, int row) => _codes[(row * Width) + column] & SampledPixels.Vectors;
-
-    /// <summary>Number of samples of a pixel, those that only fill a vector left out.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public int SamplesOf(int column, int row) => Math.Min(VectorsOf(column, row) * SamplePattern.Lanes, _pattern.Count);
 
     /// <summary>Whether each sample of a pixel gets light of its own.</summary>
     public bool HasBorder(int column, int row) => (_codes[(row * Width) + column] & SampledPixels.HasBorder) != 0;
@@ -141,8 +135,8 @@ internal sealed class SubsampleBand
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
                 {
                     LanePoints ideal = model.ToIdeal(
-                        Vector512.LoadUnsafe(ref _pattern.Right[sample]) + Vector512.Create(column + 1.0),
-                        Vector512.LoadUnsafe(ref _pattern.Down[sample]) + Vector512.Create(row + 1.0));
+                        Vector512.LoadUnsafe(ref SamplePattern.Progressive.Right[sample]) + Vector512.Create(column + 1.0),
+                        Vector512.LoadUnsafe(ref SamplePattern.Progressive.Down[sample]) + Vector512.Create(row + 1.0));
                     ideal.X.StoreUnsafe(ref Right[start + sample]);
                     ideal.Y.StoreUnsafe(ref Down[start + sample]);
                     for (int lane = 0; lane < SamplePattern.Lanes; lane++)
@@ -201,9 +195,10 @@ internal sealed class SubsampleBand
     {
         for (int sample = start; sample < end; sample += SamplePattern.Lanes)
         {
-            (Vector512.LoadUnsafe(ref _pattern.Right[sample - start]) + Vector512.Create((double)column))
+            (Vector512.LoadUnsafe(ref SamplePattern.Progressive.Right[sample - start]) + Vector512.Create((double)column))
                 .StoreUnsafe(ref Columns[sample]);
-            (Vector512.LoadUnsafe(ref _pattern.Down[sample - start]) + Vector512.Create((double)row)).StoreUnsafe(ref Rows[sample]);
+            (Vector512.LoadUnsafe(ref SamplePattern.Progressive.Down[sample - start]) + Vector512.Create((double)row))
+                .StoreUnsafe(ref Rows[sample]);
         }
     }
 

@@ -25,9 +25,9 @@ internal sealed class SubsampleWorker
         SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null)
     {
         ImageView view = frame.View;
-        if (pixels.IsGrid)
+        if (pixels.Grid is { } grid)
         {
-            DrawGrid(surface, frame, pixels, band, parts);
+            DrawGrid(surface, frame, grid, band, parts);
             return;
         }
 
@@ -46,14 +46,14 @@ internal sealed class SubsampleWorker
     }
 
     /// <summary>Draws the samples of a grid as the pixels of a finer image.</summary>
-    private void DrawGrid(SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand rows, PixelParts parts)
+    private void DrawGrid(SurfaceModel surface, VisibilityPass frame, SamplePattern pattern, SampledBand rows, PixelParts parts)
     {
         FrameCamera camera = frame.View.Camera;
-        int across = pixels.Pattern.Across;
+        int across = pattern.Across;
         _grid.Begin(across * camera.Width, across * rows.FirstRow, across * (rows.LastRow - rows.FirstRow + 1));
         _grid.ClearFacets();
         _worker.Draw(surface, new ImageView(camera, 0.0, 0.0, perAxis: across), frame.Blocks, _grid);
-        _gridParts.Find(_grid, pixels.Pattern, camera.Model, parts);
+        _gridParts.Find(_grid, pattern, camera.Model, parts);
     }
 
     private void DrawPinhole(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks)
