@@ -6,7 +6,7 @@ using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 
 namespace Msisf.Server;
 

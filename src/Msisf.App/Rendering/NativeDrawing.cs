@@ -6,6 +6,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Terrain;
 

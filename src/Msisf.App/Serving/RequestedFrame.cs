@@ -1,5 +1,5 @@
 using Msisf.App.Settings;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;

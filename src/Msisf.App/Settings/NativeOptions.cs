@@ -2,7 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Layers;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;

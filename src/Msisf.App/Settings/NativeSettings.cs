@@ -1,7 +1,7 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Layers;
 using Msisf.Core.Layers;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;

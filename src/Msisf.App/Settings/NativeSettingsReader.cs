@@ -4,7 +4,7 @@ using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
@@ -76,4 +77,14 @@ public sealed class NativeRenderer
 
         return new NativeFrame(drawn, static () => { });
     }
+}
+
+/// <summary>The renderer that makes an image.</summary>
+public enum RendererKind
+{
+    /// <summary>POV-Ray, which draws the pattern files.</summary>
+    PovRay,
+
+    /// <summary>The program's own renderer, which draws the elevation model.</summary>
+    Native,
 }

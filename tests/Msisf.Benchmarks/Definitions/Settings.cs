@@ -1,5 +1,5 @@
 using System.Globalization;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 
 namespace Msisf.Benchmarks.Definitions;
 

@@ -3,6 +3,7 @@ using System.Globalization;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 

@@ -4,6 +4,7 @@ using Msisf.Core.Detector;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

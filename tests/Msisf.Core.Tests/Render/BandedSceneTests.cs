@@ -5,6 +5,7 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

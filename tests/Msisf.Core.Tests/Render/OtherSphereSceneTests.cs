@@ -3,6 +3,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;

@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 

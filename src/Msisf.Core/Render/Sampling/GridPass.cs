@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;

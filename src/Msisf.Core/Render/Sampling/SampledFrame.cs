@@ -1,3 +1,4 @@
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;

@@ -1,4 +1,5 @@
 using Msisf.Core.Parallel;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;

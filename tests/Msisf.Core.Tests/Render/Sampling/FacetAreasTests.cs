@@ -1,6 +1,7 @@
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Visibility;

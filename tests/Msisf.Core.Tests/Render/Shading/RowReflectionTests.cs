@@ -1,5 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;

@@ -1,6 +1,6 @@
 using Msisf.Core.Render.Photometry;
 
-namespace Msisf.Core.Render;
+namespace Msisf.Core.Render.Options;
 
 /// <summary>Settings of the program's own renderer. Immutable.</summary>
 public sealed record NativeRenderOptions
@@ -73,14 +73,4 @@ public enum SunModel
 
     /// <summary>A disc of the Sun's true angular size: shadows have penumbras.</summary>
     Disc,
-}
-
-/// <summary>The renderer that makes an image.</summary>
-public enum RendererKind
-{
-    /// <summary>POV-Ray, which draws the pattern files.</summary>
-    PovRay,
-
-    /// <summary>The program's own renderer, which draws the elevation model.</summary>
-    Native,
 }

@@ -1,6 +1,6 @@
 using Msisf.Core.Render.Photometry;
 
-namespace Msisf.Core.Render;
+namespace Msisf.Core.Render.Options;
 
 /// <summary>
 /// More samples where they matter: in pixels in which facets, silhouettes or borders of shadows of differing brightness meet.
