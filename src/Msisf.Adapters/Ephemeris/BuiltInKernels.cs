@@ -18,10 +18,10 @@ public sealed class BuiltInKernels : IDisposable
     {
         try
         {
-            KernelPool pool = new();
+            KernelPool pool = KernelPool.Of(paths);
             foreach (string path in paths)
             {
-                Load(path, pool);
+                OpenBinary(path);
             }
 
             Ephemeris = new BuiltInEphemeris(
@@ -51,41 +51,23 @@ public sealed class BuiltInKernels : IDisposable
         }
     }
 
-    private void Load(string path, KernelPool pool)
+    /// <summary>Opens a kernel of positions or orientations; other kernels have nothing that the Sun or the body's frame needs.</summary>
+    private void OpenBinary(string path)
     {
-        string idWord = KernelFile.IdWordOf(path);
-        switch (idWord)
+        if (KernelFile.IdWordOf(path) is not ("DAF/SPK" or "DAF/PCK"))
         {
-            case "DAF/SPK" or "DAF/PCK":
-                FileStream stream = KernelFile.OpenBinary(path);
-                try
-                {
-                    _binaryKernels.Add(new DafFile(stream, path));
-                }
-                catch
-                {
-                    stream.Dispose();
-                    throw;
-                }
+            return;
+        }
 
-                break;
-            case "DAF/CK" or "DAS/DSK" or "DAS/EK":
-                // Spacecraft attitudes, shapes and events: nothing that the Sun or the Moon's frame needs.
-                break;
-            default:
-                if (idWord.Contains('\0', StringComparison.Ordinal) || idWord is "NAIF/DAF" or "DAFETF")
-                {
-                    throw new BadInputException(
-                        $"{path}: neither a text kernel nor a binary SPK or PCK: the file begins with \"{idWord.Replace('\0', '?')}\". "
-                            + $"Get the file anew, or convert it with NAIF's tobin.");
-                }
-
-                using (StreamReader reader = KernelFile.OpenText(path))
-                {
-                    TextKernelReader.Read(reader, path, pool);
-                }
-
-                break;
+        FileStream stream = KernelFile.OpenBinary(path);
+        try
+        {
+            _binaryKernels.Add(new DafFile(stream, path));
+        }
+        catch
+        {
+            stream.Dispose();
+            throw;
         }
     }
 

@@ -21,6 +21,19 @@ internal static class KernelFile
         return end < 0 ? text : text[..end];
     }
 
+    /// <summary>Whether a kernel is binary, by its first characters.</summary>
+    /// <exception cref="BadInputException">It is of no kind that is known.</exception>
+    public static bool IsBinary(string path)
+    {
+        string idWord = IdWordOf(path);
+        bool isBinary = idWord is "DAF/SPK" or "DAF/PCK" or "DAF/CK" or "DAS/DSK" or "DAS/EK";
+        return isBinary || !(idWord.Contains('\0', StringComparison.Ordinal) || idWord is "NAIF/DAF" or "DAFETF")
+            ? isBinary
+            : throw new BadInputException(
+                $"{path}: neither a text kernel nor a binary SPK or PCK: the file begins with \"{idWord.Replace('\0', '?')}\". "
+                    + $"Get the file anew, or convert it with NAIF's tobin.");
+    }
+
     /// <summary>Opens a text kernel.</summary>
     public static StreamReader OpenText(string path) => new(OpenBinary(path), Encoding.UTF8);
 

@@ -10,6 +10,21 @@ public sealed class KernelPool
 {
     private readonly Dictionary<string, KernelVariable> _variables = new(StringComparer.Ordinal);
 
+    /// <summary>What the text kernels among some kernels assign.</summary>
+    /// <param name="paths">Kernels of all kinds, no meta-kernels, in load order.</param>
+    /// <exception cref="BadInputException">A kernel can't be read, or is of no kind that is known.</exception>
+    public static KernelPool Of(IEnumerable<string> paths)
+    {
+        KernelPool pool = new();
+        foreach (string path in paths.Where(path => !KernelFile.IsBinary(path)))
+        {
+            using StreamReader reader = KernelFile.OpenText(path);
+            TextKernelReader.Read(reader, path, pool);
+        }
+
+        return pool;
+    }
+
     /// <summary>All names, in no order.</summary>
     public IReadOnlyCollection<string> Names => _variables.Keys;
 

@@ -12,6 +12,7 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     private readonly CSpice _cspice;
     private readonly KernelSet _kernels;
     private readonly CelestialBody _body;
+    private readonly Lazy<TdbScale> _timeScale;
 
     /// <summary>Loads kernels into CSPICE, which must be started.</summary>
     /// <exception cref="BadInputException">None of them has the orientation of a body other than the Moon.</exception>
@@ -19,6 +20,7 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     {
         _cspice = cspice;
         _body = body;
+        _timeScale = new Lazy<TdbScale>(() => LeapSecondsKernel.ReadScale(KernelPool.Of(paths)));
         _kernels = new KernelSet(cspice, paths);
         if (!body.IsMoon && !cspice.HasVariable(_kernels.Paths, body.NaifNumber, PoleKernel.PoleItem))
         {
@@ -31,12 +33,23 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
     public string EngineName => _cspice.Version.Replace('_', ' ');
 
     /// <inheritdoc/>
+    public TdbScale TimeScale => _timeScale.Value;
+
+    /// <inheritdoc/>
     public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
         Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>
         Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
+        Ask((kernels, _) => _cspice.FrameFromJ2000(kernels, _body, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
+
+    /// <inheritdoc/>
+    public StateVector StateOf(int naifNumber, double tdbSeconds) =>
+        Ask((kernels, _) => _cspice.StateOf(kernels, naifNumber, _body, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
 
     /// <summary>Unloads the kernels.</summary>
     public void Dispose() => _kernels.Dispose();

@@ -116,19 +116,51 @@ internal sealed class CSpice
     /// <exception cref="SpiceException">CSPICE failed.</exception>
     public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time)
     {
+        lock (_gate)
+        {
+            _furnished.Use(kernels);
+            return FrameFromJ2000(kernels, body, EphemerisSeconds(time));
+        }
+    }
+
+    /// <summary>The rotation that turns J2000 components into those of a body's frame.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="body">The body.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, double ephemerisSeconds)
+    {
         Span<double> rows = stackalloc double[9];
         lock (_gate)
         {
             _furnished.Use(kernels);
-            double ephemerisSeconds = EphemerisSeconds(time);
             CSpiceNative.pxform_c("J2000", body.Frame, ephemerisSeconds, ref rows[0]);
-            CSpiceError.ThrowIfFailed("pxform_c", time);
+            CSpiceError.ThrowIfFailed("pxform_c", ephemerisSeconds);
         }
 
         return new RotationMatrix(
             new Vector3D(rows[0], rows[1], rows[2]),
             new Vector3D(rows[3], rows[4], rows[5]),
             new Vector3D(rows[6], rows[7], rows[8]));
+    }
+
+    /// <summary>State of a body relative to another one's centre: m, m/s, J2000, light time left out.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="target">NAIF's number.</param>
+    /// <param name="observer">The other body.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public StateVector StateOf(IReadOnlyList<string> kernels, int target, CelestialBody observer, double ephemerisSeconds)
+    {
+        Span<double> km = stackalloc double[6];
+        lock (_gate)
+        {
+            _furnished.Use(kernels);
+            CSpiceNative.spkgeo_c(target, ephemerisSeconds, "J2000", observer.NaifNumber, ref km[0], out _);
+            CSpiceError.ThrowIfFailed("spkgeo_c", ephemerisSeconds);
+        }
+
+        return MetresPerKilometre * new StateVector(new Vector3D(km[0], km[1], km[2]), new Vector3D(km[3], km[4], km[5]));
     }
 
     /// <summary>Whether a text kernel has a variable of a body, such as POLE_RA.</summary>

@@ -25,6 +25,18 @@ internal static class CSpiceError
 
     /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
     /// <param name="function">The C function.</param>
+    /// <param name="ephemerisSeconds">The time that it was asked for: TDB seconds past J2000.</param>
+    /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
+    public static void ThrowIfFailed(string function, double ephemerisSeconds)
+    {
+        if (CSpiceNative.failed_c() != 0)
+        {
+            throw Take(function, string.Create(CultureInfo.InvariantCulture, $"{ephemerisSeconds:R} s past J2000"));
+        }
+    }
+
+    /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
+    /// <param name="function">The C function.</param>
     /// <param name="argument">What it was called with.</param>
     /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
     public static void ThrowIfFailed(string function, string argument)

@@ -30,4 +30,20 @@ internal static partial class CSpiceNative
     [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial void pxform_c(string from, string to, double ephemerisSeconds, ref double rotation);
+
+    /// <param name="target">NAIF's number of the body.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <param name="frame">Name of the frame.</param>
+    /// <param name="observer">NAIF's number of the body.</param>
+    /// <param name="state">First of six elements: km, km/s.</param>
+    /// <param name="lightTimeSeconds">One-way light time.</param>
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial void spkgeo_c(
+        int target,
+        double ephemerisSeconds,
+        string frame,
+        int observer,
+        ref double state,
+        out double lightTimeSeconds);
 }

@@ -2,6 +2,7 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;

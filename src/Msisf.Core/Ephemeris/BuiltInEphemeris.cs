@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Time;
@@ -19,6 +20,7 @@ public sealed class BuiltInEphemeris : IEphemeris
 
     private readonly TdbScale _scale;
     private readonly SegmentTable _positions;
+    private readonly CenterChain _chain;
     private readonly IFrameOrientation _orientation;
     private readonly CelestialBody _body;
 
@@ -31,12 +33,16 @@ public sealed class BuiltInEphemeris : IEphemeris
     {
         _scale = scale;
         _positions = positions;
+        _chain = new CenterChain(positions);
         _orientation = orientation;
         _body = body ?? CelestialBody.Moon;
     }
 
     /// <inheritdoc/>
     public string EngineName => "built-in kernel reader";
+
+    /// <inheritdoc/>
+    public TdbScale TimeScale => _scale;
 
     /// <summary>Times at which the Sun, the body and the body's orientation are all known; computed anew at each call.</summary>
     public KernelCover Cover => new(
@@ -75,6 +81,24 @@ public sealed class BuiltInEphemeris : IEphemeris
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(_scale.FromUtc(time), time);
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
+        _orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(_scale.ToUtc(tdbSeconds));
+
+    /// <inheritdoc/>
+    public StateVector StateOf(int naifNumber, double tdbSeconds) =>
+        MetresPerKilometre * (_chain.StateKm(naifNumber, _body.NaifNumber, tdbSeconds) ?? throw NoState(naifNumber, tdbSeconds));
+
+    private SpiceException NoState(int body, double tdbSeconds)
+    {
+        TdbCover cover = _positions.CoverOfChain(body);
+        return new SpiceException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"No kernel leads from body {body} to {_body.NameInText} at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: the kernels have "
+                + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(_scale, cover).Describe())}. "
+                + $"Choose a time inside, or other kernels."));
+    }
 
     /// <summary>Position in km relative to the solar system's barycentre, J2000; null at a time that the kernels do not cover.</summary>
     private Vector3D? PositionKm(int body, double tdbSeconds) => SumOfChain(body, tdbSeconds, segment => segment.ValueAt(tdbSeconds));

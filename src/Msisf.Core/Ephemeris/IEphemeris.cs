@@ -26,4 +26,19 @@ public interface IEphemeris
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
     RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time);
+
+    /// <summary>Turns UTC into TDB, the time that kernels and trajectories count.</summary>
+    TdbScale TimeScale { get; }
+
+    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
+    RotationMatrix MoonMeFromJ2000(double tdbSeconds);
+
+    /// <summary>Where another body is, light time left out.</summary>
+    /// <param name="naifNumber">NAIF's number of the body, e.g. 399 for the Earth.</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <returns>Position (m) and velocity (m/s) relative to the Moon's centre, J2000.</returns>
+    /// <exception cref="SpiceException">No kernel has that body at that time.</exception>
+    StateVector StateOf(int naifNumber, double tdbSeconds);
 }

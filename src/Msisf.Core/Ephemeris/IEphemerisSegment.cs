@@ -27,4 +27,8 @@ public interface IEphemerisSegment
     /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
     Vector3D RateAt(double tdbSeconds);
+
+    /// <summary>Both at once, as a state in km and km/s.</summary>
+    /// <inheritdoc cref="ValueAt"/>
+    StateVector StateAt(double tdbSeconds) => new(ValueAt(tdbSeconds), RateAt(tdbSeconds));
 }

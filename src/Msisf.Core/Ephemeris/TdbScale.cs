@@ -61,6 +61,10 @@ public sealed class TdbScale
         return utcSeconds;
     }
 
+    /// <summary>UTC, to the 0.6 microseconds that a date holds.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    public ModifiedJulianDate ToUtc(double tdbSeconds) => new(DayOfJ2000 + 0.5 + (ToUtcSeconds(tdbSeconds) / 86400.0));
+
     private double TdbMinusUtc(double utcSeconds)
     {
         double taiMinusUtc = _leapSeconds[0].TaiMinusUtc - StepBeforeTable;

@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Orbit;

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;

@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Xunit;

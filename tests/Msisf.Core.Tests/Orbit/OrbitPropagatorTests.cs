@@ -83,9 +83,15 @@ public class OrbitPropagatorTests
 
         public static double AngleAt(ModifiedJulianDate time) => 0.4 + (13.18 * Math.PI / 180.0 * (time.Days - 55280.0));
 
+        public TdbScale TimeScale => throw new NotSupportedException();
+
         public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));
+
+        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => throw new NotSupportedException();
+
+        public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
     }
 }

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.TestSupport;

@@ -1,5 +1,6 @@
 using FsCheck;
 using FsCheck.Fluent;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;

@@ -71,6 +71,35 @@ public sealed class EngineAgreementTests
         }
     }
 
+    /// <summary>Earth, Sun and Mars from the Moon: chains that meet at the Earth's barycentre, and at that of the solar system.</summary>
+    [RequiresFact(Part.CSpice)]
+    public void StateOf_OtherBodies_AgreesWithCSpice()
+    {
+        using OpenedEphemeris cspice = Engines.CSpice();
+        using OpenedEphemeris builtIn = Engines.BuiltIn();
+        Random random = new(20090730);
+        for (int i = 0; i < 300; i++)
+        {
+            double tdb = -3.1e9 + (4.7e9 * random.NextDouble());
+            foreach (int body in (int[])[399, 10, 4, 301])
+            {
+                StateVector expected = cspice.Engine.StateOf(body, tdb);
+                StateVector actual = builtIn.Engine.StateOf(body, tdb);
+                Assert.InRange((actual.Position - expected.Position).Length, 0.0, 1e-15 * expected.Position.Length);
+                Assert.InRange((actual.Velocity - expected.Velocity).Length, 0.0, 1e-14 * expected.Velocity.Length);
+            }
+
+            AssertClose(cspice.Engine.MoonMeFromJ2000(tdb), builtIn.Engine.MoonMeFromJ2000(tdb));
+        }
+    }
+
+    private static void AssertClose(RotationMatrix expected, RotationMatrix actual)
+    {
+        Assert.InRange((expected.Row0 - actual.Row0).Length, 0.0, Agreement);
+        Assert.InRange((expected.Row1 - actual.Row1).Length, 0.0, Agreement);
+        Assert.InRange((expected.Row2 - actual.Row2).Length, 0.0, Agreement);
+    }
+
     private static void AssertAgree(IEphemeris cspice, IEphemeris builtIn, double mjd)
     {
         ModifiedJulianDate time = new(mjd);
@@ -80,10 +109,6 @@ public sealed class EngineAgreementTests
             Assert.InRange((builtIn.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
         }
 
-        RotationMatrix expected = cspice.MoonMeFromJ2000(time);
-        RotationMatrix found = builtIn.MoonMeFromJ2000(time);
-        Assert.InRange((found.Row0 - expected.Row0).Length, 0.0, Agreement);
-        Assert.InRange((found.Row1 - expected.Row1).Length, 0.0, Agreement);
-        Assert.InRange((found.Row2 - expected.Row2).Length, 0.0, Agreement);
+        AssertClose(cspice.MoonMeFromJ2000(time), builtIn.MoonMeFromJ2000(time));
     }
 }

@@ -1,0 +1,35 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Scene;
+
+/// <summary>The camera of a spacecraft that flies along a trajectory. As thread-safe as its ephemeris.</summary>
+/// <param name="trajectory">Where the spacecraft is.</param>
+/// <param name="attitude">How its camera points.</param>
+/// <param name="ephemeris">How the Moon turns; counts the times.</param>
+public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attitude, IEphemeris ephemeris) : ICameraPath
+{
+    /// <inheritdoc/>
+    public TdbCover Cover { get; } = trajectory.Cover.Intersect(attitude.Cover);
+
+    /// <inheritdoc/>
+    public CameraState At(double tdbSeconds)
+    {
+        TrajectoryPoint point = new(
+            tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), trajectory.StateJ2000(tdbSeconds), ephemeris.MoonMeFromJ2000(tdbSeconds));
+        return new CameraState(point.PositionMoonMe, attitude.MoonFromCamera(point));
+    }
+
+    /// <summary>The state of a frame.</summary>
+    /// <param name="time">UTC.</param>
+    /// <exception cref="MsisfException">The time is outside the cover, which the message names, or the data are damaged.</exception>
+    public SpacecraftState At(ModifiedJulianDate time)
+    {
+        CameraState camera = At(ephemeris.TimeScale.FromUtc(time));
+        return new SpacecraftState(time, camera.PositionMoonMe, camera.MoonFromCamera);
+    }
+}

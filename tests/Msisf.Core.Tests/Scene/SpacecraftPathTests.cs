@@ -1,0 +1,76 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Tests.Ephemeris;
+using Msisf.Core.Time;
+using Xunit;
+
+namespace Msisf.Core.Tests.Scene;
+
+public sealed class SpacecraftPathTests
+{
+    private static readonly TdbScale Scale = SampleScale.Naif0012;
+
+    /// <summary>After 1000 s the Moon has turned by 90 degrees, so that a camera on the y axis of J2000 is over longitude 0.</summary>
+    [Fact]
+    public void At_MoonThatTurns_GivesPlaceAndAttitudeOverIt()
+    {
+        SpacecraftPath path = new(new AlongY(), new LooksAtCenter(), new Turning());
+
+        CameraState camera = path.At(1000.0);
+
+        Assert.InRange((camera.PositionMoonMe - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, 1e-8);
+        Assert.InRange(((camera.MoonFromCamera * -Vector3D.UnitX) - -Vector3D.UnitX).Length, 0.0, 1e-15);
+    }
+
+    [Fact]
+    public void At_TimeInUtc_IsTheSameAsInTdb()
+    {
+        SpacecraftPath path = new(new AlongY(), new LooksAtCenter(), new Turning());
+        ModifiedJulianDate time = new(51544.5);
+
+        SpacecraftState state = path.At(time);
+
+        // TAI - UTC is 32 s in January 2000, TT - TAI 32.184 s; TDB is TT within 2 ms.
+        Assert.Equal(2e6 + 64.184, state.PositionMoonMe.Length, 0.002);
+        Assert.Equal(time, state.Time);
+    }
+
+    [Fact]
+    public void Cover_IsWhereBothAreKnown() =>
+        Assert.Equal([new TdbInterval(50.0, 1500.0)], new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).Cover.Intervals);
+
+    /// <summary>Moves out along y by 1 m/s.</summary>
+    private sealed class AlongY : ITrajectory
+    {
+        public TdbCover Cover { get; } = TdbCover.Union([new TdbInterval(0.0, 1500.0)]);
+
+        public StateVector StateJ2000(double tdbSeconds) => new(new Vector3D(0.0, 2e6 + tdbSeconds, 0.0), Vector3D.UnitY);
+    }
+
+    private sealed class LooksAtCenter : IAttitudeSource
+    {
+        public TdbCover Cover { get; } = TdbCover.Union([new TdbInterval(50.0, 2000.0)]);
+
+        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionMoonMe);
+    }
+
+    private sealed class Turning : IEphemeris
+    {
+        public string EngineName => "Moon that turns by 90 degrees in 1000 s";
+
+        public TdbScale TimeScale => Scale;
+
+        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+            throw new NotSupportedException();
+
+        public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
+
+        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(Math.PI / 2.0 * tdbSeconds / 1000.0);
+
+        public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
+    }
+}
