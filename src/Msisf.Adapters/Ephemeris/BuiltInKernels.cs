@@ -6,8 +6,6 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>Kernels that the built-in reader holds open, and the engine that works on them.</summary>
 public sealed class BuiltInKernels : IDisposable
 {
-    private readonly List<DafFile> _binaryKernels = [];
-
     /// <summary>Opens kernels.</summary>
     /// <param name="paths">Kernels (no meta-kernels) in load order; a later one wins over an earlier one.</param>
     /// <param name="body">The body whose frame is asked for; null for the Moon.</param>
@@ -16,20 +14,16 @@ public sealed class BuiltInKernels : IDisposable
     /// </exception>
     public BuiltInKernels(IReadOnlyList<string> paths, CelestialBody? body = null)
     {
+        Catalogue = new KernelCatalogue(paths);
         try
         {
-            KernelPool pool = KernelPool.Of(paths);
-            foreach (string path in paths)
-            {
-                OpenBinary(path);
-            }
-
             Ephemeris = new BuiltInEphemeris(
-                LeapSecondsKernel.ReadScale(pool),
-                SegmentsOf("DAF/SPK"),
+                LeapSecondsKernel.ReadScale(Catalogue.Pool),
+                Catalogue.SegmentsOf("DAF/SPK"),
                 body is { IsMoon: false }
-                    ? PoleKernel.Read(pool, body)
-                    : new KernelOrientation(SegmentsOf("DAF/PCK"), FrameKernel.ReadBodyFixedFrame(pool, CelestialBody.Moon.Frame)),
+                    ? PoleKernel.Read(Catalogue.Pool, body)
+                    : new KernelOrientation(
+                        Catalogue.SegmentsOf("DAF/PCK"), FrameKernel.ReadBodyFixedFrame(Catalogue.Pool, CelestialBody.Moon.Frame)),
                 body);
         }
         catch
@@ -42,35 +36,9 @@ public sealed class BuiltInKernels : IDisposable
     /// <summary>The engine; it works until <see cref="Dispose"/>.</summary>
     public BuiltInEphemeris Ephemeris { get; }
 
+    /// <summary>What the kernels hold.</summary>
+    public KernelCatalogue Catalogue { get; }
+
     /// <inheritdoc/>
-    public void Dispose()
-    {
-        foreach (DafFile kernel in _binaryKernels)
-        {
-            kernel.Dispose();
-        }
-    }
-
-    /// <summary>Opens a kernel of positions or orientations; other kernels have nothing that the Sun or the body's frame needs.</summary>
-    private void OpenBinary(string path)
-    {
-        if (KernelFile.IdWordOf(path) is not ("DAF/SPK" or "DAF/PCK"))
-        {
-            return;
-        }
-
-        FileStream stream = KernelFile.OpenBinary(path);
-        try
-        {
-            _binaryKernels.Add(new DafFile(stream, path));
-        }
-        catch
-        {
-            stream.Dispose();
-            throw;
-        }
-    }
-
-    private SegmentTable SegmentsOf(string idWord) =>
-        new(_binaryKernels.Where(kernel => kernel.IdWord == idWord).SelectMany(DafSegments.Of));
+    public void Dispose() => Catalogue.Dispose();
 }

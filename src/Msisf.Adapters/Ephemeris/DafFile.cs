@@ -17,7 +17,7 @@ public sealed class DafFile : IDisposable
     private const int WordBytes = sizeof(double);
     private const int WordsBeforeSummaries = 3;
 
-    /// <summary>Doubles of a summary: the segment's first and last time, in SPK and in PCK.</summary>
+    /// <summary>Doubles of a summary: the segment's first and last time, of a CK in ticks.</summary>
     private const int SummaryDoubles = 2;
 
     private readonly Stream _stream;
@@ -27,7 +27,7 @@ public sealed class DafFile : IDisposable
     /// <summary>Opens a kernel. The stream is disposed with the object.</summary>
     /// <param name="stream">Must be able to seek.</param>
     /// <param name="fileName">For messages.</param>
-    /// <exception cref="BadInputException">Not an SPK or binary PCK, damaged or cut short.</exception>
+    /// <exception cref="BadInputException">Not an SPK, binary PCK or CK, damaged or cut short.</exception>
     public DafFile(Stream stream, string fileName)
     {
         _stream = stream;
@@ -43,9 +43,9 @@ public sealed class DafFile : IDisposable
         IdWord = Encoding.ASCII.GetString(fileRecord[..8]).TrimEnd();
         int summaryIntegers = IdWord switch
         {
-            "DAF/SPK" => 6,
+            "DAF/SPK" or "DAF/CK" => 6,
             "DAF/PCK" => 5,
-            _ => throw new BadInputException($"{fileName}: the file begins with \"{IdWord}\"; DAF/SPK or DAF/PCK expected."),
+            _ => throw new BadInputException($"{fileName}: the file begins with \"{IdWord}\"; DAF/SPK, DAF/PCK or DAF/CK expected."),
         };
         string format = Encoding.ASCII.GetString(fileRecord.Slice(88, 8));
         _isLittleEndian = format switch
@@ -69,11 +69,30 @@ public sealed class DafFile : IDisposable
     /// <summary>The file's name, for messages.</summary>
     public string FileName { get; }
 
-    /// <summary>"DAF/SPK" or "DAF/PCK".</summary>
+    /// <summary>Whether the bytes of its numbers begin with the lowest.</summary>
+    public bool IsLittleEndian => _isLittleEndian;
+
+    /// <summary>"DAF/SPK", "DAF/PCK" or "DAF/CK".</summary>
     public string IdWord { get; }
 
     /// <summary>The segments in the order of the file.</summary>
     public IReadOnlyList<DafSummary> Summaries { get; }
+
+    /// <summary>Opens a kernel by its path.</summary>
+    /// <exception cref="BadInputException">It can't be opened, is none of these kernels, damaged or cut short.</exception>
+    public static DafFile Open(string path)
+    {
+        FileStream stream = KernelFile.OpenBinary(path);
+        try
+        {
+            return new DafFile(stream, path);
+        }
+        catch
+        {
+            stream.Dispose();
+            throw;
+        }
+    }
 
     /// <summary>Reads consecutive doubles.</summary>
     /// <param name="firstAddress">Address of the first one, from 1.</param>

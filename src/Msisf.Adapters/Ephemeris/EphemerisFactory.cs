@@ -23,7 +23,9 @@ public static class EphemerisFactory
         if (CSpice.Shared.TryStart(request.CSpicePath, request.InstallationRoot, out string pathOrReason))
         {
             SpiceEphemeris engine = new(CSpice.Shared, kernels, request.Body);
-            return new OpenedEphemeris(engine, EphemerisChoice.CSpice, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine);
+            return new OpenedEphemeris(
+                engine, EphemerisChoice.CSpice, $"Ephemeris: {engine.EngineName} ({pathOrReason}).", engine,
+                () => new KernelCatalogue(kernels));
         }
 
         return request.Choice == EphemerisChoice.Auto
@@ -36,6 +38,7 @@ public static class EphemerisFactory
     {
         BuiltInKernels opened = new(kernels, body);
         return new OpenedEphemeris(
-            opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened);
+            opened.Ephemeris, EphemerisChoice.BuiltIn, $"Ephemeris: {opened.Ephemeris.EngineName}, {reason}.", opened,
+            () => opened.Catalogue);
     }
 }

@@ -40,15 +40,23 @@ public static class KernelList
         return kernels.Count > 0 ? kernels : throw new BadInputException("No kernel is named. Name a meta-kernel with --kernels.");
     }
 
-    /// <summary>Requires that a file is a meta-kernel: no single kernel has Sun, Moon and time together.</summary>
-    /// <param name="file">The file that the user names.</param>
-    /// <returns>The same file.</returns>
-    /// <exception cref="BadInputException">It is missing, or none.</exception>
-    public static string RequireMetaKernel(string file) => IsMetaKernel(Existing(Path.GetFullPath(file), ""))
-        ? file
-        : throw new BadInputException(
-            $"{file}: one kernel is not enough. Name a meta-kernel: a text file that begins with {MetaKernelIdWord} and names all "
-                + $"kernels in {Kernels}, as kernels/msisf.tm does (kernels/README.md).");
+    /// <summary>The kernels of a run, in load order: a later one wins.</summary>
+    /// <param name="installed">The meta-kernel of the installation.</param>
+    /// <param name="named">What the user names: meta-kernels, which replace the installed one, and kernels on top of them.</param>
+    /// <param name="ofTrajectory">Kernels of the camera's trajectory, which come last.</param>
+    /// <returns>Meta-kernels, and kernels.</returns>
+    /// <exception cref="BadInputException">A file is missing, or a kernel of the trajectory is a meta-kernel.</exception>
+    public static IReadOnlyList<string> OnTop(string installed, IReadOnlyList<string> named, IReadOnlyList<string> ofTrajectory)
+    {
+        ILookup<bool, string> byKind = named.ToLookup(file => IsMetaKernel(Existing(Path.GetFullPath(file), "")));
+        return
+        [
+            .. byKind[true].DefaultIfEmpty(installed), .. byKind[false],
+            .. ofTrajectory.Select(file => !IsMetaKernel(Existing(Path.GetFullPath(file), ""))
+                ? file
+                : throw new BadInputException($"{file}: a meta-kernel, where one kernel is meant. Name it with --kernels.")),
+        ];
+    }
 
     private static bool IsMetaKernel(string path) =>
         path.EndsWith(".tm", StringComparison.OrdinalIgnoreCase)

@@ -6,9 +6,12 @@ namespace Msisf.Adapters.Ephemeris;
 public sealed class OpenedEphemeris : IDisposable
 {
     private readonly IDisposable _resources;
+    private readonly Lazy<KernelCatalogue> _catalogue;
 
-    internal OpenedEphemeris(IEphemeris engine, EphemerisChoice choice, string notice, IDisposable resources)
+    internal OpenedEphemeris(
+        IEphemeris engine, EphemerisChoice choice, string notice, IDisposable resources, Func<KernelCatalogue> catalogue)
     {
+        _catalogue = new Lazy<KernelCatalogue>(catalogue);
         Engine = engine;
         Choice = choice;
         Notice = notice;
@@ -21,9 +24,20 @@ public sealed class OpenedEphemeris : IDisposable
     /// <summary>Which engine it is; not <see cref="EphemerisChoice.Auto"/>.</summary>
     public EphemerisChoice Choice { get; }
 
+    /// <summary>What the kernels hold; read on first use.</summary>
+    /// <exception cref="Core.Errors.BadInputException">A kernel can't be read.</exception>
+    public KernelCatalogue Catalogue => _catalogue.Value;
+
     /// <summary>One line for the run's log: which engine, and why.</summary>
     public string Notice { get; }
 
     /// <inheritdoc/>
-    public void Dispose() => _resources.Dispose();
+    public void Dispose()
+    {
+        _resources.Dispose();
+        if (_catalogue.IsValueCreated)
+        {
+            _catalogue.Value.Dispose();
+        }
+    }
 }

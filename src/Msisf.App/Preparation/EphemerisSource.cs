@@ -14,10 +14,10 @@ internal sealed class EphemerisSource : IDisposable
 
     public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
 
-    private string[] KernelNames =>
-        [_settings.Kernels is { } kernels ? KernelList.RequireMetaKernel(kernels)
-            : _settings.Body.IsMoon ? _host.Installation.MetaKernel
-            : _host.Installation.BodiesMetaKernel];
+    private IReadOnlyList<string> KernelNames => KernelList.OnTop(
+        _settings.Body.IsMoon ? _host.Installation.MetaKernel : _host.Installation.BodiesMetaKernel,
+        _settings.Kernels,
+        _settings.TrajectoryKernels);
 
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
@@ -36,6 +36,13 @@ internal sealed class EphemerisSource : IDisposable
         }
 
         return Opened.Engine;
+    }
+
+    /// <summary>The engine with its kernels, opened on first use.</summary>
+    public OpenedEphemeris Kernels()
+    {
+        Engine();
+        return Opened!;
     }
 
     /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>

@@ -33,6 +33,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {
             Body = settings.Body,
+            Kernels = ephemeris.Kernels,
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
             HasDetector = settings.Native.Detector is not null,
         };

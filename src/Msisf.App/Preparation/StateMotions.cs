@@ -82,4 +82,23 @@ internal static class StateMotions
             ? motion with { AngularVelocityCamera = attitude.AngularVelocityCamera } // without rounding
             : motion;
     }
+
+    /// <summary>The motion on a mission's path at a time; at the ends of its cover of the inner side.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, inside the cover.</param>
+    /// <param name="path">The path.</param>
+    public static CameraMotion About(double tdbSeconds, ICameraPath path)
+    {
+        double start = path.Cover.Contains(tdbSeconds - HalfStep) ? tdbSeconds - HalfStep : tdbSeconds;
+        double end = path.Cover.Contains(tdbSeconds + HalfStep) ? tdbSeconds + HalfStep : tdbSeconds;
+        if (start == end)
+        {
+            throw new BadInputException(
+                "the files say how the camera is at a single time only, and not how it moves while the shutter is open. Remove 'shutter' "
+                    + "from the camera file.");
+        }
+
+        (CameraState before, CameraState after) = (path.At(start), path.At(end));
+        return CameraMotion.Between(
+            (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), end - start);
+    }
 }

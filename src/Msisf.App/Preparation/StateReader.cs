@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Settings;
@@ -31,6 +32,9 @@ internal sealed class StateReader
     /// <summary>The body that is drawn.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
+    /// <summary>Opens the ephemeris with its kernels; only the files of a mission need it.</summary>
+    public Func<OpenedEphemeris>? Kernels { get; init; }
+
     /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
     public string? CameraWithShutter { get; init; }
 
@@ -54,6 +58,7 @@ internal sealed class StateReader
             BatchFileSettings file => BatchFile(file, cancellation),
             PlaceSettings place => AtPlace(place, cancellation),
             OrbitSettings orbit => OnOrbit(orbit, cancellation),
+            MissionSettings mission => OnMission(mission, cancellation),
             _ => throw new ArgumentException($"no states are known of {trajectory.GetType().Name}", nameof(trajectory)),
         };
         if (trajectory is BatchFileSettings)
@@ -158,5 +163,19 @@ internal sealed class StateReader
             return new SpacecraftState(
                 time, position, attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
         }
+    }
+
+    private SpacecraftState[] OnMission(MissionSettings settings, CancellationToken cancellation)
+    {
+        OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");
+        MissionPath mission = MissionPath.Open(settings, kernels, _scene);
+        return [.. mission.Times(settings).Select(time =>
+        {
+            cancellation.ThrowIfCancellationRequested();
+            SpacecraftState state = mission.Path.At(time);
+            return CameraWithShutter is null
+                ? state
+                : state with { Motion = StateMotions.About(mission.Scale.FromUtc(time), mission.Path) };
+        })];
     }
 }

@@ -45,7 +45,7 @@ internal sealed class RenderRun
 
         // The checksums take long and are needed late, so they are started first.
         using RunInputs inputs = new(
-            () => _settings.IgnoreSun ? [] : ephemeris.KernelFiles(), _settings.Camera, _host, cancellation);
+            () => _settings.NeedsKernels ? ephemeris.KernelFiles() : [], _settings.Camera, _host, cancellation);
         Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;

@@ -35,14 +35,17 @@ internal sealed class JsonOptions
     {
         _names = names;
         _values[RendererOptions.Renderer.Name] = new OptionValue([RendererOptions.Renderer.WordOf(RendererKind.Native)]);
-        Put(LightOptions.Kernels, settings.Kernels);
+        if (settings.Kernels.Count > 0)
+        {
+            _values[LightOptions.Kernels.Name] = new OptionValue(settings.Kernels);
+        }
     }
 
     /// <summary>The options that a request may have, in the order of the help text.</summary>
     public static IEnumerable<OptionSpec> OptionsOfFrame() =>
     [
         .. CameraOptions.Group.Options.Except(
-            [CameraOptions.BatchFile, .. BatchOptions.All, CameraOptions.Times, CameraOptions.TimeInterval]),
+            [CameraOptions.BatchFile, .. BatchOptions.All, .. MissionOptions.All, CameraOptions.Times, CameraOptions.TimeInterval]),
         .. ImageOptions.Group.Options,
         .. LightOptions.Group.Options.Except([LightOptions.Kernels]),
         .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem, SurfaceOptions.Body]),

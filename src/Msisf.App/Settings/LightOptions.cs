@@ -40,8 +40,10 @@ internal static class LightOptions
 
     /// <summary>SPICE meta-kernel to load.</summary>
     public static PathSpec Kernels { get; } = new(
-        "--kernels", DecidesBytes.ByFiles, PathKind.File, "SPICE meta-kernel")
+        "--kernels", DecidesBytes.ByFiles, PathKind.File,
+        "SPICE meta-kernel in place of the installed one, or another kernel on top of it (FK, IK, SCLK, ...); may be given several times")
     {
+        TakesSeveral = true,
         DefaultNote = "kernels/msisf.tm of the installation",
     };
 

@@ -73,7 +73,17 @@ internal sealed record RenderSettings
 
     public required Aberration Aberration { get; init; }
 
-    public required string? Kernels { get; init; }
+    /// <summary>Meta-kernels and kernels of --kernels, in their order.</summary>
+    public required IReadOnlyList<string> Kernels { get; init; }
+
+    /// <summary>Kernels of the camera's trajectory, in their order; they are loaded last.</summary>
+    public IReadOnlyList<string> TrajectoryKernels { get; init; } = [];
+
+    /// <summary>Whether kernels are needed: for the Sun, or for the trajectory.</summary>
+    public bool NeedsKernels => !IgnoreSun || IsMission;
+
+    /// <summary>Whether the files of a mission say where the camera is.</summary>
+    public bool IsMission { get; init; }
 
     public required string? PovPath { get; init; }
 

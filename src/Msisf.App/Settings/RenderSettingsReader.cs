@@ -55,7 +55,9 @@ internal static class RenderSettingsReader
             Ldem = SurfaceOptions.Ldem.ReadAll(values),
             Ephemeris = LightOptions.Ephemeris.Read(values),
             Aberration = Aberration(values),
-            Kernels = LightOptions.Kernels.ReadIfGiven(values),
+            Kernels = LightOptions.Kernels.ReadAll(values),
+            TrajectoryKernels = MissionOptions.Spk.ReadAll(values),
+            IsMission = MissionOptions.Ways.Any(values.IsGiven),
             PovPath = PovOptions.Program.ReadIfGiven(values),
             PovOptions = PovOptions.MoreOptions.NamedInErrors(
                 () => PovRayOptions.Parse(PovOptions.MoreOptions.ReadIfGiven(values) ?? string.Empty)),

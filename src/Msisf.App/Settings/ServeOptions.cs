@@ -123,7 +123,7 @@ internal static partial class ServeOptions
             Queue.Read(values),
             TimeSpan.FromSeconds(TimeLimit.Read(values)),
             SurfaceOptions.Ldem.ReadAll(values),
-            LightOptions.Kernels.ReadIfGiven(values))
+            LightOptions.Kernels.ReadAll(values))
         {
             MaxMegabytes = MaxMegabytes.Read(values),
             EndsWithInput = EndWithInput.Read(values),

@@ -9,10 +9,10 @@ namespace Msisf.App.Settings;
 /// <param name="Queue">Number of requests that may wait.</param>
 /// <param name="TimeLimit">Longest time of a request.</param>
 /// <param name="Ldem">Elevation models, or folders of models; empty for those that a run finds.</param>
-/// <param name="Kernels">SPICE meta-kernel; null for that of the installation.</param>
+/// <param name="Kernels">SPICE meta-kernel in place of that of the installation, and kernels on top of it.</param>
 internal sealed record ServeSettings(
     ListenAddress Listen, string? Token, (string Path, string Key)? Certificate, IReadOnlyList<string> Hosts, int MaxPixels, int Queue,
-    TimeSpan TimeLimit, IReadOnlyList<string> Ldem, string? Kernels)
+    TimeSpan TimeLimit, IReadOnlyList<string> Ldem, IReadOnlyList<string> Kernels)
 {
     /// <summary>Megabytes of the largest answer.</summary>
     public required int MaxMegabytes { get; init; }

@@ -32,7 +32,10 @@ internal sealed class TrajectorySettingsReader
 
     /// <summary>The options for the position of the camera, of which exactly one must be given.</summary>
     private OptionSpec[] Ways =>
-        [CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile, PointingOptions.Position];
+        [
+            CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile, PointingOptions.Position,
+            .. MissionOptions.Ways,
+        ];
 
     /// <summary>Reads and checks the options.</summary>
     /// <param name="values">The options.</param>
@@ -72,6 +75,7 @@ internal sealed class TrajectorySettingsReader
 
         if (given is not [OptionSpec way])
         {
+            Refuse(MissionOptions.All, $"needs one of {Names(MissionOptions.Ways)}: what says where the camera is. Add it.");
             return null;
         }
 
@@ -85,6 +89,12 @@ internal sealed class TrajectorySettingsReader
             Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
         }
 
+        if (MissionOptions.Ways.Contains(way))
+        {
+            return new MissionSettingsReader(_values, Attitude, Times).Read(way);
+        }
+
+        Refuse(MissionOptions.All, $"is not allowed with {way.Name}, but with {Names(MissionOptions.Ways)} only. Remove it.");
         CameraMotion? motion = Motion();
         if (way == PointingOptions.Position)
         {

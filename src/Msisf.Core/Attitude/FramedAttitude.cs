@@ -5,7 +5,7 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Attitude;
 
 /// <summary>The attitude of a spacecraft on its orbit, given in one of several frames. As thread-safe as its ephemeris.</summary>
-public sealed class FramedAttitude
+public sealed class FramedAttitude : IAttitudeSource
 {
     private readonly AttitudeTransition _attitude;
     private readonly AttitudeFrame _frame;
@@ -31,6 +31,13 @@ public sealed class FramedAttitude
 
         (_attitude, _frame, _epoch, _ephemeris) = (attitude, frame, epoch, ephemeris);
         _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch ? ephemeris!.MoonMeFromJ2000(epoch).Transposed : RotationMatrix.Identity;
+    }
+
+    /// <inheritdoc/>
+    public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
+    {
+        Vector3D orbitNormal = point.OrbitNormalMoonMe;
+        return MoonFromCamera(point.Time, point.PositionMoonMe, _ => orbitNormal);
     }
 
     /// <summary>The attitude at a time.</summary>

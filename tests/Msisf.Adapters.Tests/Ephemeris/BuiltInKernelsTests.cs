@@ -211,10 +211,10 @@ public sealed class BuiltInKernelsTests : IDisposable
         StringComparison.Ordinal);
 
     [Fact]
-    public void Open_SpacecraftAttitudeKernel_IsPassedOver()
+    public void Open_ShapeKernel_IsPassedOver()
     {
-        string attitude = _folder.Write("x.bc", "DAF/CK  and so on");
-        using BuiltInKernels kernels = new([Lsk, Fk, attitude]);
+        string shape = _folder.Write("x.bds", "DAS/DSK and so on");
+        using BuiltInKernels kernels = new([Lsk, Fk, shape]);
 
         Assert.Empty(kernels.Ephemeris.Cover.Times.Intervals);
     }

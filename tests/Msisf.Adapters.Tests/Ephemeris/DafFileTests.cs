@@ -33,7 +33,7 @@ public class DafFileTests
 
     [Fact]
     public void Open_OtherIdWord_NamesIt() =>
-        AssertFails(Change(bytes => Encoding.ASCII.GetBytes("DAF/CK  ").CopyTo(bytes, 0)), "begins with \"DAF/CK\"");
+        AssertFails(Change(bytes => Encoding.ASCII.GetBytes("DAF/XY  ").CopyTo(bytes, 0)), "begins with \"DAF/XY\"");
 
     [Fact]
     public void Open_OtherNumberFormat_NamesIt() =>

@@ -78,13 +78,24 @@ public sealed class KernelListTests : IDisposable
         StringComparison.Ordinal);
 
     [Fact]
-    public void RequireMetaKernel_OneKernelAlone_SaysThatAMetaKernelIsNeeded()
+    public void OnTop_KernelAlone_ComesAfterTheInstalledOnes()
     {
         string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
-        Assert.Equal(meta, KernelList.RequireMetaKernel(meta));
+        string frames = Path.Combine(TestParts.Kernels, "moon_080317.tf");
+        Assert.Equal([meta], KernelList.OnTop(meta, [], []));
+        string trajectory = Path.Combine(TestParts.Kernels, "de421.bsp");
+        Assert.Equal([meta, frames, trajectory], KernelList.OnTop(meta, [frames], [trajectory]));
+    }
+
+    [Fact]
+    public void OnTop_MetaKernel_ReplacesTheInstalledOneAndComesFirst()
+    {
+        string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
+        string frames = Path.Combine(TestParts.Kernels, "moon_080317.tf");
+        Assert.Equal([meta, frames], KernelList.OnTop("installed.tm", [frames, meta], []));
         Assert.Contains(
-            "de421.bsp: one kernel is not enough. Name a meta-kernel",
-            Assert.Throws<BadInputException>(() => KernelList.RequireMetaKernel(Path.Combine(TestParts.Kernels, "de421.bsp"))).Message,
+            "a meta-kernel, where one kernel is meant",
+            Assert.Throws<BadInputException>(() => KernelList.OnTop(meta, [], [meta])).Message,
             StringComparison.Ordinal);
     }
 

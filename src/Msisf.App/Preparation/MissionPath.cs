@@ -1,0 +1,82 @@
+using System.Globalization;
+using Msisf.Adapters.Ephemeris;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Orbit;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>The path of a camera that flies as the files of a mission say.</summary>
+/// <param name="Path">Its pose at each time.</param>
+/// <param name="Scale">Turns UTC into TDB.</param>
+internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
+{
+    /// <summary>Maximum number of images of --every; a frame a second for four months.</summary>
+    private const double MaxImages = 10_000_000.0;
+
+    /// <summary>Opens the files.</summary>
+    /// <param name="settings">Where the spacecraft is, and how its camera points.</param>
+    /// <param name="kernels">The engine with its kernels.</param>
+    /// <param name="scene">Terrain and Sun.</param>
+    /// <exception cref="MsisfException">A file can't be read, or does not have what is asked for.</exception>
+    public static MissionPath Open(MissionSettings settings, OpenedEphemeris kernels, ISceneGeometry scene)
+    {
+        ITrajectory trajectory = settings.Position switch
+        {
+            KernelPosition position => MissionOptions.Spacecraft.NamedInErrors(() => new KernelTrajectory(kernels, position.Spacecraft)),
+            _ => throw new ArgumentException($"no trajectory is known of {settings.Position.GetType().Name}", nameof(settings)),
+        };
+        IAttitudeSource attitude = settings.Attitude switch
+        {
+            PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
+            QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
+            _ => throw new ArgumentException($"no attitude is known of {settings.Attitude.GetType().Name}", nameof(settings)),
+        };
+        return new MissionPath(new SpacecraftPath(trajectory, attitude, kernels.Engine), kernels.Engine.TimeScale);
+    }
+
+    /// <summary>The times of the images.</summary>
+    /// <param name="settings">Times, or a step.</param>
+    /// <exception cref="UsageException">The step gives too many images.</exception>
+    public IEnumerable<ModifiedJulianDate> Times(MissionSettings settings)
+    {
+        if (settings.Every is not { } step)
+        {
+            return settings.Times!;
+        }
+
+        double count = Path.Cover.Intervals.Sum(interval => Math.Floor((interval.End - interval.Start) / step) + 1.0);
+        return count <= MaxImages
+            ? Path.Cover.Intervals.SelectMany(interval => Steps(interval, step))
+            : throw new UsageException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{MissionOptions.Every.Name} {step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
+                    + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."))
+                .About(MissionOptions.Every);
+    }
+
+    /// <summary>Times in an interval of the cover; those at its ends are rounded inwards, because a date holds 0.6 microseconds.</summary>
+    private IEnumerable<ModifiedJulianDate> Steps(TdbInterval interval, double step)
+    {
+        int count = (int)Math.Floor((interval.End - interval.Start) / step) + 1;
+        for (int i = 0; i < count; i++)
+        {
+            ModifiedJulianDate time = Scale.ToUtc(interval.Start + (i * step));
+            ModifiedJulianDate later = new(double.BitIncrement(time.Days));
+            ModifiedJulianDate earlier = new(double.BitDecrement(time.Days));
+            foreach (ModifiedJulianDate candidate in (ModifiedJulianDate[])[time, later, earlier])
+            {
+                if (interval.Contains(Scale.FromUtc(candidate)))
+                {
+                    yield return candidate;
+                    break;
+                }
+            }
+        }
+    }
+}

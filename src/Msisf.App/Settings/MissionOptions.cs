@@ -1,0 +1,33 @@
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of a camera that flies as the files of a mission say.</summary>
+internal static class MissionOptions
+{
+    /// <summary>Trajectories.</summary>
+    public static PathSpec Spk { get; } = new(
+        "--spk", DecidesBytes.ByStates, PathKind.File, "Trajectory as a SPICE kernel (SPK); may be given several times: the later one wins")
+    {
+        TakesSeveral = true,
+    };
+
+    /// <summary>The spacecraft.</summary>
+    public static TextSpec Spacecraft { get; } = new(
+        "--spacecraft", DecidesBytes.ByStates, "NAME|ID",
+        "The spacecraft whose trajectory in the kernels the camera follows, e.g. LRO or -85");
+
+    /// <summary>Steps of the cover.</summary>
+    public static NumberSpec Every { get; } = new(
+        "--every", DecidesBytes.ByStates, "SECONDS",
+        "With a mission's files, in place of times: an image each so many seconds of their cover")
+    {
+        Limits = new NumberRange(0.0, 1e9) { ExcludesMin = true },
+    };
+
+    /// <summary>The ways in which a mission's files say where the camera is.</summary>
+    public static OptionSpec[] Ways { get; } = [Spacecraft];
+
+    /// <summary>The options that have a meaning with a mission's files only.</summary>
+    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Every];
+}

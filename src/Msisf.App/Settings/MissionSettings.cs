@@ -1,0 +1,32 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Images along the trajectory that the files of a mission give.</summary>
+/// <param name="Position">Where the spacecraft is.</param>
+/// <param name="Attitude">How its camera points.</param>
+/// <param name="Times">Times of the images, UTC; null for steps of the files' cover.</param>
+/// <param name="Every">s: step between images; null if <paramref name="Times"/> are given.</param>
+internal sealed record MissionSettings(
+    PositionSource Position, AttitudeChoice Attitude, IEnumerable<ModifiedJulianDate>? Times, double? Every) : TrajectorySettings;
+
+/// <summary>Which file says where the spacecraft is.</summary>
+internal abstract record PositionSource;
+
+/// <summary>SPICE kernels: those of --spk, and all others.</summary>
+/// <param name="Spacecraft">Its name or number.</param>
+internal sealed record KernelPosition(string Spacecraft) : PositionSource;
+
+/// <summary>What says how the camera points.</summary>
+internal abstract record AttitudeChoice;
+
+/// <summary>A target.</summary>
+/// <param name="Pointing">What the camera looks at.</param>
+internal sealed record PointedChoice(CameraPointing Pointing) : AttitudeChoice;
+
+/// <summary>A quaternion.</summary>
+/// <param name="Attitude">From the epoch on.</param>
+/// <param name="Frame">Its frame.</param>
+/// <param name="Epoch">UTC; null where the attitude does not change in its frame.</param>
+internal sealed record QuaternionChoice(AttitudeTransition Attitude, AttitudeFrame Frame, ModifiedJulianDate? Epoch) : AttitudeChoice;

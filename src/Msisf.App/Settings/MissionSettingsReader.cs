@@ -1,0 +1,78 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Reads how a camera flies by the files of a mission, and which options are combined.</summary>
+/// <param name="values">The options.</param>
+/// <param name="readAttitude">Reads the quaternion; null if there is none.</param>
+/// <param name="readTimes">Reads the times that the user gives.</param>
+internal sealed class MissionSettingsReader(
+    OptionValues values, Func<AttitudeTransition?> readAttitude, Func<IEnumerable<ModifiedJulianDate>> readTimes)
+{
+    private static readonly OptionSpec[] TimeOptions =
+        [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval, MissionOptions.Every];
+
+    /// <summary>Reads the settings.</summary>
+    /// <param name="way">The option that says where the camera is.</param>
+    /// <exception cref="MsisfException">A value is wrong, or an option is missing or not allowed.</exception>
+    public MissionSettings Read(OptionSpec way)
+    {
+        Refuse([CameraOptions.OrbitFrame, CameraOptions.Motion], $"is not allowed with {way.Name}, whose files say it. Remove it.");
+        OptionSpec[] times = [.. TimeOptions.Where(values.IsGiven)];
+        if (times.Length != 1)
+        {
+            throw new UsageException(times.Length == 0
+                ? $"{way.Name} needs one of {Names(TimeOptions)}: when to take images."
+                : $"{times[0].Name} and {times[1].Name} exclude each other. Give exactly one of {Names(TimeOptions)}.");
+        }
+
+        double? every = MissionOptions.Every.ReadIfGiven(values);
+        return new MissionSettings(
+            new KernelPosition(MissionOptions.Spacecraft.Read(values)), Attitude(way), every is null ? readTimes() : null, every);
+    }
+
+    private AttitudeChoice Attitude(OptionSpec way)
+    {
+        bool isPointed = PointingOptions.OfPosition.Any(values.IsGiven);
+        if (readAttitude() is not { } attitude)
+        {
+            Refuse(
+                [CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame],
+                $"has no meaning with {way.Name} without {CameraOptions.Attitude.Name}. Remove it.");
+            return new PointedChoice(PointingOptions.ReadPointing(values));
+        }
+
+        if (isPointed)
+        {
+            Refuse(
+                PointingOptions.OfPosition,
+                $"and {CameraOptions.Attitude.Name} exclude each other: both say how the camera points. Leave one out.");
+        }
+
+        AttitudeFrame frame = CameraOptions.AttitudeFrame.Read(values);
+        bool hasEpoch = values.IsGiven(CameraOptions.Epoch);
+        bool needsEpoch = frame == AttitudeFrame.MoonMeEpoch || values.IsGiven(CameraOptions.AttitudeTransition);
+        if (hasEpoch != needsEpoch)
+        {
+            throw new UsageException(needsEpoch
+                ? $"{CameraOptions.Attitude.Name} needs {CameraOptions.Epoch.Name} here: the time from which the camera turns, or whose "
+                    + "axes are meant."
+                : $"{CameraOptions.Epoch.Name} has no meaning with {way.Name} and an attitude that does not change. Remove it.");
+        }
+
+        return new QuaternionChoice(attitude, frame, hasEpoch ? CameraOptions.Epoch.Read(values) : null);
+    }
+
+    private void Refuse(IEnumerable<OptionSpec> options, string why)
+    {
+        if (options.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException($"{wrong.Name} {why}");
+        }
+    }
+
+    private static string Names(IEnumerable<OptionSpec> options) => string.Join(", ", options.Select(option => option.Name));
+}
