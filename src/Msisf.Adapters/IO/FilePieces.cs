@@ -13,16 +13,15 @@ internal static class FilePieces
     /// <summary>SHA-256 of a file's length (8 bytes, little-endian) and of its pieces: 64 hexadecimal digits in small letters.</summary>
     /// <exception cref="IOException">It can't be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It can't be read.</exception>
-    public static string Sha256Of(string path)
+    public static string Sha256Of(Stream file)
     {
         using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        using FileStream file = File.OpenRead(path);
         Append(hash, file);
         return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
 
     /// <summary>Adds a file's length and pieces to a checksum.</summary>
-    public static void Append(IncrementalHash hash, FileStream file)
+    public static void Append(IncrementalHash hash, Stream file)
     {
         hash.AppendData(BitConverter.GetBytes(file.Length));
         long last = Math.Max(0, file.Length - PieceBytes);
@@ -33,7 +32,7 @@ internal static class FilePieces
     }
 
     /// <summary>Adds one piece of a file to a checksum.</summary>
-    public static void Append(IncrementalHash hash, FileStream file, long start, long length)
+    public static void Append(IncrementalHash hash, Stream file, long start, long length)
     {
         byte[] piece = new byte[length];
         file.Position = start;

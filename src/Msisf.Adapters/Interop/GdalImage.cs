@@ -7,6 +7,9 @@ namespace Msisf.Adapters.Interop;
 /// <summary>An image that GDAL reads; its first band counts. Not safe for several threads.</summary>
 internal sealed unsafe class GdalImage : IDisposable
 {
+    /// <summary>Ends of the names of files that hold nothing but statistics and coarser levels.</summary>
+    private static readonly string[] Derived = [".aux.xml", ".ovr"];
+
     private readonly GdalNative _gdal;
     private readonly string _path;
     private readonly nint _band;
@@ -22,7 +25,9 @@ internal sealed unsafe class GdalImage : IDisposable
         Width = gdal.GDALGetRasterXSize(image);
         Height = gdal.GDALGetRasterYSize(image);
         _band = gdal.GDALGetRasterBand(image, 1);
-        IsBytes = gdal.GDALGetRasterDataType(_band) == GdalNative.TypeByte;
+        int type = gdal.GDALGetRasterDataType(_band);
+        IsBytes = type == GdalNative.TypeByte;
+        IsComplex = type is >= GdalNative.FirstComplexType and <= GdalNative.LastComplexType;
         int isThere = 0;
         double value = gdal.GDALGetRasterNoDataValue(_band, &isThere);
         NoData = isThere != 0 ? value : null;
@@ -36,6 +41,9 @@ internal sealed unsafe class GdalImage : IDisposable
 
     /// <summary>The values are whole numbers from 0 to 255.</summary>
     public bool IsBytes { get; }
+
+    /// <summary>The values are complex numbers.</summary>
+    public bool IsComplex { get; }
 
     /// <summary>The value of pixels without data; null if there is none.</summary>
     public double? NoData { get; }
@@ -54,10 +62,31 @@ internal sealed unsafe class GdalImage : IDisposable
             image = gdal.GDALOpenEx(name, GdalNative.OpenRaster, 0, 0, 0);
         }
 
-        return image != 0
-            ? new GdalImage(gdal, path, image)
-            : throw new BadInputException(
-                $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
+        return image == 0 || gdal.GDALGetRasterBand(image, 1) == 0
+            ? throw new BadInputException(path.Contains("://", StringComparison.Ordinal)
+                ? $"{path}: GDAL can't open the remote file ({Message(gdal)}). It needs a network and a server that is up: check the "
+                    + "address, or get the file and name it here."
+                : $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.")
+            : new GdalImage(gdal, path, image);
+    }
+
+    /// <summary>The files of which the image is made, but for what GDAL's tools keep beside it; the image's own path first.</summary>
+    public IReadOnlyList<string> Files()
+    {
+        byte** list = _gdal.GDALGetFileList(_image);
+        List<string> files = [_path];
+        for (byte** file = list; file is not null && *file is not null; file++)
+        {
+            string name = Marshal.PtrToStringUTF8((nint)(*file))!;
+            if (!Array.Exists(Derived, end => name.EndsWith(end, StringComparison.OrdinalIgnoreCase))
+                && !files.Exists(known => Path.GetFullPath(known) == Path.GetFullPath(name)))
+            {
+                files.Add(name);
+            }
+        }
+
+        _gdal.CSLDestroy(list);
+        return files;
     }
 
     /// <summary>The six numbers that give map coordinates of a pixel; null if the image has none.</summary>
@@ -140,18 +169,21 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <param name="sample">Leftmost pixel, from 0.</param>
     /// <param name="samples">How many pixels of a row.</param>
     /// <param name="values">Receives them, row by row; NaN where there is no data.</param>
+    /// <param name="stride">Values from one row to the next; 0 if none lie between.</param>
     /// <exception cref="BadInputException">The file is damaged.</exception>
-    public void Read(int line, int lines, int sample, int samples, Span<float> values)
+    public void Read(int line, int lines, int sample, int samples, Span<float> values, int stride = 0)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, lines * samples);
+        stride = stride == 0 ? samples : stride;
+        ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, ((lines - 1) * stride) + samples);
         fixed (float* start = values)
         {
-            Require(_gdal.GDALRasterIO(_band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, 0));
+            Require(_gdal.GDALRasterIO(
+                _band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, stride * sizeof(float)));
         }
 
-        if (NoData is double noData)
+        for (int i = 0; NoData is double noData && i < lines; i++)
         {
-            values[..(lines * samples)].Replace((float)noData, float.NaN);
+            values.Slice(i * stride, samples).Replace((float)noData, float.NaN);
         }
     }
 
@@ -159,7 +191,9 @@ internal sealed unsafe class GdalImage : IDisposable
     {
         if (result >= GdalNative.Failure)
         {
-            throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). Get the file again.");
+            throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). "
+                + (_path.Contains("://", StringComparison.Ordinal)
+                    ? "The remote file broke off: try again, or get the whole file and name it here." : "Get the file again."));
         }
     }
 

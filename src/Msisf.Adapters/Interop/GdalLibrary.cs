@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
+using System.Text;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
@@ -11,6 +12,16 @@ internal static unsafe class GdalLibrary
 
     /// <summary>GDAL 3.0, the first whose functions are all there.</summary>
     private const int OldestVersion = 26;
+
+    /// <summary>
+    /// Memory of decoded blocks in MB, where GDAL takes a twentieth of the machine's; how long it waits for other computers, s; and that it
+    /// looks for no other files beside a remote one.
+    /// </summary>
+    private static readonly (string Name, string Value)[] Settings =
+    [
+        ("GDAL_CACHEMAX", "192"), ("GDAL_HTTP_CONNECTTIMEOUT", "10"), ("GDAL_HTTP_TIMEOUT", "60"),
+        ("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"),
+    ];
 
     private static readonly Lock Gate = new();
     private static readonly Dictionary<string, GdalNative> Loaded = new(StringComparer.Ordinal);
@@ -30,6 +41,15 @@ internal static unsafe class GdalLibrary
         }
     }
 
+    /// <summary>A library that was loaded before, for what its virtual files need; null if none was.</summary>
+    public static GdalNative? AnyLoaded()
+    {
+        lock (Gate)
+        {
+            return Loaded.Values.FirstOrDefault();
+        }
+    }
+
     private static GdalNative Load(string? explicitPath, string purpose)
     {
         foreach (string candidate in explicitPath is null ? Candidates() : [explicitPath])
@@ -44,6 +64,11 @@ internal static unsafe class GdalLibrary
                 GdalNative gdal = new(library);
                 gdal.CPLSetErrorHandler(gdal.CPLQuietErrorHandler); // errors are taken from CPLGetLastErrorMsg
                 gdal.GDALAllRegister();
+                foreach ((string name, string value) in Settings)
+                {
+                    SetDefault(gdal, name, value);
+                }
+
                 return gdal;
             }
             catch (EntryPointNotFoundException exception)
@@ -56,6 +81,18 @@ internal static unsafe class GdalLibrary
         throw new ExternalPartException(
             $"{purpose} needs GDAL's library, which is not in {places}. Install it (Debian, Ubuntu: apt-get install libgdal32 or "
                 + $"python3-gdal) or set MSISF_GDAL to its path.");
+    }
+
+    /// <summary>Sets an option of GDAL's that neither its own configuration nor the environment has.</summary>
+    private static void SetDefault(GdalNative gdal, string name, string value)
+    {
+        fixed (byte* key = Encoding.UTF8.GetBytes(name + '\0'), text = Encoding.UTF8.GetBytes(value + '\0'))
+        {
+            if (gdal.CPLGetConfigOption(key, null) is null)
+            {
+                gdal.CPLSetConfigOption(key, text);
+            }
+        }
     }
 
     private static IEnumerable<string> Candidates()

@@ -14,6 +14,12 @@ internal sealed unsafe class GdalNative
     /// <summary>GDT_Byte.</summary>
     internal const int TypeByte = 1;
 
+    /// <summary>GDT_CInt16, the first of the types of complex numbers; GDT_CFloat64 is the last.</summary>
+    internal const int FirstComplexType = 8;
+
+    /// <summary>GDT_CFloat64.</summary>
+    internal const int LastComplexType = 11;
+
     /// <summary>GDT_Float32.</summary>
     internal const int TypeFloat32 = 6;
 
@@ -26,6 +32,15 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<void> GDALAllRegister;
     internal readonly delegate* unmanaged[Cdecl]<byte*, uint, nint, nint, nint, nint> GDALOpenEx;
     internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALClose;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte**> GDALGetFileList;
+    internal readonly delegate* unmanaged[Cdecl]<byte**, void> CSLDestroy;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, byte*, byte*> CPLGetConfigOption;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, byte*, void> CPLSetConfigOption;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, byte*, nint> VSIFOpenL;
+    internal readonly delegate* unmanaged[Cdecl]<void*, nuint, nuint, nint, nuint> VSIFReadL;
+    internal readonly delegate* unmanaged[Cdecl]<nint, ulong, int, int> VSIFSeekL;
+    internal readonly delegate* unmanaged[Cdecl]<nint, ulong> VSIFTellL;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> VSIFCloseL;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterXSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterYSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, nint> GDALGetRasterBand;
@@ -57,6 +72,15 @@ internal sealed unsafe class GdalNative
         GDALAllRegister = (delegate* unmanaged[Cdecl]<void>)Find(nameof(GDALAllRegister));
         GDALOpenEx = (delegate* unmanaged[Cdecl]<byte*, uint, nint, nint, nint, nint>)Find(nameof(GDALOpenEx));
         GDALClose = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALClose));
+        GDALGetFileList = (delegate* unmanaged[Cdecl]<nint, byte**>)Find(nameof(GDALGetFileList));
+        CSLDestroy = (delegate* unmanaged[Cdecl]<byte**, void>)Find(nameof(CSLDestroy));
+        CPLGetConfigOption = (delegate* unmanaged[Cdecl]<byte*, byte*, byte*>)Find(nameof(CPLGetConfigOption));
+        CPLSetConfigOption = (delegate* unmanaged[Cdecl]<byte*, byte*, void>)Find(nameof(CPLSetConfigOption));
+        VSIFOpenL = (delegate* unmanaged[Cdecl]<byte*, byte*, nint>)Find(nameof(VSIFOpenL));
+        VSIFReadL = (delegate* unmanaged[Cdecl]<void*, nuint, nuint, nint, nuint>)Find(nameof(VSIFReadL));
+        VSIFSeekL = (delegate* unmanaged[Cdecl]<nint, ulong, int, int>)Find(nameof(VSIFSeekL));
+        VSIFTellL = (delegate* unmanaged[Cdecl]<nint, ulong>)Find(nameof(VSIFTellL));
+        VSIFCloseL = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(VSIFCloseL));
         GDALGetRasterXSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterXSize));
         GDALGetRasterYSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterYSize));
         GDALGetRasterBand = (delegate* unmanaged[Cdecl]<nint, int, nint>)Find(nameof(GDALGetRasterBand));

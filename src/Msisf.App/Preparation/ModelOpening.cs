@@ -27,9 +27,17 @@ internal static class ModelOpening
     public static ElevationModel Open(
         string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null)
     {
-        if (explicitPath is not null && GeoTiffGrid.IsNameOf(explicitPath))
+        if (explicitPath is not null)
         {
-            return OpenGeoTiff(explicitPath, host);
+            ModelPath model = ModelPath.Parse(explicitPath);
+            if (RasterFiles.IsForGdal(model.Path))
+            {
+                return OpenRaster(model, host);
+            }
+
+            explicitPath = model.Heights.IsEmpty ? model.Path : throw new UsageException(
+                $"{SurfaceOptions.Ldem.Name} {explicitPath}: the label of a PDS3 model says what its values mean; scale= and offset= are "
+                    + "for other rasters. Leave them out.").About(SurfaceOptions.Ldem);
         }
 
         if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
@@ -67,8 +75,9 @@ internal static class ModelOpening
         {
             foreach (string path in paths)
             {
-                GridResolution resolution = GeoTiffGrid.IsNameOf(path) || LdemCatalog.TryReadMap(path) is not { Polar: { } polar }
-                    ? LdemResolutionOf(path)
+                string file = ModelPath.Parse(path).Path;
+                GridResolution resolution = RasterFiles.IsForGdal(file) || LdemCatalog.TryReadMap(file) is not { Polar: { } polar }
+                    ? LdemResolutionOf(file)
                     : polar.Resolution;
                 opened.Add(Open(path, resolution, isSparing: false, host));
             }
@@ -99,8 +108,8 @@ internal static class ModelOpening
     public static string[] Folders(ProgramHost host) =>
         [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
 
-    /// <summary>Resolution of a cylindrical label; of a GeoTIFF, which knows its own, any.</summary>
-    private static GridResolution LdemResolutionOf(string path) => GeoTiffGrid.IsNameOf(path)
+    /// <summary>Resolution of a cylindrical label; of a raster that GDAL reads, which knows its own, any.</summary>
+    private static GridResolution LdemResolutionOf(string path) => RasterFiles.IsForGdal(path)
         ? 1
         : SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.Read(path).PixelsPerDegree);
 
@@ -114,15 +123,20 @@ internal static class ModelOpening
         return new ElevationModel(image, set, image);
     });
 
-    private static ElevationModel OpenGeoTiff(string path, ProgramHost host) => SurfaceOptions.Ldem.NamedInErrors(() =>
+    private static ElevationModel OpenRaster(ModelPath model, ProgramHost host) => SurfaceOptions.Ldem.NamedInErrors(() =>
     {
-        GeoTiffGrid grid = host.GeoTiffs.Open(path);
+        GeoTiffGrid grid = host.GeoTiffs.Open(model.Path, model.Heights);
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
         Tell(set, host.Log);
         if (grid.WarpedFrom is not null)
         {
             host.Log.Note(
                 $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
+        }
+
+        if (grid.NoteOfGaps() is { } gaps)
+        {
+            host.Log.Note(gaps);
         }
 
         return new ElevationModel(grid, set, grid);

@@ -168,11 +168,12 @@ internal sealed class ServedModels : IDisposable
 
     private ServedModel? Map(string path)
     {
-        if (GeoTiffGrid.IsNameOf(path))
+        ModelPath model = ModelPath.Parse(path);
+        if (RasterFiles.IsForGdal(model.Path))
         {
             return new ServedModel(
-                GeoTiffGrid.ProductIdOf(path), _host.GeoTiffs.ResolutionOf(path), isSynthetic: false, isWholeMoon: false, path, path,
-                _host);
+                RasterFiles.ProductIdOf(model.Path), _host.GeoTiffs.ResolutionOf(model.Path, model.Heights), isSynthetic: false,
+                isWholeMoon: false, model.Path, path, _host);
         }
 
         return LdemCatalog.TryReadMap(path) is { Polar: { } polar } label

@@ -58,8 +58,8 @@ internal sealed record FrameContent(RenderSettings Settings, EphemerisChoice? En
     /// <summary>Whether the map, the law or the radiance depends on the band.</summary>
     public bool HasBand => Map is not null || MayHaveMap || WithLayers?.Layers!.Layers.Any(layer => layer.Name == "radiance") == true;
 
-    /// <summary>Several models are named, in any order; null for one, whose resolution is enough.</summary>
-    public IEnumerable<string>? NamesOfSeveralModels => Settings.Ldem.Count > 1
+    /// <summary>Several models are named, in any order; null for one, whose resolution is enough, unless it has options.</summary>
+    public IEnumerable<string>? NamesOfSeveralModels => Settings.Ldem.Count > 1 || Settings.Ldem.Any(ModelPath.HasOptions)
         ? Settings.Ldem.Select(path => Path.GetFileName(path)).Order(StringComparer.Ordinal)
         : null;
 }

@@ -44,11 +44,12 @@ internal static class ModelChoice
     /// <remarks>A file on the command line goes before a resolution of a configuration file.</remarks>
     public static int CylindricalResolutionOf(OptionValues values)
     {
-        bool isFile = SurfaceOptions.Ldem.ReadIfGiven(values) is { } path && File.Exists(path); // a missing one is told when it is opened
+        string? path = SurfaceOptions.Ldem.ReadIfGiven(values) is { } text ? ModelPath.Parse(text).Path : null;
+        bool isFile = File.Exists(path); // a missing one is told when it is opened
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
         return isFile && !isSaid
-            ? SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.ResolutionOf(SurfaceOptions.Ldem.ReadIfGiven(values)!))
+            ? SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.ResolutionOf(path!))
             : SurfaceOptions.Resolution.Read(values);
     }
 
@@ -62,7 +63,7 @@ internal static class ModelChoice
                 .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
         }
 
-        if (paths.GroupBy(Path.GetFullPath).FirstOrDefault(same => same.Count() > 1) is { } twice)
+        if (paths.GroupBy(path => Path.GetFullPath(ModelPath.Parse(path).Path)).FirstOrDefault(same => same.Count() > 1) is { } twice)
         {
             throw new UsageException($"--ldem {twice.First()} is given twice. Leave one of them out.").About(SurfaceOptions.Ldem);
         }
@@ -72,9 +73,13 @@ internal static class ModelChoice
 
     private static GridResolution ResolutionOfLabel(string path) => SurfaceOptions.Ldem.NamedInErrors(() => Directory.Exists(path)
         ? throw new BadInputException($"{path}: a folder; of several --ldem each names the label or the image of a model.")
-        : LdemCatalog.Read(path).PixelsPerDegree);
+        : LdemCatalog.Read(ModelPath.Parse(path).Path).PixelsPerDegree);
 
-    private static GridResolution? ResolutionOfMap(string path, GeoTiffFiles geoTiffs) => GeoTiffGrid.IsNameOf(path)
-        ? SurfaceOptions.Ldem.NamedInErrors(() => geoTiffs.ResolutionOf(path))
-        : LdemCatalog.TryReadMap(path)?.Polar?.Resolution;
+    private static GridResolution? ResolutionOfMap(string text, GeoTiffFiles geoTiffs)
+    {
+        ModelPath model = ModelPath.Parse(text);
+        return RasterFiles.IsForGdal(model.Path)
+            ? SurfaceOptions.Ldem.NamedInErrors(() => geoTiffs.ResolutionOf(model.Path, model.Heights))
+            : LdemCatalog.TryReadMap(model.Path)?.Polar?.Resolution;
+    }
 }

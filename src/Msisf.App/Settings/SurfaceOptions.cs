@@ -28,7 +28,8 @@ internal static class SurfaceOptions
     public static PathSpec Ldem { get; } = new(
         "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels),
         PathKind.Any,
-        "Elevation model: its label, its image (of a split model any of them), or a folder of models; "
+        "Elevation model: its label, its image (of a split model any of them), any raster of a part of the Moon that GDAL reads, or a "
+            + "folder of models; behind the path of a raster ,scale=METRES and ,offset=METRES say what its values mean; "
             + "given several times, the finest model wins where it has data")
     {
         TakesSeveral = true,

@@ -9,13 +9,16 @@ namespace Msisf.Core.Surface;
 
 /// <summary>
 /// The mesh of a model in simple cylindrical projection; lines and samples count in the grid of the whole Moon. The vertices are those of
-/// the pattern files (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused.
+/// the pattern files (<see cref="LatticePoint.Nearest"/>): the same products in the same order, none of them fused. Those of maps whose
+/// cells are narrower than 16 m lie on finer lattices (<see cref="PlaneGeometry.LatticeOf"/>).
 /// </summary>
 internal sealed class CylinderGeometry : MeshGeometry
 {
     /// <summary>Maximum width, in degrees, of a rectangle that two planes through the axis can bound well.</summary>
     private const int WidestDegrees = 90;
 
+    private readonly int _firstLine;
+    private readonly int _firstSample;
     private readonly SineCosine[] _latitudes;
     private readonly double[] _longitudeSines;
     private readonly double[] _longitudeCosines;
@@ -27,24 +30,31 @@ internal sealed class CylinderGeometry : MeshGeometry
         CellAngle = Math.PI / 180.0 / pixelsPerDegree;
         Sagitta = MeshBounds.SagittaFactor(pixelsPerDegree);
         WidestColumns = WidestDegrees * pixelsPerDegree;
-        GridDirections directions = new(pixelsPerDegree);
-        _latitudes = new SineCosine[mesh.Lines + 2];
-        for (int line = -1; line <= mesh.Lines; line++)
+        StepsPerMetre = mesh.IsClosed
+            ? LatticePoint.StepsPerMetre
+            : Math.ScaleB(1.0, PlaneGeometry.LatticeOf(mesh.Grid.Projection.Resolution.MetresPerPixel));
+        GridWindow window = mesh.Grid.Window;
+        bool isPart = window.Samples < mesh.Samples;
+        GridDirections directions = new(pixelsPerDegree, hasTable: !isPart);
+        _firstLine = isPart ? window.FirstLine : -1;
+        _latitudes = new SineCosine[(isPart ? window.EndLine : mesh.Lines + 1) - _firstLine];
+        for (int i = 0; i < _latitudes.Length; i++)
         {
-            _latitudes[line + 1] = directions.Latitude(line);
+            _latitudes[i] = directions.Latitude(_firstLine + i);
         }
 
         // The last cell block is read in whole vectors, which extend beyond the prime meridian; so do maps across it.
-        _longitudeSines = new double[Math.Max(mesh.Samples, mesh.Grid.Window.EndSample) + BlockVertices.Stride];
+        _firstSample = isPart ? window.FirstSample : 0;
+        _longitudeSines = new double[(isPart ? window.Samples : mesh.Samples) + BlockVertices.Stride];
         _longitudeCosines = new double[_longitudeSines.Length];
-        for (int sample = 0; sample < _longitudeSines.Length; sample++)
+        for (int i = 0; i < _longitudeSines.Length; i++)
         {
-            (_longitudeSines[sample], _longitudeCosines[sample]) = directions.Longitude(sample % mesh.Samples);
+            (_longitudeSines[i], _longitudeCosines[i]) = directions.Longitude((_firstSample + i) % mesh.Samples);
         }
     }
 
     /// <inheritdoc/>
-    public override double StepsPerMetre => LatticePoint.StepsPerMetre;
+    public override double StepsPerMetre { get; }
 
     /// <inheritdoc/>
     public override double CellAngle { get; }
@@ -57,16 +67,25 @@ internal sealed class CylinderGeometry : MeshGeometry
 
     /// <summary>Latitude of a vertex line.</summary>
     /// <param name="line">-1 (north pole) to the mesh's lines (south pole).</param>
-    public SineCosine Latitude(int line) => _latitudes[line + 1];
+    public SineCosine Latitude(int line) => _latitudes[line - _firstLine];
 
     /// <summary>
     /// Longitude of a sample, from 0 to the mesh's number of samples, which is sample 0 again, and on to the end of the map.
     /// </summary>
-    public SineCosine Longitude(int sample) => new(_longitudeSines[sample], _longitudeCosines[sample]);
+    public SineCosine Longitude(int sample) =>
+        new(_longitudeSines[sample - _firstSample], _longitudeCosines[sample - _firstSample]);
 
     /// <inheritdoc/>
-    public override Vector3D Vertex(int line, int sample, double radius) =>
-        LatticePoint.Nearest(radius, Latitude(line), Longitude(sample)).PositionMoonMe;
+    public override Vector3D Vertex(int line, int sample, double radius)
+    {
+        (SineCosine latitude, SineCosine longitude) = (Latitude(line), Longitude(sample));
+        double steps = StepsPerMetre * radius;
+        double equatorial = steps * latitude.Cosine;
+        return new Vector3D(
+            Math.Floor((equatorial * longitude.Cosine) + 0.5) / StepsPerMetre,
+            Math.Floor((equatorial * longitude.Sine) + 0.5) / StepsPerMetre,
+            Math.Floor((steps * latitude.Sine) + 0.5) / StepsPerMetre);
+    }
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
@@ -74,16 +93,16 @@ internal sealed class CylinderGeometry : MeshGeometry
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originMoonMe, Span<double> x, Span<double> y, Span<double> z)
     {
         Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
-        Debug.Assert(firstSample + radii.Length <= _longitudeSines.Length, "A line reaches beyond the table of longitudes.");
+        Debug.Assert(firstSample - _firstSample + radii.Length <= _longitudeSines.Length, "A line reaches beyond the table of longitudes.");
         SineCosine latitude = Latitude(line);
         ref double radiiStart = ref MemoryMarshal.GetReference(radii);
-        ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeSines), firstSample);
-        ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeCosines), firstSample);
+        ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeSines), firstSample - _firstSample);
+        ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeCosines), firstSample - _firstSample);
         ref double toX = ref MemoryMarshal.GetReference(x);
         ref double toY = ref MemoryMarshal.GetReference(y);
         ref double toZ = ref MemoryMarshal.GetReference(z);
-        Vector512<double> stepsPerMetre = Vector512.Create((double)LatticePoint.StepsPerMetre);
-        Vector512<double> metresPerStep = Vector512.Create(1.0 / LatticePoint.StepsPerMetre);
+        Vector512<double> stepsPerMetre = Vector512.Create(StepsPerMetre);
+        Vector512<double> metresPerStep = Vector512.Create(1.0 / StepsPerMetre);
         Vector512<double> half = Vector512.Create(0.5);
         Vector512<double> sinLatitude = Vector512.Create(latitude.Sine);
         Vector512<double> cosLatitude = Vector512.Create(latitude.Cosine);

@@ -8,18 +8,29 @@ namespace Msisf.Core.Surface;
 /// </remarks>
 public sealed class GridDirections
 {
-    private readonly double[] _sines;
+    private readonly int _pixelsPerDegree;
+    private readonly int _quadrant;
+    private readonly double[]? _sines;
 
     /// <summary>Computes the table.</summary>
     /// <param name="pixelsPerDegree">Samples per degree, at least 1.</param>
-    public GridDirections(int pixelsPerDegree)
+    /// <param name="hasTable">Whether all are computed now; of a map of a small part of the Moon few are needed.</param>
+    public GridDirections(int pixelsPerDegree, bool hasTable = true)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
-        _sines = new double[90 * pixelsPerDegree];
-        for (int k = 0; k < _sines.Length; k++)
+        (_pixelsPerDegree, _quadrant) = (pixelsPerDegree, 90 * pixelsPerDegree);
+        if (!hasTable)
         {
-            _sines[k] = DegreeTrigonometry.Sin((2 * k) + 1, 2 * pixelsPerDegree);
+            return;
         }
+
+        double[] sines = new double[_quadrant];
+        for (int k = 0; k < sines.Length; k++)
+        {
+            sines[k] = Sine(k);
+        }
+
+        _sines = sines;
     }
 
     /// <summary>
@@ -28,24 +39,24 @@ public sealed class GridDirections
     /// </summary>
     public SineCosine Latitude(int line)
     {
-        int lines = 2 * _sines.Length;
+        int lines = 2 * _quadrant;
         if (line < 0 || line >= lines)
         {
             return new SineCosine(line < 0 ? 1.0 : -1.0, 0.0);
         }
 
-        return line < _sines.Length
-            ? new SineCosine(_sines[_sines.Length - 1 - line], _sines[line])
-            : new SineCosine(-_sines[line - _sines.Length], _sines[lines - 1 - line]);
+        return line < _quadrant
+            ? new SineCosine(Sine(_quadrant - 1 - line), Sine(line))
+            : new SineCosine(-Sine(line - _quadrant), Sine(lines - 1 - line));
     }
 
     /// <summary>Sine and cosine of the longitude of a sample, (2 sample + 1) / (2 res) degrees.</summary>
     public SineCosine Longitude(int sample)
     {
-        int k = sample % _sines.Length;
-        double rising = _sines[k];
-        double falling = _sines[_sines.Length - 1 - k];
-        return (sample / _sines.Length) switch
+        int k = sample % _quadrant;
+        double rising = Sine(k);
+        double falling = Sine(_quadrant - 1 - k);
+        return (sample / _quadrant) switch
         {
             0 => new SineCosine(rising, falling),
             1 => new SineCosine(falling, -rising),
@@ -53,4 +64,6 @@ public sealed class GridDirections
             _ => new SineCosine(-falling, rising),
         };
     }
+
+    private double Sine(int k) => _sines is { } sines ? sines[k] : DegreeTrigonometry.Sin((2 * k) + 1, 2 * _pixelsPerDegree);
 }

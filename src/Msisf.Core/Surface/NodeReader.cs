@@ -23,6 +23,7 @@ internal sealed class NodeReader
     private readonly FacetMesh _mesh;
     private readonly PlaneNodes? _plane;
     private readonly (double East, double North)[] _perRadian = [];
+    private readonly int _firstLine;
 
     /// <summary>Takes the model.</summary>
     /// <param name="mesh">The mesh.</param>
@@ -36,14 +37,16 @@ internal sealed class NodeReader
             return;
         }
 
-        _perRadian = new (double, double)[mesh.Lines + 2];
+        _firstLine = mesh.Cells.FirstLine;
+        _perRadian = new (double, double)[mesh.Cells.Lines + 1];
         double cellAngle = 2.0 * Math.PI / mesh.Samples;
-        for (int line = -1; line <= mesh.Lines; line++)
+        for (int line = _firstLine; line <= mesh.Cells.EndLine; line++)
         {
             double latitude = FacetMesh.Latitude(line, mesh.Lines);
             double stepNorth = FacetMesh.Latitude(line - 1, mesh.Lines) - latitude;
             bool isPole = line < 0 || line == mesh.Lines;
-            _perRadian[line + 1] = (isPole ? 0.0 : 1.0 / (Math.Cos(latitude) * cellAngle), stepNorth > 0.0 ? 1.0 / stepNorth : 0.0);
+            _perRadian[line - _firstLine] =
+                (isPole ? 0.0 : 1.0 / (Math.Cos(latitude) * cellAngle), stepNorth > 0.0 ? 1.0 / stepNorth : 0.0);
         }
     }
 
@@ -104,7 +107,7 @@ internal sealed class NodeReader
     private void AddLine(
         int line, ReadOnlySpan<CellRange> nodes, Span<Extremes> found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
     {
-        (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line + 1] : default;
+        (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line - _firstLine] : default;
         for (int node = 0; node < nodes.Length; node++)
         {
             int start = nodes[node].FirstSample - nodes[0].FirstSample;

@@ -4,20 +4,22 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// Opens each GeoTIFF of a run once: what was opened to learn its resolution is kept until the model is needed. Safe for several threads.
+/// Opens each raster of a run that GDAL reads once: what was opened to learn its resolution is kept until the model is needed. Safe for
+/// several threads.
 /// </summary>
 /// <param name="libraryPath">MSISF_GDAL, or null.</param>
 public sealed class GeoTiffFiles(string? libraryPath) : IDisposable
 {
-    private readonly ConcurrentDictionary<string, GeoTiffGrid> _kept = new(StringComparer.Ordinal);
+    private readonly ConcurrentDictionary<(string Path, HeightOptions Given), GeoTiffGrid> _kept = new();
 
     /// <summary>Resolution of a map.</summary>
     /// <param name="path">The file.</param>
+    /// <param name="given">What the user says of its values.</param>
     /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>
-    public GridResolution ResolutionOf(string path)
+    public GridResolution ResolutionOf(string path, HeightOptions given = default)
     {
-        GeoTiffGrid grid = Open(path);
-        if (!_kept.TryAdd(Path.GetFullPath(path), grid))
+        GeoTiffGrid grid = Open(path, given);
+        if (!_kept.TryAdd(KeyOf(path, given), grid))
         {
             grid.Dispose(); // another thread has kept it meanwhile
         }
@@ -27,19 +29,22 @@ public sealed class GeoTiffFiles(string? libraryPath) : IDisposable
 
     /// <summary>A map, which the caller closes.</summary>
     /// <param name="path">The file.</param>
+    /// <param name="given">What the user says of its values.</param>
     /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>
-    public GeoTiffGrid Open(string path) =>
-        _kept.TryRemove(Path.GetFullPath(path), out GeoTiffGrid? kept) ? kept : GeoTiffGrid.Open(path, libraryPath);
+    public GeoTiffGrid Open(string path, HeightOptions given = default) =>
+        _kept.TryRemove(KeyOf(path, given), out GeoTiffGrid? kept) ? kept : GeoTiffGrid.Open(path, libraryPath, given);
 
     /// <summary>Closes what was kept and not needed.</summary>
     public void Dispose()
     {
-        foreach (string path in _kept.Keys)
+        foreach ((string Path, HeightOptions Given) key in _kept.Keys)
         {
-            if (_kept.TryRemove(path, out GeoTiffGrid? grid))
+            if (_kept.TryRemove(key, out GeoTiffGrid? grid))
             {
                 grid.Dispose();
             }
         }
     }
+
+    private static (string Path, HeightOptions Given) KeyOf(string path, HeightOptions given) => (Path.GetFullPath(path), given);
 }

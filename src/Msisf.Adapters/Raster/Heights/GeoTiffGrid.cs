@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
@@ -6,50 +7,32 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// A GeoTIFF with heights of a part of the Moon, read by GDAL block by block where samples are asked for; the blocks are kept in memory up
-/// to a limit. Safe for several threads.
+/// A raster with heights of a part of the Moon that GDAL reads, block by block where samples are asked for. Values that can't be heights
+/// are without data. Safe for several threads.
 /// </summary>
 public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 {
-    private const int BlockShift = 8;
-    private const int BlockSide = 1 << BlockShift;
-
-    /// <summary>Blocks that are kept, 256 MB; beyond that all are dropped.</summary>
-    private const int MaxBlocks = 1024;
-
-    private readonly GdalImage _file;
-    private readonly GdalImage _image;
+    private readonly RasterBlocks _blocks;
     private readonly string _path;
     private readonly GeoTiffPlacement _placement;
-    private readonly Func<float, double> _radiusOf;
+    private readonly HeightRule _rule;
     private readonly bool _isRing;
-    private readonly int _blockColumns;
     private readonly Lock _gate = new();
-    private float[]?[]?[] _blocks;
-    private int _blockCount;
+    private UndeclaredGaps _gapsOfSource;
+    private RasterScan? _scan;
 
-    /// <param name="path">The file.</param>
-    /// <param name="file">It.</param>
-    /// <param name="image">It, or the warped one.</param>
-    /// <param name="placement">Where the pixels of the image lie.</param>
-    private GeoTiffGrid(string path, GdalImage file, GdalImage image, GeoTiffPlacement placement)
+    private GeoTiffGrid(string path, OpenedRaster raster, Func<OpenedRaster> open, HeightOptions given)
     {
-        (_path, _file, _image, _placement) = (path, file, image, placement);
-        ProductId = ProductIdOf(path);
-        double metres = image.Unit.ToUpperInvariant() switch
-        {
-            "" or "M" or "METRE" or "METER" or "METRES" or "METERS" => 1.0,
-            "KM" or "KILOMETRE" or "KILOMETER" or "KILOMETRES" or "KILOMETERS" => 1000.0,
-            _ => throw new BadInputException($"{path}: its heights are in '{image.Unit}'; metres or kilometres are needed."),
-        };
-        (double factor, double offset) = image.Scale;
-        _radiusOf = value => placement.SphereRadius + (metres * (offset + (factor * value)));
-        _blockColumns = (image.Width + BlockSide - 1) >> BlockShift;
-        _blocks = new float[]?[]?[(image.Height + BlockSide - 1) >> BlockShift];
-        (Lines, Samples) = placement.Projection is Equirectangular cylinder
+        (_path, _placement, Given) = (path, raster.Placement, given);
+        ProductId = RasterFiles.ProductIdOf(path);
+        Files = raster.File.Files();
+        WarpedFrom = raster.IsWarped ? raster.File.Projection() : null;
+        _rule = HeightRule.Of(path, raster.File, given, raster.Placement.Projection.Resolution.MetresPerPixel);
+        _blocks = new RasterBlocks(raster, open, _rule);
+        (Lines, Samples) = _placement.Projection is Equirectangular cylinder
             ? (180 * cylinder.PixelsPerDegree, 360 * cylinder.PixelsPerDegree)
-            : (image.Height, image.Width);
-        _isRing = placement.Projection is Equirectangular && placement.Window.Samples == Samples;
+            : (_blocks.Height, _blocks.Width);
+        _isRing = _placement.Projection is Equirectangular && _placement.Window.Samples == Samples;
     }
 
     /// <inheritdoc/>
@@ -74,156 +57,161 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// The projection of the file, in PROJ's form, if its pixels lie on no grid that is read: the samples are then bilinear between
     /// pixels. Null if they are its pixels.
     /// </summary>
-    public string? WarpedFrom { get; private init; }
+    public string? WarpedFrom { get; }
 
-    /// <summary>Whether a path is that of a TIFF, by its name.</summary>
-    public static bool IsNameOf(string path) =>
-        Path.GetExtension(path).ToUpperInvariant() is ".TIF" or ".TIFF";
+    /// <summary>The files of which the raster is made: itself first, then those that it names.</summary>
+    public IReadOnlyList<string> Files { get; }
 
-    /// <summary>Name of the model in a file: the file's.</summary>
-    public static string ProductIdOf(string path) => Path.GetFileNameWithoutExtension(path);
+    /// <summary>What the user says of the values.</summary>
+    public HeightOptions Given { get; }
+
+    /// <summary>
+    /// A note on the pixels that can't be heights and that the file does not declare; null if there are none. The first request looks at
+    /// all pixels.
+    /// </summary>
+    public string? NoteOfGaps()
+    {
+        UndeclaredGaps gaps = _gapsOfSource.Count > 0 ? _gapsOfSource : Scan().Undeclared;
+        return gaps.Count == 0 ? null : string.Create(
+            CultureInfo.InvariantCulture,
+            $"{ProductId}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
+                + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
+    }
 
     /// <summary>Opens a file.</summary>
     /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
+    /// <param name="given">What the user says of its values.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
     /// <exception cref="BadInputException">
-    /// The file is missing, no image, or not of a part of the Moon in a projection that is read.
+    /// The file is missing, no image, not of a part of the Moon in a projection that is read, or its values are no heights.
     /// </exception>
-    public static GeoTiffGrid Open(string path, string? libraryPath)
+    public static GeoTiffGrid Open(string path, string? libraryPath, HeightOptions given = default)
     {
-        if (!File.Exists(path))
+        if (!RasterFiles.Exists(path))
         {
-            throw new BadInputException($"{path}: there is no such file. Name an elevation model.");
+            throw new BadInputException(RasterFiles.IsAddress(path)
+                ? $"{path}: an address; write /vsicurl/{path} to read the file over the network, or get it and name the file."
+                : $"{path}: there is no such file. Name an elevation model.");
         }
 
-        GdalImage file = GdalImage.Open(path, libraryPath);
-        GdalImage? warped = null;
+        OpenedRaster raster = OpenedRaster.Open(path, libraryPath);
         try
         {
-            if (PlacementOf(path, file, out string otherForm) is { } own)
+            if (raster.IsWarped && GapsOfSource.Find(path, raster.File, given) is { Count: > 0 } gaps)
             {
-                return new GeoTiffGrid(path, file, file, own);
+                raster.Dispose();
+                raster = OpenedRaster.Open(path, libraryPath, gaps.Value);
+                return new GeoTiffGrid(path, raster, () => OpenedRaster.Open(path, libraryPath, gaps.Value), given)
+                {
+                    _gapsOfSource = gaps,
+                };
             }
 
-            warped = GeoTiffWarp.Of(path, file);
-            return warped is not null && PlacementOf(path, warped, out _) is { } placement
-                ? new GeoTiffGrid(path, file, warped, placement) { WarpedFrom = file.Projection() }
-                : throw new BadInputException(otherForm);
+            return new GeoTiffGrid(path, raster, () => OpenedRaster.Open(path, libraryPath), given);
         }
         catch
         {
-            warped?.Dispose();
-            file.Dispose();
+            raster.Dispose();
             throw;
+        }
+    }
+
+    /// <summary>Looks at all pixels, if that was not done yet.</summary>
+    /// <param name="progress">Receives the fraction that is done; null for nobody.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="BadInputException">The file is damaged.</exception>
+    internal RasterScan Scan(IProgress<double>? progress = null, CancellationToken cancellation = default)
+    {
+        if (Volatile.Read(ref _scan) is { } known)
+        {
+            return known;
+        }
+
+        lock (_gate)
+        {
+            try
+            {
+                return _scan ??= RasterScan.Of(
+                    _blocks.Height, _blocks.Width, _blocks.Block, () => _blocks.Undeclared, progress, cancellation);
+            }
+            catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
+            {
+                throw first;
+            }
         }
     }
 
     /// <summary>The file as the label of a model, for its name, fingerprint and checksum.</summary>
     public LdemLabel ToLabel() => new(
-        _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _image.Height,
-        _image.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
-        MoonConstants.MaxRelief, Polar: Projection as PolarStereographic);
+        _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _blocks.Height,
+        _blocks.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
+        MoonConstants.MaxRelief, Polar: Projection as PolarStereographic)
+    { OtherFiles = [.. Files.Skip(1)] };
 
     /// <inheritdoc/>
-    public bool MayHaveGaps => _image.NoData is not null;
+    public bool MayHaveGaps => Scan().HasGaps;
 
     /// <inheritdoc/>
     public void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
-        for (int i = 0; i < isGap.Length; i++)
+        RasterScan scan = Scan();
+        int row = RowOf(line);
+        for (int i = 0; i < isGap.Length;)
         {
-            isGap[i] = float.IsNaN(ValueAt(line - Window.FirstLine, ColumnOf(firstSample + i)));
+            int column = ColumnOf(firstSample + i);
+            int count = Math.Min(
+                isGap.Length - i, Math.Min(RasterScan.Side - (column & (RasterScan.Side - 1)), _blocks.Width - column));
+            Span<bool> part = isGap.Slice(i, count);
+            if (scan.At(row, column).Gaps == 0)
+            {
+                part.Clear();
+            }
+            else
+            {
+                for (int j = 0; j < count; j++)
+                {
+                    part[j] = float.IsNaN(_blocks.ValueAt(row, column + j));
+                }
+            }
+
+            i += count;
         }
     }
 
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        int row = line - Window.FirstLine;
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)row, (uint)_image.Height, nameof(line));
+        int row = RowOf(line);
         for (int i = 0; i < radii.Length; i++)
         {
             int column = ColumnOf(firstSample + i);
-            float value = ValueAt(row, column);
-            radii[i] = float.IsNaN(value) ? throw Hole(row, column) : _radiusOf(value);
+            float value = _blocks.ValueAt(row, column);
+            radii[i] = float.IsNaN(value) ? throw Hole(row, column) : _placement.SphereRadius + _rule.HeightOf(value);
         }
     }
 
     /// <summary>Closes the file.</summary>
-    public void Dispose()
-    {
-        _image.Dispose();
-        _file.Dispose();
-    }
+    public void Dispose() => _blocks.Dispose();
 
-    private static GeoTiffPlacement? PlacementOf(string path, GdalImage image, out string otherForm) =>
-        GeoTiffPlacement.Find(path, image.Width, image.Height, image.GeoTransform(), image.Projection(), out otherForm);
+    private int RowOf(int line)
+    {
+        int row = line - Window.FirstLine;
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)row, (uint)_blocks.Height, nameof(line));
+        return row;
+    }
 
     private int ColumnOf(int sample)
     {
         int column = sample - (_isRing ? _placement.RingStart : Window.FirstSample);
         column += _isRing && column < 0 ? Samples : 0;
         column -= _isRing && column >= Samples ? Samples : 0;
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_image.Width, nameof(sample));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_blocks.Width, nameof(sample));
         return column;
     }
 
-    /// <summary>The value of a pixel of the file; NaN without data.</summary>
-    private float ValueAt(int row, int column) =>
-        BlockAt(row, column)[((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1))];
-
-    private float[] BlockAt(int row, int column)
-    {
-        (int blockRow, int blockColumn) = (row >> BlockShift, column >> BlockShift);
-        return Volatile.Read(ref Volatile.Read(ref _blocks)[blockRow]) is { } inRow && Volatile.Read(ref inRow[blockColumn]) is { } block
-            ? block
-            : ReadBlock(blockRow, blockColumn);
-    }
-
-    private float[] ReadBlock(int blockRow, int blockColumn)
-    {
-        lock (_gate)
-        {
-            if (_blocks[blockRow]?[blockColumn] is { } known)
-            {
-                return known;
-            }
-
-            int line = blockRow << BlockShift;
-            int sample = blockColumn << BlockShift;
-            int lines = Math.Min(BlockSide, _image.Height - line);
-            int samples = Math.Min(BlockSide, _image.Width - sample);
-            float[] values = new float[lines * samples];
-            _image.Read(line, lines, sample, samples, values);
-            float[] block = new float[BlockSide * BlockSide];
-            for (int i = 0; i < lines; i++)
-            {
-                values.AsSpan(i * samples, samples).CopyTo(block.AsSpan(i * BlockSide));
-            }
-
-            if (++_blockCount > MaxBlocks)
-            {
-                Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
-                _blockCount = 1;
-            }
-
-            if (_blocks[blockRow] is null)
-            {
-                Volatile.Write(ref _blocks[blockRow], new float[]?[_blockColumns]);
-            }
-
-            Volatile.Write(ref _blocks[blockRow]![blockColumn], block);
-            return block;
-        }
-    }
-
-    /// <summary>NaN that the file does not declare is no hole for GDAL's tools either.</summary>
-    private BadInputException Hole(int row, int column) => new(
-        $"{_path}, line {row + 1}, sample {column + 1}: "
-            + (_file.NoData is null
-                ? $"NaN, which the file does not declare as its no-data value. Declare it, with gdal_edit.py -a_nodata nan {_path}: then a "
-                    + "coarser model shows there (a second --ldem), or gdal_fillnodata.py fills it."
-                : "no data there. Fill the hole, e.g. with gdal_fillnodata.py, or cut the file to what is whole, with gdal_translate "
-                    + "-srcwin."));
+    private BadInputException Hole(int row, int column) => new(string.Create(
+        CultureInfo.InvariantCulture,
+        $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, cut the file to what "
+            + $"is whole, with gdal_translate -srcwin, or put a coarser model around it, with a second --ldem."));
 }

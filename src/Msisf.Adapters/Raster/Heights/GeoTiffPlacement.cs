@@ -19,6 +19,10 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
     /// <summary>px: how far the pixels may be from those of the whole Moon's grid.</summary>
     private const double SamePixel = 1e-3;
 
+    /// <summary>px/deg: that of pixels of <see cref="PolarLabel.MinScale"/>, for which the lattice is fine enough.</summary>
+    private static readonly double MaxResolution =
+        Math.Floor(double.DegreesToRadians(MoonConstants.ReferenceRadius) / PolarLabel.MinScale);
+
     /// <summary>Reads the placement.</summary>
     /// <param name="path">The file, for messages.</param>
     /// <param name="width">Pixels of a row.</param>
@@ -118,7 +122,8 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         double turn = 360.0 * resolution;
         firstSample = Math.Abs(firstSample - turn) <= SamePixel ? 0.0 : firstSample;
         bool isRing = size.Width == turn;
-        if ((proj.Number("lat_ts") ?? 0.0) != 0.0 || (proj.Number("lat_0") ?? 0.0) != 0.0 || !(resolution is >= 1.0 and <= 23000.0)
+        if ((proj.Number("lat_ts") ?? 0.0) != 0.0 || (proj.Number("lat_0") ?? 0.0) != 0.0
+            || !(resolution >= 1.0 && resolution <= MaxResolution)
             || Math.Abs((map.Across * unit * resolution) - 1.0) > SameScale || Math.Abs((map.Down * unit * resolution) - 1.0) > SameScale
             || Math.Abs(firstLine - Math.Round(firstLine)) > SamePixel || Math.Abs(firstSample - Math.Round(firstSample)) > SamePixel
             || Math.Round(firstLine) < 0.0 || Math.Round(firstLine) + size.Height > 180.0 * resolution

@@ -16,6 +16,12 @@ internal static class GeoTiffWarp
     /// <summary>deg: what reaches around the Moon farther is cut somewhere, wherever the map begins.</summary>
     private const double Widest = 355.0;
 
+    /// <summary>Relative: pixels whose width and height differ less are square.</summary>
+    private const double SquarePixels = 1e-6;
+
+    /// <summary>px/deg: from here on the resolution is a multiple of a power of two, to be halved for levels of detail.</summary>
+    private const double FinestAnyNumber = 1024.0;
+
     /// <summary>px: width and height of an image that says where the map lies.</summary>
     private const int Rough = 64;
 
@@ -28,9 +34,10 @@ internal static class GeoTiffWarp
     /// <summary>Warps a map.</summary>
     /// <param name="path">The file, for messages.</param>
     /// <param name="map">The map.</param>
+    /// <param name="gap">Arguments of gdalwarp that say which value means no data; empty if the file says it.</param>
     /// <returns>The map in the other projection, to be closed before it; null if GDAL can't bring it there.</returns>
     /// <exception cref="BadInputException">It goes all around the Moon.</exception>
-    public static GdalImage? Of(string path, GdalImage map)
+    public static GdalImage? Of(string path, GdalImage map, string[] gap)
     {
         ProjText proj = new(map.Projection()!);
         double radius = proj.Radius!.Value;
@@ -46,16 +53,23 @@ internal static class GeoTiffWarp
             return null;
         }
 
-        if (Math.Abs(latitude) > PolarFrom)
-        {
-            return map.Warped([.. Bilinear, "-t_srs", $"+proj=stere +lat_0={(latitude < 0.0 ? "-90" : "90")} {sphere}"]);
-        }
-
-        double height = Math.Abs(map.GeoTransform()![5]);
-        double pixel = proj.Name == "longlat" ? height : height * proj.MetresPerUnit / metresPerDegree;
+        // A map stays as fine as the finer sides of its pixels.
+        double[] transform = map.GeoTransform()!;
+        (double across, double down) = (Math.Abs(transform[1]), Math.Abs(transform[5]));
+        bool isSquare = Math.Abs((across / down) - 1.0) <= SquarePixels;
+        double side = isSquare ? down : Math.Min(across, down);
+        double pixel = proj.Name == "longlat" ? side : side * proj.MetresPerUnit / metresPerDegree;
         if (!(pixel > 0.0))
         {
             return null;
+        }
+
+        if (Math.Abs(latitude) > PolarFrom)
+        {
+            string metres = (pixel * metresPerDegree).ToString("R", CultureInfo.InvariantCulture);
+            string[] scale = isSquare ? [] : ["-tr", metres, metres];
+            return map.Warped(
+                [.. Bilinear, .. gap, .. scale, "-t_srs", $"+proj=stere +lat_0={(latitude < 0.0 ? "-90" : "90")} {sphere}"]);
         }
 
         if (width > Widest)
@@ -66,9 +80,14 @@ internal static class GeoTiffWarp
                     + $"of a degree.");
         }
 
-        string step = (metresPerDegree / Math.Ceiling(1.0 / pixel)).ToString("R", CultureInfo.InvariantCulture);
-        return map.Warped([.. Bilinear, "-t_srs", projection, "-tr", step, step, "-tap"]);
+        double resolution = Math.Ceiling(1.0 / pixel);
+        resolution = resolution < FinestAnyNumber ? resolution : Math.Ceiling(resolution / StepOf(resolution)) * StepOf(resolution);
+        string step = (metresPerDegree / resolution).ToString("R", CultureInfo.InvariantCulture);
+        return map.Warped([.. Bilinear, .. gap, "-t_srs", projection, "-tr", step, step, "-tap"]);
     }
+
+    /// <summary>The largest power of two by which a fine resolution can be made a multiple, at most a 64th finer.</summary>
+    private static double StepOf(double resolution) => Math.ScaleB(1.0, Math.ILogB(resolution) - 6);
 
     /// <summary>Width and middle latitude of a map in degrees; infinitely wide if GDAL can't bring it there.</summary>
     private static (string Projection, double Width, double Latitude) Extent(GdalImage map, string projection, double metresPerDegree)

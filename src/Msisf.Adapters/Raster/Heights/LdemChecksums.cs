@@ -72,13 +72,15 @@ public sealed class LdemChecksums
         return (inputs, isNew ? Store() : null);
     }
 
-    private bool IsOfPieces(ModelFile file) => _ofPieces && file.Kind == InputKind.ElevationImage;
+    /// <summary>Of a file on another computer, or in an archive, pieces are read too.</summary>
+    private bool IsOfPieces(ModelFile file) =>
+        (_ofPieces && file.Kind == InputKind.ElevationImage) || RasterFiles.IsVirtual(file.Path);
 
     private static IEnumerable<ModelFile> FilesOf(LdemLabel label)
     {
         string image = FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath;
         return image == label.LabelPath
-            ? [ModelFile.Of(InputKind.ElevationImage, image)]
+            ? ((string[])[image, .. label.OtherFiles]).Select(path => ModelFile.Of(InputKind.ElevationImage, path))
             : [ModelFile.Of(InputKind.ElevationLabel, label.LabelPath), ModelFile.Of(InputKind.ElevationImage, image)];
     }
 
@@ -110,6 +112,12 @@ public sealed class LdemChecksums
 
         public static ModelFile Of(InputKind kind, string path)
         {
+            if (RasterFiles.IsVirtual(path))
+            {
+                using Stream stream = RasterFiles.OpenRead(path);
+                return new ModelFile(kind, path, stream.Length, 0);
+            }
+
             FileInfo file = new(path);
             FileInfo target = file.LinkTarget is null ? file : file.ResolveLinkTarget(returnFinalTarget: true) as FileInfo ?? file;
             return new ModelFile(kind, path, target.Length, target.LastWriteTimeUtc.Ticks);
@@ -118,9 +126,11 @@ public sealed class LdemChecksums
         public RememberedChecksum? FindIn(IEnumerable<RememberedChecksum> known) => known.FirstOrDefault(
             one => one.Name == System.IO.Path.GetFileName(Path) && one.Bytes == Bytes && one.WrittenTicks == WrittenTicks);
 
-        public InputFile HashPieces() => FileErrors.ToExternalPart(
-            $"{Path}: can't be read",
-            () => new InputFile(Kind, System.IO.Path.GetFileName(Path), Bytes, FilePieces.Sha256Of(Path)) { IsOfPieces = true });
+        public InputFile HashPieces() => FileErrors.ToExternalPart($"{Path}: can't be read", () =>
+        {
+            using Stream file = RasterFiles.OpenRead(Path);
+            return new InputFile(Kind, System.IO.Path.GetFileName(Path), Bytes, FilePieces.Sha256Of(file)) { IsOfPieces = true };
+        });
 
         public RememberedChecksum Hash(CancellationToken cancellation) =>
             new(System.IO.Path.GetFileName(Path), Bytes, WrittenTicks, FileHash.Sha256Of(Path, cancellation));

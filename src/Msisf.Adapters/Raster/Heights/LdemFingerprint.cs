@@ -23,11 +23,14 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
         {
             FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
-                using FileStream text = File.OpenRead(label.LabelPath);
+                using Stream text = RasterFiles.OpenRead(label.LabelPath);
                 FilePieces.Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
-                using FileStream image = File.OpenRead(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
-                FilePieces.Append(hash, image);
-                bytes += image.Length;
+                foreach (string path in (string[])[FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath, .. label.OtherFiles])
+                {
+                    using Stream image = RasterFiles.OpenRead(path);
+                    FilePieces.Append(hash, image);
+                    bytes += image.Length;
+                }
             });
         }
 

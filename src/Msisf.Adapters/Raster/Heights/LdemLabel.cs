@@ -52,6 +52,9 @@ public sealed record LdemLabel(
     /// <summary>Stands in every name and label of a synthetic product.</summary>
     public const string SyntheticMark = "SYNTHETIC";
 
+    /// <summary>Other files with samples, of a raster that names them, such as a VRT.</summary>
+    public IReadOnlyList<string> OtherFiles { get; init; } = [];
+
     /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
     public bool IsSynthetic => ProductId.Contains(SyntheticMark, StringComparison.Ordinal);
 

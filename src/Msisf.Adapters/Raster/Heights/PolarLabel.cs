@@ -20,6 +20,8 @@ public static class PolarLabel
     /// <summary>m: the largest MAP_SCALE, one sample a degree.</summary>
     public const double MaxScale = 30_400.0;
 
+    private const string North = "MAXIMUM_LATITUDE";
+    private const string South = "MINIMUM_LATITUDE";
     private const string Scale = "MAP_SCALE";
     private const string LineOffset = "LINE_PROJECTION_OFFSET";
     private const string SampleOffset = "SAMPLE_PROJECTION_OFFSET";
@@ -29,6 +31,9 @@ public static class PolarLabel
 
     /// <summary>Relative: how far MAP_RESOLUTION, which is rounded in labels, may be from MAP_SCALE.</summary>
     private const double ResolutionRounding = 1e-3;
+
+    /// <summary>Degrees: by how much labels round latitudes; LDEM_80S_20M, whose sides are at 79.98 degrees, says 80.</summary>
+    private const double LatitudeRounding = 0.1;
 
     /// <summary>Reads the projection.</summary>
     /// <exception cref="BadInputException">It is incomplete, or not one of LOLA's polar products.</exception>
@@ -73,6 +78,57 @@ public static class PolarLabel
                     + $"{label.LineSamples} samples the map reaches farther than "
                     + $"{MoonConstants.ReferenceRadius / 1000.0:R} km from the pole"));
         }
+
+        CheckLatitudes(label, map);
+    }
+
+    /// <summary>
+    /// Checks that the latitudes are those of the map: on the side of its pole, and as far from it as its corners and sides. LOLA's labels
+    /// have the latitude in the middle of the sides; others that of the corners.
+    /// </summary>
+    private static void CheckLatitudes(LdemLabel label, PdsObject map)
+    {
+        (string near, string far) = label.Polar!.IsSouth ? (South, North) : (North, South);
+        double sign = label.Polar.IsSouth ? -1.0 : 1.0;
+        if (map.OptionalNumber(near, PdsUnits.Degrees) is { } poleward && !(sign * poleward is > 0.0 and <= 90.0))
+        {
+            throw map.WrongValue(near, $"CENTER_LATITUDE = {map.Required("CENTER_LATITUDE")} needs a latitude of that hemisphere");
+        }
+
+        if (map.OptionalNumber(far, PdsUnits.Degrees) is not { } outermost)
+        {
+            return;
+        }
+
+        (double side, double corner) = LatitudesOf(label);
+        if (!(sign * outermost <= side + LatitudeRounding && sign * outermost >= corner - LatitudeRounding))
+        {
+            throw map.WrongValue(far, string.Create(
+                CultureInfo.InvariantCulture,
+                $"CENTER_LATITUDE = {map.Required("CENTER_LATITUDE")}, {Scale} and the offsets put the map's sides at {sign * side:F2} and "
+                    + $"its corners at {sign * corner:F2} degrees"));
+        }
+    }
+
+    /// <summary>
+    /// Degrees from the equator: of the nearest side, or without the pole of the place nearest to it, and of the farthest corner.
+    /// </summary>
+    private static (double Side, double Corner) LatitudesOf(LdemLabel label)
+    {
+        PolarStereographic polar = label.Polar!;
+        double[] lines = [-0.5 - polar.LineOffset, label.Lines - 0.5 - polar.LineOffset];
+        double[] samples = [-0.5 - polar.SampleOffset, label.LineSamples - 0.5 - polar.SampleOffset];
+        bool holdsPole = lines[0] < 0.0 && lines[1] > 0.0 && samples[0] < 0.0 && samples[1] > 0.0;
+        double nearest = holdsPole
+            ? new[] { -lines[0], lines[1], -samples[0], samples[1] }.Min()
+            : double.Hypot(NearestTo0(lines), NearestTo0(samples));
+        double farthest = double.Hypot(lines.Max(Math.Abs), samples.Max(Math.Abs));
+        return (LatitudeAt(nearest), LatitudeAt(farthest));
+
+        double LatitudeAt(double pixels) => 90.0 - double.RadiansToDegrees(
+            2.0 * Math.Atan2(pixels * polar.MetresPerPixel, 2.0 * MoonConstants.ReferenceRadius));
+
+        static double NearestTo0(double[] range) => range[0] <= 0.0 && range[1] >= 0.0 ? 0.0 : range.Min(Math.Abs);
     }
 
     private static double ScaleOf(PdsObject map)

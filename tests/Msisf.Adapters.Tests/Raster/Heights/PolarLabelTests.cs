@@ -31,7 +31,10 @@ public sealed class PolarLabelTests : IDisposable
 
     [Fact]
     public void Read_NorthPole_IsNorth() =>
-        Assert.False(Read(PolarTestModel.Label.Replace("= -90 <deg>", "= 90 <deg>", StringComparison.Ordinal)).Polar!.IsSouth);
+        Assert.False(Read(PolarTestModel.Label
+            .Replace("CENTER_LATITUDE              = -90", "CENTER_LATITUDE              = 90", StringComparison.Ordinal)
+            .Replace("MAXIMUM_LATITUDE             = -85", "MAXIMUM_LATITUDE             = 90", StringComparison.Ordinal)
+            .Replace("MINIMUM_LATITUDE             = -90", "MINIMUM_LATITUDE             = 85", StringComparison.Ordinal)).Polar!.IsSouth);
 
     [Theory]
     [InlineData("CENTER_LATITUDE              = -90", "CENTER_LATITUDE = -80", "CENTER_LATITUDE = -80 <deg>; a pole, -90 or 90, is needed")]
@@ -56,6 +59,10 @@ public sealed class PolarLabelTests : IDisposable
     [InlineData("= 30.5 <pix>", "= -400 <pix>", "the map reaches farther than 1737.4 km from the pole")]
     [InlineData("SAMPLE_PROJECTION_OFFSET     = 30.5 <pix>", "X = 1", "IMAGE_MAP_PROJECTION has no SAMPLE_PROJECTION_OFFSET")]
     [InlineData("LINE_PROJECTION_OFFSET       = 29.5 <pix>", "X = 1", "IMAGE_MAP_PROJECTION has no LINE_PROJECTION_OFFSET")]
+    [InlineData("CENTER_LATITUDE              = -90", "CENTER_LATITUDE = 90", "CENTER_LATITUDE = 90 <deg> needs a latitude of that")]
+    [InlineData("= -85 <deg>", "= -80 <deg>", "put the map's sides at -85.06 and its corners at -82.66 degrees")]
+    [InlineData("= -85 <deg>", "= -87 <deg>", "put the map's sides at -85.06 and its corners at -82.66 degrees")]
+    [InlineData("= -85 <deg>", "= 85 <deg>", "put the map's sides at -85.06 and its corners at -82.66 degrees")]
     [InlineData("LINES                 = 60", "LINES = 1", "LINES = 1; an image of at least 2 x 2 samples is needed")]
     [InlineData("LINES                 = 60", "LINES = 61", "LINE_LAST_PIXEL = 60; the rest of the label needs 61")]
     [InlineData("LINE_SAMPLES          = 64", "LINE_SAMPLES = 63", "SAMPLE_LAST_PIXEL = 64; the rest of the label needs 63")]

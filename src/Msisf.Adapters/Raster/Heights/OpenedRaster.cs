@@ -1,0 +1,72 @@
+using System.Globalization;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>
+/// A raster that GDAL has opened, warped if its pixels lie on no grid that is read, and where its pixels lie. Not safe for several threads.
+/// </summary>
+internal sealed class OpenedRaster : IDisposable
+{
+    private OpenedRaster(GdalImage file, GdalImage image, GeoTiffPlacement placement) =>
+        (File, Image, Placement) = (file, image, placement);
+
+    /// <summary>The file.</summary>
+    public GdalImage File { get; }
+
+    /// <summary>It, or the warped one.</summary>
+    public GdalImage Image { get; }
+
+    /// <summary>Where the pixels of the image lie.</summary>
+    public GeoTiffPlacement Placement { get; }
+
+    /// <summary>Whether the image is warped.</summary>
+    public bool IsWarped => !ReferenceEquals(File, Image);
+
+    /// <summary>Opens a file.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="libraryPath">MSISF_GDAL, or null.</param>
+    /// <param name="gap">The value of pixels without data, where the file does not say it but is warped; null for none.</param>
+    /// <exception cref="ExternalPartException">GDAL is missing.</exception>
+    /// <exception cref="BadInputException">The file is no image, or not of a part of the Moon in a projection that is read.</exception>
+    public static OpenedRaster Open(string path, string? libraryPath, float? gap = null)
+    {
+        GdalImage file = GdalImage.Open(path, libraryPath);
+        GdalImage? warped = null;
+        try
+        {
+            if (PlacementOf(path, file, out string otherForm) is { } own)
+            {
+                return new OpenedRaster(file, file, own);
+            }
+
+            string? noData = gap?.ToString("R", CultureInfo.InvariantCulture).Replace("Infinity", "inf", StringComparison.Ordinal);
+            string[] gapWords = noData is null ? [] : ["-srcnodata", noData];
+            warped = GeoTiffWarp.Of(path, file, gapWords);
+            return warped is not null && PlacementOf(path, warped, out _) is { } placement
+                ? new OpenedRaster(file, warped, placement)
+                : throw new BadInputException(otherForm);
+        }
+        catch
+        {
+            warped?.Dispose();
+            file.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Closes the file.</summary>
+    public void Dispose()
+    {
+        if (IsWarped)
+        {
+            Image.Dispose();
+        }
+
+        File.Dispose();
+    }
+
+    private static GeoTiffPlacement? PlacementOf(string path, GdalImage image, out string otherForm) =>
+        GeoTiffPlacement.Find(path, image.Width, image.Height, image.GeoTransform(), image.Projection(), out otherForm);
+}

@@ -1,0 +1,101 @@
+using System.Text;
+using Msisf.Adapters.Interop;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.Raster.Heights;
+
+/// <summary>Tells by the content of a file who reads it: GDAL, or the reader of LOLA's PDS3 products.</summary>
+public static class RasterFiles
+{
+    /// <summary>How the names of GDAL's virtual files begin: in archives, or on other computers.</summary>
+    private const string VirtualPrefix = "/vsi";
+
+    /// <summary>Bytes in which a file says what it is.</summary>
+    private const int HeadBytes = 64;
+
+    /// <summary>With what the PDS3 labels begin that <see cref="Pds.PdsLabelParser"/> reads.</summary>
+    private static readonly string[] PdsHeads = ["PDS_VERSION_ID", "CCSD3ZF"];
+
+    /// <summary>With what files of other formats begin whose names end like those of PDS3.</summary>
+    private static readonly string[] OtherHeads = ["EHFA_HEADER_TAG", "Object = IsisCube"];
+
+    /// <summary>Whether a path is one of GDAL's virtual files, e.g. "/vsicurl/https://...".</summary>
+    public static bool IsVirtual(string path) => path.StartsWith(VirtualPrefix, StringComparison.Ordinal);
+
+    /// <summary>Whether a path is an address as of a browser, which GDAL reads under another name.</summary>
+    public static bool IsAddress(string path) =>
+        path.StartsWith("http://", StringComparison.OrdinalIgnoreCase) || path.StartsWith("https://", StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>Whether there is such a file; a virtual one is told when it is opened.</summary>
+    public static bool Exists(string path) => IsVirtual(path) || File.Exists(path);
+
+    /// <summary>Opens a file to be read, a virtual one too.</summary>
+    /// <exception cref="IOException">It can't be opened.</exception>
+    internal static Stream OpenRead(string path) => IsVirtual(path) ? new GdalStream(path) : File.OpenRead(path);
+
+    /// <summary>Whether GDAL reads an elevation model; a missing file is judged by its name.</summary>
+    /// <param name="path">A file or a folder.</param>
+    public static bool IsForGdal(string path)
+    {
+        if (IsVirtual(path) || IsAddress(path))
+        {
+            return true;
+        }
+
+        if (!File.Exists(path))
+        {
+            return Path.GetExtension(path).ToUpperInvariant() is ".TIF" or ".TIFF" or ".VRT" or ".CUB" or ".JP2" or ".XML";
+        }
+
+        string label = FileNames.LabelOf(path);
+        return IsPdsLabel(label) ? !IsForPdsReader(label) : !IsNameOfPdsFile(path) || HasOtherHead(path);
+    }
+
+    /// <summary>Name of the model in a file: the file's.</summary>
+    public static string ProductIdOf(string path) => Path.GetFileNameWithoutExtension(path);
+
+    /// <summary>LOLA's products are read here; those that GDAL's driver is better at are known by their names.</summary>
+    private static bool IsForPdsReader(string label)
+    {
+        if (RasterProducts.Find(label) is null)
+        {
+            return true;
+        }
+
+        try
+        {
+            LdemLabelReader.ReadFile(label);
+            return true;
+        }
+        catch (BadInputException)
+        {
+            return false;
+        }
+    }
+
+    /// <summary>An image or label of PDS3 that is damaged is told by the reader of such files.</summary>
+    private static bool IsNameOfPdsFile(string path) => Path.GetExtension(path).ToUpperInvariant() is ".IMG" or ".LBL" or ".LAB";
+
+    private static bool IsPdsLabel(string path) =>
+        Array.Exists(PdsHeads, start => Head(path).TrimStart().StartsWith(start, StringComparison.Ordinal));
+
+    /// <summary>
+    /// Whether a file named like one of PDS3 is of another format after all: ERDAS's files end in .img too, labels of ISIS in .lbl.
+    /// </summary>
+    private static bool HasOtherHead(string path) =>
+        Array.Exists(OtherHeads, start => Head(path).TrimStart().StartsWith(start, StringComparison.Ordinal));
+
+    private static string Head(string path)
+    {
+        try
+        {
+            using FileStream stream = File.OpenRead(path);
+            byte[] head = new byte[HeadBytes];
+            return Encoding.Latin1.GetString(head, 0, stream.ReadAtLeast(head, HeadBytes, throwOnEndOfStream: false));
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            return string.Empty; // who reads the file says what is wrong
+        }
+    }
+}
