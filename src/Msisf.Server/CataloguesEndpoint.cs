@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Catalogues;
+using Msisf.Core.Navigation;
 
 namespace Msisf.Server;
 
@@ -8,7 +9,7 @@ namespace Msisf.Server;
 /// <param name="paths">The files by their names.</param>
 internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> paths)
 {
-    private readonly ConcurrentDictionary<string, Lazy<IReadOnlyList<CatalogueCrater>>> _read = new(StringComparer.Ordinal);
+    private readonly ConcurrentDictionary<string, Lazy<IReadOnlyList<Crater>>> _read = new(StringComparer.Ordinal);
 
     /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context)
@@ -21,8 +22,8 @@ internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> pat
                 $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
         }
 
-        IReadOnlyList<CatalogueCrater> craters = _read.GetOrAdd(
-            name, _ => new Lazy<IReadOnlyList<CatalogueCrater>>(() => CraterCatalogueReader.Read(path))).Value;
+        IReadOnlyList<Crater> craters = _read.GetOrAdd(
+            name, _ => new Lazy<IReadOnlyList<Crater>>(() => CraterCatalogueReader.ReadLargest(path))).Value;
         return JsonBody.SendAsync(context.Response, new
         {
             Name = name,

@@ -20,6 +20,7 @@ namespace Msisf.Architecture.Tests
             "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Sampling", "Render",
             "Blocks", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
+            "Navigation",
             "Metadata", "Layers",
         ];
 

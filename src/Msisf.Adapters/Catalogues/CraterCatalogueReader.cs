@@ -1,6 +1,9 @@
 using System.Globalization;
 using System.Text;
+using Msisf.Core;
 using Msisf.Core.Errors;
+using Msisf.Core.Navigation;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Catalogues;
 
@@ -10,129 +13,104 @@ namespace Msisf.Adapters.Catalogues;
 /// </summary>
 public static class CraterCatalogueReader
 {
-    /// <summary>Craters that are kept, the largest: more than a picture can show.</summary>
+    /// <summary>Craters that are kept of a catalogue to look at, the largest: more than a picture can show.</summary>
     public const int MostCraters = 50_000;
 
-    private const double MetresPerKilometre = 1000.0;
+    /// <summary>Craters that a run can have: about 0.3 kB of memory each. Robbins's catalogue has 1.3 million.</summary>
+    public const int MostCratersOfRun = 2_000_000;
 
-    private static readonly string[] LatitudeNames =
-        ["lat", "latitude", "lat_elli_img", "lat_circ_img", "center latitude", "center_latitude"];
-
-    private static readonly string[] LongitudeNames =
-        ["lon", "long", "longitude", "lon_elli_img", "lon_circ_img", "center longitude", "center_longitude"];
-
-    private static readonly string[] DiameterNames =
-        ["diam_km", "diameter (km)", "diameter", "diameter_km", "diam_elli_major_img", "diam_circ_img"];
-
-    private static readonly string[] NameNames = ["name", "feature name", "feature_name", "clean feature name", "clean_feature_name"];
-
-    /// <summary>Reads a catalogue.</summary>
+    /// <summary>Reads a catalogue to look at.</summary>
     /// <param name="path">The file.</param>
     /// <returns>The largest craters, at most <see cref="MostCraters"/>, the largest first.</returns>
     /// <exception cref="BadInputException">It can't be read, or a value is wrong; the message names file and line.</exception>
-    public static IReadOnlyList<CatalogueCrater> Read(string path)
-    {
-        if (!File.Exists(path))
-        {
-            throw new BadInputException($"{path}: there is no such file. A catalogue of craters in CSV is needed.");
-        }
+    public static IReadOnlyList<Crater> ReadLargest(string path) => Open(path, reader => ReadLargest(reader, path));
 
-        return FileErrors.ToBadInput($"{path}: can't be read", () =>
-        {
-            using StreamReader reader = new(path, Encoding.UTF8);
-            return Read(reader, path);
-        });
-    }
-
-    /// <summary>Reads a catalogue.</summary>
+    /// <summary>Reads a catalogue to look at.</summary>
     /// <param name="reader">The text.</param>
     /// <param name="fileName">For messages.</param>
-    /// <inheritdoc cref="Read(string)"/>
-    public static IReadOnlyList<CatalogueCrater> Read(TextReader reader, string fileName)
+    /// <inheritdoc cref="ReadLargest(string)"/>
+    public static IReadOnlyList<Crater> ReadLargest(TextReader reader, string fileName)
     {
-        List<string> header = [.. Fields(reader.ReadLine() ?? string.Empty).Select(name => name.Trim().ToLowerInvariant())];
-        int latitude = Column(LatitudeNames, "latitude");
-        int longitude = Column(LongitudeNames, "longitude");
-        int diameter = Column(DiameterNames, "diameter in km");
-        int name = header.FindIndex(NameNames.Contains);
-        PriorityQueue<CatalogueCrater, (double Diameter, int Order)> largest = new();
-        int line = 1;
-        while (reader.ReadLine() is { } text)
+        PriorityQueue<Crater, (double Diameter, int Order)> largest = new();
+        foreach ((Crater crater, int line) in Lines(reader, fileName, 2.0 * MoonConstants.ReferenceRadius))
         {
-            line++;
-            if (text.Trim().Length == 0)
-            {
-                continue;
-            }
-
-            List<string> fields = Fields(text);
-            string? itsName = name >= 0 && name < fields.Count && fields[name].Trim().Length > 0 ? fields[name].Trim() : null;
-            CatalogueCrater crater = new(
-                itsName, Number(latitude, -90.0, 90.0), Longitude(Number(longitude, -360.0, 360.0)),
-                MetresPerKilometre * Number(diameter, 0.0, 1e4));
             largest.Enqueue(crater, (crater.Diameter, -line)); // of two of one size the earlier line stays
             if (largest.Count > MostCraters)
             {
                 largest.Dequeue();
             }
-
-            double Number(int column, double least, double greatest) =>
-                column < fields.Count
-                && double.TryParse(fields[column], NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
-                && number >= least && number <= greatest
-                    ? number
-                    : throw new BadInputException(string.Create(
-                        CultureInfo.InvariantCulture,
-                        $"{fileName}, line {line}, column '{header[column]}': a number from {least:R} to {greatest:R} is needed. "
-                            + $"Correct or remove the line."));
         }
 
-        CatalogueCrater[] craters = new CatalogueCrater[largest.Count];
+        Crater[] craters = new Crater[largest.Count];
         for (int index = craters.Length - 1; index >= 0; index--)
         {
             craters[index] = largest.Dequeue();
         }
 
         return craters;
-
-        int Column(string[] names, string what)
-        {
-            int column = header.FindIndex(names.Contains);
-            return column >= 0 ? column : throw new BadInputException(
-                $"{fileName}, line 1: no column for the {what}; it may be called {string.Join(", ", names)}. Name the columns there.");
-        }
     }
 
-    private static double Longitude(double degrees) => degrees < 0.0 ? degrees + 360.0 : degrees == 360.0 ? 0.0 : degrees;
+    /// <summary>Reads all of a catalogue for a run.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="referenceRadius">m: radius of the body; no crater is wider than the body.</param>
+    /// <returns>The craters, in the order of the lines; at least one.</returns>
+    /// <exception cref="BadInputException">
+    /// It can't be read, a value is wrong, an identity is there twice, or there are too many craters.
+    /// </exception>
+    public static IReadOnlyList<Crater> ReadAll(string path, double referenceRadius) =>
+        Open(path, reader => ReadAll(reader, path, referenceRadius));
 
-    /// <summary>The fields of a line; those in double quotes may hold commas, and a quote as two of them.</summary>
-    private static List<string> Fields(string line)
+    /// <summary>Reads all of a catalogue for a run.</summary>
+    /// <param name="reader">The text.</param>
+    /// <param name="fileName">For messages.</param>
+    /// <param name="referenceRadius">m: radius of the body.</param>
+    /// <inheritdoc cref="ReadAll(string, double)"/>
+    public static IReadOnlyList<Crater> ReadAll(TextReader reader, string fileName, double referenceRadius)
     {
-        List<string> fields = [];
-        StringBuilder field = new();
-        bool isQuoted = false;
-        foreach (char letter in line)
+        List<Crater> craters = [];
+        Dictionary<string, int> lines = new(StringComparer.Ordinal);
+        foreach ((Crater crater, int line) in Lines(reader, fileName, 2.0 * referenceRadius))
         {
-            if (letter == '"')
+            if (!lines.TryAdd(crater.Identity, line))
             {
-                isQuoted = !isQuoted;
-                if (isQuoted && field.Length > 0)
-                {
-                    field.Append('"');
-                }
+                throw new BadInputException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{fileName}, line {line}: the crater '{crater.Identity}' is already in line {lines[crater.Identity]}. Remove one."));
             }
-            else if (letter == ',' && !isQuoted)
+
+            craters.Add(crater);
+            if (craters.Count > MostCratersOfRun)
             {
-                fields.Add(field.ToString());
-                field.Clear();
-            }
-            else
-            {
-                field.Append(letter);
+                throw new BadInputException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{fileName}: more than {MostCratersOfRun} craters, which would take more than {MostCratersOfRun / 1e6 * 0.3:F1} GB of "
+                        + $"memory. Leave out small ones, or those of other regions."));
             }
         }
 
-        fields.Add(field.ToString());
-        return fields;
+        return craters.Count > 0 ? craters : throw new BadInputException($"{fileName}: no craters below the heading. Give a catalogue.");
+    }
+
+    private static IReadOnlyList<Crater> Open(string path, Func<TextReader, IReadOnlyList<Crater>> read) => !File.Exists(path)
+        ? throw new BadInputException($"{path}: there is no such file. A catalogue of craters in CSV is needed.")
+        : FileErrors.ToBadInput($"{path}: can't be read", () =>
+        {
+            using StreamReader reader = new(path, Encoding.UTF8);
+            return read(reader);
+        });
+
+    private static IEnumerable<(Crater Crater, int Line)> Lines(TextReader reader, string fileName, double maxDiameter)
+    {
+        CraterColumns columns = new(CsvLine.Fields(reader.ReadLine() ?? string.Empty), fileName);
+        int line = 1;
+        int number = 0;
+        while (reader.ReadLine() is { } text)
+        {
+            line++;
+            if (text.Trim().Length > 0)
+            {
+                yield return (columns.Read(CsvLine.Fields(text), line, ++number, maxDiameter), line);
+            }
+        }
     }
 }

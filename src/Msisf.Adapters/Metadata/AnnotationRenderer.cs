@@ -51,6 +51,11 @@ public static class AnnotationRenderer
         }
 
         DrawGrid(image, pixels, cancellation);
+        if (frame.Navigation is { } navigation)
+        {
+            NavigationDrawing.Draw(image, navigation);
+        }
+
         DrawText(image, AnnotationText.Lines(frame));
         image.WritePng(annotated);
     }

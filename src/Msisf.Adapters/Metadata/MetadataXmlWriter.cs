@@ -30,7 +30,13 @@ public static class MetadataXmlWriter
     {
         stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels.Surface, digits)));
         WritePixels(stream, pixels, digits, cancellation);
-        stream.Write("  </PixelInformation>\n</MSISRendering>\n"u8);
+        stream.Write("  </PixelInformation>\n"u8);
+        if (frame.Navigation is { } navigation)
+        {
+            stream.Write(Encoding.UTF8.GetBytes(NavigationXml.Elements(navigation, frame.Globe.ReferenceRadius)));
+        }
+
+        stream.Write("</MSISRendering>\n"u8);
     }
 
     private static void WritePixels(Stream stream, PixelSampler pixels, LongEDigits digits, CancellationToken cancellation)
@@ -55,7 +61,7 @@ public static class MetadataXmlWriter
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
             <!DOCTYPE MSISRendering [
-            {MetaFileGrammar.Text}
+            {(frame.Navigation is null ? MetaFileGrammar.Text : MetaFileGrammar.TextWithNavigation)}
             ]>
             <MSISRendering>
               <GeneralInformation>

@@ -38,6 +38,7 @@ internal static class OriginXml
         InputKind.AlbedoMap => "albedo-map",
         InputKind.HapkeMap => "hapke-map",
         InputKind.Camera => "camera",
+        InputKind.CraterCatalogue => "crater-catalogue",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
 

@@ -48,6 +48,9 @@ internal enum Phase
     /// <summary>Writing the meta file with its pixels.</summary>
     Xml,
 
+    /// <summary>Reading catalogues, finding the craters of frames, and writing their files.</summary>
+    Navigation,
+
     /// <summary>Writing the layers: the ground truth of every pixel.</summary>
     Layers,
 }

@@ -9,6 +9,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render;
 
 namespace Msisf.App.Rendering;
 
@@ -23,15 +24,18 @@ internal sealed class FrameFiles
     private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
+    private readonly FrameNavigation? _navigation;
 
     public FrameFiles(
-        RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times)
+        RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times,
+        NavigationInputs? navigation = null)
     {
         _settings = settings;
         _description = description;
         _comparison = comparison;
         _ledger = ledger;
         _times = times;
+        _navigation = navigation is null ? null : new FrameNavigation(navigation);
     }
 
     /// <summary>Writes the files.</summary>
@@ -42,7 +46,10 @@ internal sealed class FrameFiles
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
-        FrameMetadata metadata = _description.Describe(frame, rendered, _ledger.Plan.ArgumentsOf(frame.Step));
+        FrameMetadata metadata = _description.Describe(frame, rendered, _ledger.Plan.ArgumentsOf(frame.Step)) with
+        {
+            Navigation = _times.Measure(Phase.Navigation, () => _navigation?.Of(rendered)),
+        };
         PixelSampler pixels = _description.Sampler(frame, rendered);
         _comparison.Compare($"{stem}.xml", metadata.Inputs);
         string? annotated = _settings.Annotate ? $"{stem}.annotated.png" : null;
@@ -67,6 +74,7 @@ internal sealed class FrameFiles
             paths.Add($"{stem}.dn.fits");
         }
 
+        paths.AddRange(_times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));
         if (_settings.Native.Layers is LayerSet layers)
         {
             paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));
@@ -92,15 +100,16 @@ internal sealed class FrameFiles
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
+        IGroundTruth truth = FrameNavigation.Mark(rendered.Truth, metadata.Navigation, layers);
         LayerProvenance provenance = _description.Provenance(metadata, rendered);
         LayerPrecision precision = _settings.Native.LayersPrecision;
         if (_settings.Native.LayersFormat == LayersFormat.Npy)
         {
-            return NpyLayerWriter.Write(files, stem, metadata, provenance, rendered.Truth, layers, precision, cancellation);
+            return NpyLayerWriter.Write(files, stem, metadata, provenance, truth, layers, precision, cancellation);
         }
 
         files.Write($"{stem}.fits", stream => FitsLayerWriter.Write(
-            stream, metadata, provenance, rendered.Truth, layers, precision, _settings.Native.LayersCompression, cancellation));
+            stream, metadata, provenance, truth, layers, precision, _settings.Native.LayersCompression, cancellation));
         return [$"{stem}.fits"];
     }
 }

@@ -122,6 +122,7 @@ internal sealed class NativeImage : IDisposable
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected)
     {
+        Terrain = _renderer.Terrain,
         PartResolutions = _renderer.PartResolutions,
     };
 

@@ -51,7 +51,10 @@ internal sealed class RenderRun
             : null;
         using PreparedRun run = PreparedRun.Of(trajectory, _settings, ephemeris, _host, cancellation);
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
-        inputs.Begin(run.Model.Sets, maps.Files);
+        NavigationInputs? navigation = _times.Measure(
+            Phase.Navigation, () => NavigationInputs.Open(_settings.Native.Navigation, run.Model.Grid.ReferenceRadius));
+        IReadOnlyList<InputFile> files = [.. maps.Files, .. navigation?.Files ?? []];
+        inputs.Begin(run.Model.Sets, files);
         RequireParts();
         _settings = ExposureSearch.Resolve(_settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
         _times.Measure(Phase.Preview, () => RunNotes.Write(trajectory, run.Frames, run.Model.Grid, _host.Log, cancellation));
@@ -68,8 +71,8 @@ internal sealed class RenderRun
                 sun?.Engine.EngineName,
                 kernels,
                 version,
-                maps.Files)));
-        return await RenderAsync(run, plan, inputs, maps, cancellation).ConfigureAwait(false);
+                files)));
+        return await RenderAsync(run, plan, inputs, maps, navigation, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -90,7 +93,7 @@ internal sealed class RenderRun
         PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, CancellationToken cancellation)
+        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, NavigationInputs? navigation, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
         CreateFolder(_settings.OutputFolder);
@@ -104,7 +107,7 @@ internal sealed class RenderRun
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         InputComparison comparison = new(_host.Log);
         FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All);
-        FrameFiles files = new(_settings, description, comparison, ledger, _times);
+        FrameFiles files = new(_settings, description, comparison, ledger, _times, navigation);
         ExposureNote? exposure = _settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: run.States[0].Noise is not null)
             : null;

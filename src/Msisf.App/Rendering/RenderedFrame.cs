@@ -23,6 +23,9 @@ internal sealed record RenderedFrame(
     IGroundTruth? Truth,
     DetectorImage? Detected = null)
 {
+    /// <summary>The terrain that the image shows, at its level of detail; null if the renderer does not say.</summary>
+    public ITerrain? Terrain { get; init; }
+
     /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; init; } = [];
 }

@@ -52,6 +52,9 @@ internal sealed record FrameContent(RenderSettings Settings, EphemerisChoice? En
     /// <summary>The same; null without layers too.</summary>
     public NativeSettings? WithLayers => Native?.Layers is null ? null : Native;
 
+    /// <summary>Settings of craters; null without a catalogue.</summary>
+    public NavigationSettings? WithCraters => Native?.Navigation is { Craters: not null } navigation ? navigation : null;
+
     /// <summary>Whether an installed map would be used if no option said that there is none.</summary>
     public bool MayHaveMap => Native?.ReflectanceText == ReflectanceFactory.DefaultLaw;
 

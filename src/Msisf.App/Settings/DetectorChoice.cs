@@ -84,7 +84,7 @@ internal static class DetectorChoice
         }
 
         return layers == LayerSet.All
-            ? LayerSet.WithoutDetector
+            ? layers.Without(layer => layer.NeedsDetector)
             : layers.Layers.FirstOrDefault(layer => layer.NeedsDetector) is Layer layer
                 ? throw new UsageException(
                     $"--layers: {layer.Name} needs a camera with a detector. Name a --camera file that has the section 'detector'.")

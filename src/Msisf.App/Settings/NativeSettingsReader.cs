@@ -23,9 +23,11 @@ internal static class NativeSettingsReader
         (string law, SortedDictionary<string, double> parameters) = ReflectanceText.Parse(NativeOptions.Reflectance.Read(values));
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
         RefuseTwoBrightnesses(albedo, map);
+        NavigationSettings? navigation = NavigationSettings.Read(values);
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
-            ? DetectorChoice.LayersOf(NativeOptions.Layers.NamedInErrors(() => Layers(names)), detector)
+            ? NativeOptions.Layers.NamedInErrors(() => Layers(names))
             : null;
+        layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), layers == LayerSet.All, navigation);
         RefineSettings? refine = RefineSettings.Read(values);
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
         {
@@ -50,7 +52,7 @@ internal static class NativeSettingsReader
                 Normals = NativeOptions.Shading.Read(values),
                 SubsamplesPerAxis = subsamplesPerAxis,
                 Adaptive = adaptive,
-                KeepGroundTruth = needsTruth || layers is not null,
+                KeepGroundTruth = needsTruth || layers is not null || navigation is not null,
             },
             ReflectanceText = parameters.Count == 0
                 ? law
@@ -61,6 +63,7 @@ internal static class NativeSettingsReader
             BitDepth = NativeOptions.BitDepth.Read(values),
             Detector = detector,
             Refine = refine,
+            Navigation = navigation,
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),

@@ -22,7 +22,9 @@ internal static class RendererOptions
 
     /// <summary>The options that a renderer does not support and would ignore.</summary>
     public static IReadOnlyList<OptionSpec> WithoutMeaning(RendererKind renderer) =>
-        (renderer == RendererKind.PovRay ? NativeOptions.Group : PovOptions.Group).Options;
+        renderer == RendererKind.PovRay
+            ? [.. NativeOptions.Group.Options, .. NavigationOptions.Group.Options]
+            : PovOptions.Group.Options;
 
     /// <summary>Rejects options that the selected renderer would ignore.</summary>
     /// <exception cref="UsageException">An option belongs to the other renderer, or the option that it depends on is missing.</exception>

@@ -55,6 +55,9 @@ public sealed class Layer
     /// <summary>Whether only a camera with a detector has it.</summary>
     public bool NeedsDetector { get; init; }
 
+    /// <summary>Whether only a frame with a catalogue of craters has it.</summary>
+    public bool NeedsCraters { get; init; }
+
     /// <summary>Whether single precision is too coarse: 7 digits of a latitude, longitude or position are metres on the ground.</summary>
     public bool KeepsDouble { get; init; }
 

@@ -130,6 +130,14 @@ public static class LayerCatalogue
             NeedsDetector = true,
             CoversImage = true,
         },
+        new(
+            "crater", LayerType.Signed32, string.Empty,
+            "Row of the catalogue of --craters, from 1: the smallest of the listed craters in whose ellipse the pixel's centre lies and "
+                + "which terrain does not hide there; 0 for none.",
+            SurfaceValues.CraterNumber)
+        {
+            NeedsCraters = true,
+        },
     ];
 
     /// <summary>The layer "cell" of scenes of several elevation models.</summary>

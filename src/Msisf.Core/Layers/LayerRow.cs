@@ -146,6 +146,9 @@ internal sealed class LayerRow
     /// <summary>Electrons in the detector's pixels, before noise; empty without a detector.</summary>
     public ReadOnlySpan<double> Electrons => OfRow(_frame.Electrons);
 
+    /// <summary>Number of the crater that each of the row's pixels shows; empty without a catalogue.</summary>
+    public ReadOnlySpan<int> CraterNumbers => OfRow(_frame.CraterNumbers);
+
     /// <summary>Saturation of the detector's pixels; empty without a detector.</summary>
     public ReadOnlySpan<byte> Saturated => OfRow(_frame.Saturated);
 

@@ -13,8 +13,8 @@ public sealed class LayerSet
     /// <summary>Every layer.</summary>
     public static LayerSet All { get; } = new(LayerCatalogue.All);
 
-    /// <summary>Every layer that cameras without a detector have.</summary>
-    public static LayerSet WithoutDetector { get; } = new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector)]);
+    /// <summary>Every layer that frames without detector and without catalogue have.</summary>
+    public static LayerSet OfAnyFrame { get; } = new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters)]);
 
     /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>
     public static string ValidValues => $"{AllText}, or a list of {string.Join(", ", LayerCatalogue.All.Select(layer => layer.Name))}";
@@ -46,6 +46,10 @@ public sealed class LayerSet
 
         return new LayerSet([.. LayerCatalogue.All.Where(wanted.Contains)]);
     }
+
+    /// <summary>These layers without some.</summary>
+    /// <param name="isLeftOut">Which; not all.</param>
+    public LayerSet Without(Func<Layer, bool> isLeftOut) => new([.. Layers.Where(layer => !isLeftOut(layer))]);
 
     /// <summary>The same layers for a scene of several elevation models, whose cells have a model as well.</summary>
     public LayerSet OfSeveralModels() =>

@@ -98,6 +98,17 @@ internal static class SurfaceValues
         }
     }
 
+    /// <summary>0 also without a catalogue.</summary>
+    public static void CraterNumber(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<int> numbers = row.CraterNumbers;
+        ReadOnlySpan<int> columns = row.Columns;
+        for (int i = 0; i < columns.Length; i++)
+        {
+            values[i] = numbers.IsEmpty ? 0.0 : numbers[columns[i]];
+        }
+    }
+
     private static void Copy(VectorRow vectors, int plane, int count, double[] values)
     {
         double[] component = plane switch

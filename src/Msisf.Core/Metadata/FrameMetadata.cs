@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Navigation;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Time;
@@ -30,6 +31,9 @@ public sealed record FrameMetadata(
 {
     /// <summary>The body that the frame shows; positions and directions are in its frame.</summary>
     public DrawnGlobe Globe { get; init; } = DrawnGlobe.Moon;
+
+    /// <summary>Craters of the frame; null without such truth.</summary>
+    public NavigationTruth? Navigation { get; init; }
 
     /// <summary>m: height of the camera over the Moon's mean radius (thesis section 9.2), or over another body's sphere.</summary>
     public double FlightAltitude => Camera.PositionMoonMe.Length - Globe.AltitudeRadius;

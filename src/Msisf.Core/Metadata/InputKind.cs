@@ -20,4 +20,7 @@ public enum InputKind
 
     /// <summary>A camera file.</summary>
     Camera,
+
+    /// <summary>A catalogue of craters.</summary>
+    CraterCatalogue,
 }

@@ -25,6 +25,9 @@ public interface IGroundTruth
     /// <summary>Saturation of each pixel of the detector, by rows; empty without a detector.</summary>
     ReadOnlySpan<byte> Saturated => [];
 
+    /// <summary>Number of the crater that each pixel shows, by rows, 0 for none; empty without a catalogue of craters.</summary>
+    ReadOnlySpan<int> CraterNumbers => [];
+
     /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="ICamera.RayThrough"/>).</summary>
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>

@@ -22,9 +22,13 @@ public sealed class NativeRenderer
     {
         _surface = SurfaceModel.Of(terrain);
         _memory = memory ?? new RendererMemory();
+        Terrain = terrain;
         Resolution = terrain.Resolution;
         PartResolutions = terrain.DrawnResolutions;
     }
+
+    /// <summary>The elevation model, or several.</summary>
+    public ITerrain Terrain { get; }
 
     /// <summary>Resolution of the model that is drawn, of several that of the finest that is there.</summary>
     public GridResolution Resolution { get; }

@@ -46,10 +46,14 @@ internal sealed class TruthRow
         Lights[i] = light;
     }
 
+    /// <summary>A pixel's surface point, m, MOON_ME.</summary>
+    /// <param name="index">Which of the pixels, from 0.</param>
+    public Vector3D PointAt(int index) => new(Points.X[index], Points.Y[index], Points.Z[index]);
+
     /// <summary>A pixel's surface point.</summary>
     /// <param name="index">Which of the pixels, from 0.</param>
     public SurfaceHit HitAt(int index) => new(
-        new Vector3D(Points.X[index], Points.Y[index], Points.Z[index]),
+        PointAt(index),
         new Vector3D(Points.NormalX[index], Points.NormalY[index], Points.NormalZ[index]),
         Facets[index],
         Points.Parameters[index]);

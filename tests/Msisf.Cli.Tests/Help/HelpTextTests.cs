@@ -34,6 +34,7 @@ public sealed class HelpTextTests
         [
             "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Albedo:", "Output:", "Renderer:",
             "Native renderer:",
+            "Truth for navigation:",
             "POV-Ray:", "Run:", "Commands:",
         ];
 

@@ -49,7 +49,7 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
         TerrainTracer tracer = new(rugged.Grid);
         NativeRenderer renderer = new(rugged.Grid);
         NativeRenderOptions options = new() { KeepGroundTruth = true, Reflectance = new LunarLambertReflectance(0.4, 0.12) };
-        Layer[] layers = [.. LayerSet.WithoutDetector.Layers];
+        Layer[] layers = [.. LayerSet.OfAnyFrame.Layers];
         int planes = layers.Sum(layer => layer.Planes);
         Assert.Equal(Height / 2, scene.Camera.Bands.Count);
 

@@ -33,7 +33,7 @@ internal static class LayerFrame
         using MemoryStream stream = new();
         FitsLayerWriter.Write(
             stream, Metadata, Provenance, Truth,
-            layers == "all" ? LayerSet.WithoutDetector : LayerSet.Parse(layers), precision, compression);
+            layers == "all" ? LayerSet.OfAnyFrame : LayerSet.Parse(layers), precision, compression);
         return stream.ToArray();
     }
 

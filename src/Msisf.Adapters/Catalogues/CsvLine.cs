@@ -1,0 +1,43 @@
+using System.Text;
+
+namespace Msisf.Adapters.Catalogues;
+
+/// <summary>Lines of CSV.</summary>
+internal static class CsvLine
+{
+    /// <summary>The fields of a line; those in double quotes may hold commas, and a quote as two of them.</summary>
+    public static List<string> Fields(string line)
+    {
+        List<string> fields = [];
+        StringBuilder field = new();
+        bool isQuoted = false;
+        foreach (char letter in line)
+        {
+            if (letter == '"')
+            {
+                isQuoted = !isQuoted;
+                if (isQuoted && field.Length > 0)
+                {
+                    field.Append('"');
+                }
+            }
+            else if (letter == ',' && !isQuoted)
+            {
+                fields.Add(field.ToString());
+                field.Clear();
+            }
+            else
+            {
+                field.Append(letter);
+            }
+        }
+
+        fields.Add(field.ToString());
+        return fields;
+    }
+
+    /// <summary>A text as a field.</summary>
+    public static string Field(string text) => text.AsSpan().IndexOfAny(",\"\r\n") < 0
+        ? text
+        : $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"";
+}

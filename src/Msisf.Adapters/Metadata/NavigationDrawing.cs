@@ -1,0 +1,65 @@
+using Msisf.Adapters.Interop;
+using Msisf.Core.Camera;
+using Msisf.Core.Navigation;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>Draws truth for navigation on an image.</summary>
+internal static class NavigationDrawing
+{
+    private const int OutlinePoints = 72;
+
+    private const double LineWidth = 1.2;
+
+    private const double FontSize = 11.0;
+
+    /// <summary>px: diameter from which a crater's name is drawn; smaller ones would cover each other.</summary>
+    private const double NamedFrom = 40.0;
+
+    /// <summary>Draws the outlines of craters, yellow, and the names of the larger ones; grey where most of a crater is hidden.</summary>
+    public static void Draw(CairoImage image, NavigationTruth navigation)
+    {
+        foreach (CraterView view in navigation.Craters?.Views ?? [])
+        {
+            if (view.Hidden > 0.5)
+            {
+                image.SetColor(0.6, 0.6, 0.6, 1.0);
+            }
+            else
+            {
+                image.SetColor(1.0, 0.9, 0.0, 1.0);
+            }
+
+            Draw(image, view);
+        }
+    }
+
+    private static void Draw(CairoImage image, CraterView view)
+    {
+        IReadOnlyList<RenderingPoint> outline = view.Curve.Count > 0
+            ? view.Curve
+            : [.. Enumerable.Range(0, OutlinePoints).Select(i => view.Ellipse.PointAt(2.0 * Math.PI * i / OutlinePoints))];
+
+        // cairo counts from the corner of the first pixel, rendering coordinates have its centre at 1.
+        for (int i = 0; i < outline.Count; i++)
+        {
+            RenderingPoint from = outline[i];
+            RenderingPoint to = outline[(i + 1) % outline.Count];
+            if (IsNear(image, from) || IsNear(image, to))
+            {
+                image.DrawLine(from.X - 0.5, from.Y - 0.5, to.X - 0.5, to.Y - 0.5, LineWidth);
+            }
+        }
+
+        if (view.Diameter >= NamedFrom)
+        {
+            string text = view.Crater.Name ?? view.Crater.Identity;
+            image.DrawText(
+                text, view.Ellipse.X - 0.5 - (0.5 * image.MeasureText(text, FontSize)), view.Ellipse.Y - 0.5 + (0.5 * FontSize), FontSize);
+        }
+    }
+
+    /// <summary>Lines far outside are left out: cairo's coordinates reach to 8 million px only.</summary>
+    private static bool IsNear(CairoImage image, RenderingPoint point) =>
+        point.X > -image.Width && point.X < 2.0 * image.Width && point.Y > -image.Height && point.Y < 2.0 * image.Height;
+}

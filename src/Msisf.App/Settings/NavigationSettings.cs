@@ -1,0 +1,60 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Navigation;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The checked options of truth for navigation.</summary>
+internal sealed record NavigationSettings
+{
+    /// <summary>Path of the catalogue of craters; null for none.</summary>
+    public string? Craters { get; init; }
+
+    /// <summary>Where rims lie.</summary>
+    public CraterRim Rim { get; init; }
+
+    /// <summary>px: least diameter of craters in the image.</summary>
+    public double LeastDiameter { get; init; }
+
+    /// <summary>Reads the options.</summary>
+    /// <returns>Null if no such truth is wanted.</returns>
+    /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
+    public static NavigationSettings? Read(OptionValues values)
+    {
+        string? craters = NavigationOptions.Craters.ReadIfGiven(values);
+        if (craters is null && NavigationOptions.OfCraters.FirstOrDefault(values.IsGiven) is { } ofCraters)
+        {
+            throw new UsageException(
+                $"{ofCraters.Name} is given, but no {NavigationOptions.Craters.Name}. Name a catalogue, or leave it out.").About(ofCraters);
+        }
+
+        return craters is null
+            ? null
+            : new NavigationSettings
+            {
+                Craters = craters,
+                Rim = NavigationOptions.Rim.Read(values),
+                LeastDiameter = NavigationOptions.CraterSize.Read(values),
+            };
+    }
+
+    /// <summary>The layers that there are: that of craters only with a catalogue.</summary>
+    /// <param name="layers">What the user wants; null for nothing.</param>
+    /// <param name="isAll">Whether the user wants all that there are.</param>
+    /// <param name="settings">The settings; null for none.</param>
+    /// <exception cref="UsageException">A layer of craters is named, and there is no catalogue.</exception>
+    public static LayerSet? LayersOf(LayerSet? layers, bool isAll, NavigationSettings? settings)
+    {
+        if (layers is null || settings?.Craters is not null)
+        {
+            return layers;
+        }
+
+        return isAll || layers.Layers.FirstOrDefault(layer => layer.NeedsCraters) is not { } layer
+            ? layers.Without(layer => layer.NeedsCraters)
+            : throw new UsageException(
+                $"--layers: {layer.Name} needs a catalogue of craters. Name one by {NavigationOptions.Craters.Name}.")
+                .About(NativeOptions.Layers, NavigationOptions.Craters);
+    }
+}

@@ -1,0 +1,97 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Navigation;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Navigation;
+
+public class ImageEllipseTests
+{
+    /// <summary>Area inside the image, counted on a grid of a tenth of a pixel; columns of rows, counted pixel by pixel.</summary>
+    [Fact]
+    public void AreaInside_AnyEllipse_IsThatOfPointsCounted()
+    {
+        const int width = 60;
+        const int height = 40;
+        Random random = new(20120222);
+        for (int number = 0; number < TestLength.Of(200, 5000); number++)
+        {
+            double major = Math.Exp((4.0 * random.NextDouble()) + 0.5);
+            ImageEllipse ellipse = new(
+                (100.0 * random.NextDouble()) - 20.0, (80.0 * random.NextDouble()) - 20.0, major,
+                major * (0.1 + (0.9 * random.NextDouble())),
+                Math.PI * (random.NextDouble() - 0.5));
+            bool Holds(double x, double y)
+            {
+                (double u, double v) = ellipse.ToUnitCircle(x, y);
+                return (u * u) + (v * v) <= 1.0;
+            }
+
+            int count = Enumerable.Range(0, 10 * height).Sum(
+                row => Enumerable.Range(0, 10 * width).Count(column => Holds(0.55 + (0.1 * column), 0.55 + (0.1 * row))));
+            double border = 2.0 * Math.PI * major;
+            Assert.Equal(0.01 * count, ellipse.AreaInside(width, height), 0.05 + (0.03 * Math.Min(border, 300.0)));
+            for (int row = 1; row <= height; row++)
+            {
+                (int first, int last) = ellipse.ColumnsOf(row, width);
+                Assert.All(Enumerable.Range(1, width), column => Assert.Equal(column >= first && column <= last, Holds(column, row)));
+            }
+        }
+    }
+
+    [Fact]
+    public void OfShape_ItsOwnAxes_AreFound()
+    {
+        ImageEllipse ellipse = new(3.0, -7.0, 1000.0, 1e-3, 0.3);
+
+        ImageEllipse again = ImageEllipse.OfShape(
+            3.0, -7.0,
+            [(1000.0 * Math.Cos(0.3), 1000.0 * Math.Sin(0.3)), (-1e-3 * Math.Sin(0.3), 1e-3 * Math.Cos(0.3))]);
+
+        Assert.Equal(ellipse.SemiMajor, again.SemiMajor, 1e-10);
+        Assert.Equal(ellipse.SemiMinor, again.SemiMinor, 1e-15);
+        Assert.Equal(ellipse.Angle, again.Angle, 1e-15);
+    }
+
+    [Fact]
+    public void TryFit_PointsOfAnEllipse_FindsIt()
+    {
+        ImageEllipse ellipse = new(1234.5, 777.25, 80.0, 3.0, -1.2);
+
+        Assert.True(EllipseFit.TryFit(
+            [.. Enumerable.Range(0, 24).Select(i => ellipse.PointAt(0.1 + (i * Math.PI / 12.0)))], out ImageEllipse found,
+            out double residual));
+
+        Assert.Equal(ellipse.X, found.X, 1e-10);
+        Assert.Equal(ellipse.Y, found.Y, 1e-10);
+        Assert.Equal(ellipse.SemiMajor, found.SemiMajor, 1e-10);
+        Assert.Equal(ellipse.SemiMinor, found.SemiMinor, 1e-10);
+        Assert.Equal(ellipse.Angle, found.Angle, 1e-12);
+        Assert.InRange(residual, 0.0, 1e-10);
+    }
+
+    [Fact]
+    public void TryFit_PointsOnALine_FindsNone() => Assert.False(EllipseFit.TryFit(
+        [.. Enumerable.Range(0, 24).Select(i => new RenderingPoint(i, 2.0 * i))], out _, out _));
+
+    /// <summary>Points beside an ellipse by a wave of known size: the residual is the wave's, and the ellipse stays.</summary>
+    [Fact]
+    public void TryFit_WavyCurve_FindsTheMiddleAndTheResidual()
+    {
+        RenderingPoint[] curve =
+        [
+            .. Enumerable.Range(0, 64).Select(i =>
+            {
+                double angle = i * Math.PI / 32.0;
+                double radius = 100.0 + Math.Cos(8.0 * angle);
+                return new RenderingPoint(50.0 + (radius * Math.Cos(angle)), 60.0 + (radius * Math.Sin(angle)));
+            }),
+        ];
+
+        Assert.True(EllipseFit.TryFit(curve, out ImageEllipse ellipse, out double residual));
+
+        Assert.Equal(100.0, ellipse.SemiMajor, 0.02);
+        Assert.Equal(50.0, ellipse.X, 1e-6);
+        Assert.Equal(Math.Sqrt(0.5), residual, 0.01);
+    }
+}

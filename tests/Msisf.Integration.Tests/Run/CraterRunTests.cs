@@ -1,0 +1,138 @@
+using System.Globalization;
+using System.Text.Json;
+using System.Xml.Linq;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary>Runs with a catalogue of craters: what stands in the meta file, the CSV, the JSON and the layer.</summary>
+public sealed class CraterRunTests : IDisposable
+{
+    private const int Width = 120;
+    private const int Height = 90;
+
+    /// <summary>Tycho, Clavius, Maginus, Longomontanus, a crater behind the limb and a small one.</summary>
+    private const string Catalogue =
+        "id,name,lat,lon,diam_km,lat_sd,lon_sd,diam_km_sd\n"
+        + "T,Tycho,-43.3,-11.2,85,0.01,0.01,0.5\nC,\"Clavius, large\",-58.6,-14.1,231,0.01,0.01,1\nM,,-50.5,-6.3,156,0.01,0.01,1\n"
+        + "L,Longomontanus,-49.5,-21.8,145,0.01,0.01,1\nfar,,40,170,300,0.1,0.1,1\nsmall,,-46,-12,2,0.01,0.01,0.1\n";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public CraterRunTests() => _folder.Write("c.csv", Catalogue);
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    public void Run_Craters_AreTheSameInAllFiles()
+    {
+        CommandLineRun run = Run(
+            "out", "--craters", _folder["c.csv"], "--rendering-annotation", "--layers", "crater", "--layers-format", "npy");
+        Assert.True(run.ExitCode == 0, run.Error);
+        string stem = Path.Combine(_folder["out"], "MoonSurfIllumSim_step_00001");
+        XElement information = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Descendants("CraterInformation").Single();
+        XElement[] craters = [.. information.Elements("Crater")];
+        string[][] lines =
+        [
+            .. File.ReadLines($"{stem}.craters.csv")
+                .Select(line => line.Replace("\"Clavius, large\"", "Clavius", StringComparison.Ordinal).Split(',')),
+        ];
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllBytes($"{stem}.craters.json"));
+        JsonElement[] annotations = [.. json.RootElement.GetProperty("annotations").EnumerateArray()];
+
+        Assert.Equal(["T", "C", "M", "L"], craters.Select(crater => crater.Attribute("id")!.Value));
+        Assert.Equal("1", information.Attribute("tooSmall")!.Value);
+        for (int i = 0; i < craters.Length; i++)
+        {
+            foreach (string name in (string[])["h", "v", "semiMajor", "semiMinor", "turn", "inside", "hidden", "lit", "emission"])
+            {
+                string value = craters[i].Attribute(name)!.Value;
+                Assert.Equal(value, lines[i + 1][Array.IndexOf(lines[0], name)]);
+                Assert.Equal(Number(value), annotations[i].GetProperty("crater").GetProperty(name).GetDouble());
+            }
+
+            double[] covariance = [.. craters[i].Attribute("covariance")!.Value.Split(' ').Select(Number)];
+            Assert.Equal(25, covariance.Length);
+            Assert.Equal(covariance[8], Number(lines[i + 1][Array.IndexOf(lines[0], "cov_v_semiMinor")]));
+            double[] box = [.. annotations[i].GetProperty("bbox").EnumerateArray().Select(number => number.GetDouble())];
+            Assert.True(box[0] >= 0.0 && box[1] >= 0.0 && box[0] + box[2] <= Width && box[1] + box[3] <= Height);
+            double[] polygon = [.. annotations[i].GetProperty("segmentation")[0].EnumerateArray().Select(number => number.GetDouble())];
+            Assert.Equal(annotations[i].GetProperty("area").GetDouble(), Area(polygon), 0.01 * box[2] * box[3]);
+        }
+
+        int[] numbers = Numbers($"{stem}.crater.npy");
+        Assert.Equal(1, numbers[((int)Number(craters[0].Attribute("v")!.Value) * Width) + (int)Number(craters[0].Attribute("h")!.Value)]);
+        Assert.Equal([0, 1, 2, 3, 4], numbers.Distinct().Order());
+        Assert.NotEqual(File.ReadAllBytes($"{stem}.png"), File.ReadAllBytes($"{stem}.annotated.png"));
+        Assert.Contains("kind=\"crater-catalogue\" name=\"c.csv\"", File.ReadAllText($"{stem}.xml"), StringComparison.Ordinal);
+    }
+
+    /// <summary>A frame without the option has the bytes that it always had, but for the words of its own command line.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_WithoutCraters_HasTheSameImageAndNoDeclaration()
+    {
+        Assert.Equal(0, Run("with", "--craters", _folder["c.csv"], "--layers", "all", "--layers-format", "npy").ExitCode);
+        Assert.Equal(0, Run("without", "--layers", "all", "--layers-format", "npy").ExitCode);
+        string[] with = [.. Directory.GetFiles(_folder["with"]).Select(path => Path.GetFileName(path))];
+        string[] without = [.. Directory.GetFiles(_folder["without"]).Select(path => Path.GetFileName(path))];
+
+        Assert.Equal(
+            [".crater.npy", ".craters.csv", ".craters.json"],
+            with.Except(without).Select(name => name["MoonSurfIllumSim_step_00001".Length..]).Order(StringComparer.Ordinal));
+        Assert.All(
+            without.Where(name => name.EndsWith(".npy", StringComparison.Ordinal) || name.EndsWith(".png", StringComparison.Ordinal)),
+            name => Assert.Equal(File.ReadAllBytes(_folder[$"with/{name}"]), File.ReadAllBytes(_folder[$"without/{name}"])));
+        Assert.DoesNotContain(
+            "Crater", File.ReadAllText(_folder["without/MoonSurfIllumSim_step_00001.xml"]), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--crater-rim terrain", "--crater-rim is given, but no --craters. Name a catalogue, or leave it out.")]
+    [InlineData("--layers crater", "--layers: crater needs a catalogue of craters. Name one by --craters.")]
+    [InlineData("--craters FILE:none.csv", "there is no such file. A catalogue of craters in CSV is needed.")]
+    [InlineData("--craters FILE:c.csv --renderer povray", "--craters is for --renderer native only.")]
+    [InlineData("--craters FILE:c.csv --crater-size -1", "--crater-size is -1; its range is 0 to 100000.")]
+    [InlineData("--craters FILE:bad.csv", "bad.csv, line 3: the crater 'a' is already in line 2. Remove one.")]
+    public void Run_WrongOption_SaysSoAndLeavesNothing(string options, string message)
+    {
+        _folder.Write("bad.csv", "id,lat,lon,diam_km\na,1,2,3\na,4,5,6\n");
+
+        CommandLineRun run = Run(
+            "out", [.. options.Split(' ').Select(word => word.Replace("FILE:", $"{_folder.Path}/", StringComparison.Ordinal))]);
+
+        Assert.InRange(run.ExitCode, 1, 2);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["out"]));
+    }
+
+    private CommandLineRun Run(string output, params string[] options) => CommandLineRun.Of(
+    [
+        .. options.Contains("--renderer") ? (string[])[] : ["--renderer", "native"],
+        "--position", "-50,-12,500000", "--time", "2010-03-25T06:00:00Z", "--fov", "60", "--width", $"{Width}", "--height", $"{Height}",
+        "--output-dir", _folder[output], .. options,
+    ]);
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+    private static double Area(double[] polygon)
+    {
+        double twice = 0.0;
+        for (int i = 0; i < polygon.Length; i += 2)
+        {
+            int next = (i + 2) % polygon.Length;
+            twice += (polygon[i] * polygon[next + 1]) - (polygon[next] * polygon[i + 1]);
+        }
+
+        return Math.Abs(0.5 * twice);
+    }
+
+    /// <summary>The last numbers of an array file.</summary>
+    private static int[] Numbers(string path)
+    {
+        byte[] bytes = File.ReadAllBytes(path);
+        int[] numbers = new int[Width * Height];
+        Buffer.BlockCopy(bytes, bytes.Length - (sizeof(int) * numbers.Length), numbers, 0, sizeof(int) * numbers.Length);
+        return numbers;
+    }
+}
