@@ -179,7 +179,7 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(28, planes.Length);
+        Assert.Equal(29, planes.Length);
         Assert.Equal(2, planes.Count(plane => plane.All(value => value == 0.0))); // mask and saturated
         Assert.Equal(26, planes.Count(plane => plane.All(double.IsNaN)));
     }

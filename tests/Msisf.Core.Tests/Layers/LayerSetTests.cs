@@ -13,8 +13,8 @@ public class LayerSetTests
     {
         string[] names = [.. LayerSet.Parse(text).Layers.Select(layer => layer.Name)];
 
-        Assert.Equal(23, names.Length);
-        Assert.Equal(23, names.Distinct().Count());
+        Assert.Equal(24, names.Length);
+        Assert.Equal(24, names.Distinct().Count());
     }
 
     [Fact]

@@ -141,7 +141,7 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     }
 
     /// <summary>A pinhole with a principal point, two focal lengths and a skew of its own.</summary>
-    private FrameCamera OddCamera(int number)
+    private PinholeCamera OddCamera(int number)
     {
         (PinholeCamera plain, _, _) = CameraCases.Make(number, ldem4.Grid, 20_000);
         CameraModel model = plain.Model;

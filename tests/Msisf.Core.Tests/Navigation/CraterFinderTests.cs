@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Navigation;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
@@ -86,11 +87,11 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         CameraState state = new(pinhole.PositionMoonMe, pinhole.MoonFromCamera);
         foreach (string lens in LensCases.Names)
         {
-            ICamera camera = LensCases.Of(lens, 0.3, Width, Height).At(state);
+            FrameCamera camera = LensCases.Of(lens, 0.3, Width, Height).At(state);
             CratersOfFrame craters = new CraterFinder(Catalogue, CraterRim.Disc, 6.0).Find(
                 camera, Light(RenderScenes.Named("far")), ldem4.Grid);
             Assert.NotEmpty(craters.Views);
-            bool hasLens = camera is FrameCamera { Model.Distortion: not null };
+            bool hasLens = camera.Model.Distortion is not null;
             foreach (CraterView view in craters.Views)
             {
                 Assert.Equal(hasLens, view.Curve.Count > 0);
