@@ -72,7 +72,9 @@ public class CraterCatalogueReaderTests
         Assert.Equal(
             new Crater(1, "00-1-000000", null, -19.9, 264.75, 975e3)
             {
-                MinorDiameter = 905e3, AngleDegrees = 35.5, Errors = new CraterErrors(0.008, 0.009, 600.0, 500.0, 0.4),
+                MinorDiameter = 905e3,
+                AngleDegrees = 35.5,
+                Errors = new CraterErrors(0.008, 0.009, 600.0, 500.0, 0.4),
             },
             craters[0]);
         Assert.Equal(new Crater(2, "00-1-000001", null, 10.0, 340.0, 5e3), craters[1]);

@@ -181,7 +181,7 @@ public class LayerSamplerTests
 
         Assert.Equal(29, planes.Length);
         Assert.Equal(2, planes.Count(plane => plane.All(value => value == 0.0))); // mask and saturated
-        Assert.Equal(26, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(27, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]
