@@ -185,6 +185,45 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.Contains("<Facet part=\"3\"", xml, StringComparison.Ordinal); // NPB, the first by name, counts as the finer one
     }
 
+    /// <summary>
+    /// A real map of 5 m that lies 47 m below LDEM_4 in the mean, under low Suns: in LDEM_4 its ground is as lit as alone. Bent inwards it
+    /// lies in a pit (tests/reference/nested_light.py: 20 to 35 % less).
+    /// </summary>
+    [RequiresTheory(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
+    [InlineData("61060.06223092263", 5.3, 15.0)]
+    [InlineData("61056.72444129065", 2.4, 30.0)]
+    public void Run_RealMapInLowerGround_IsAsLitAsAlone(string time, double sun, double lost)
+    {
+        string[] moon = ["--ldem", TestParts.Ldem4Label!];
+        string[] map = ["--ldem", TestParts.PolarPiece("NPC")!];
+        double alone = LitShare("alone", time, map);
+
+        Assert.InRange(LitShare("outward", time, [.. moon, .. map]), alone - 1.0, alone + 1.0);
+        Assert.InRange(LitShare("inward", time, [.. moon, .. map, "--nest-blend", "inward"]), 0.0, alone - lost);
+        Assert.Contains("misfitMean=\"-4", Meta("outward"), StringComparison.Ordinal);
+        Assert.Contains("misfitMean=\"-4", Meta("inward"), StringComparison.Ordinal);
+        Assert.InRange(90.0 - Npy("alone.sphere-incidence").Average(value => BitConverter.ToDouble(value)), sun - 0.05, sun + 0.05);
+    }
+
+    /// <summary>%: pixels on which the Sun's centre shines, of an image of the map's middle, 300 m and more from its sides.</summary>
+    private double LitShare(string name, string time, string[] models)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["--renderer", "native", .. models, "--position=-84.809,125.96,20000", "--time", time, "--lod", "off", "--width", "80",
+             "--height", "80", "--fov", "3.4", "--layers", "mask,sphere-incidence", "--layers-format", "npy", "--batch", "--output-dir",
+             _folder["out"], "--output-name", name]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return 100.0 * Npy(name + ".mask").Count(value => value[0] == 1) / (80 * 80);
+    }
+
+    /// <summary>The values of a file of 80 x 80 pixels.</summary>
+    private List<byte[]> Npy(string name)
+    {
+        byte[] file = File.ReadAllBytes(Path.Combine(_folder["out"], name + ".npy"));
+        int header = 10 + BitConverter.ToUInt16(file, 8);
+        return [.. file.Skip(header).Chunk((file.Length - header) / (80 * 80))];
+    }
+
     [Theory]
     [InlineData("patterns")]
     public void Run_CommandsOfOneModel_RefuseSeveral(string command)

@@ -62,7 +62,14 @@ internal static class OriginXml
         $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
             + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
             + $"drawn=\"{part.Drawn?.NumberText ?? "no"}\" "
-            + $"unit=\"{part.Resolution.Unit}\" />");
+            + $"unit=\"{part.Resolution.Unit}\"{Misfit(part.Misfit)} />");
+
+    /// <summary>The misfit at the border, rounded to what it can tell.</summary>
+    private static string Misfit(PartMisfit? misfit) => misfit is null ? string.Empty : string.Create(
+        CultureInfo.InvariantCulture,
+        $" misfitMean=\"{misfit.HeightMean:F2}\" misfitRms=\"{misfit.HeightRms:F2}\" misfitGreatest=\"{misfit.HeightGreatest:F2}\" "
+            + $"misfitUnit=\"m\" slopeMisfitMean=\"{misfit.SlopeMean:F3}\" slopeMisfitRms=\"{misfit.SlopeRms:F3}\" "
+            + $"slopeMisfitGreatest=\"{misfit.SlopeGreatest:F3}\" slopeMisfitUnit=\"deg\"");
 
     private static IEnumerable<string> Camera(CameraMatrix camera, LongEDigits digits) =>
     [

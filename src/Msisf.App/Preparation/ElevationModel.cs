@@ -40,6 +40,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly Func<double?, IFrameTerrain> _detailOf;
+    private readonly IReadOnlyList<BorderMisfit> _misfits = [];
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     internal ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -73,15 +74,17 @@ internal sealed class ElevationModel : IDisposable
         _detailOf = _ => new FullDetail(grid);
     }
 
-    internal ElevationModel(NestedTerrain nested, IReadOnlyList<ElevationModel> models)
+    internal ElevationModel(NestedTerrain nested, IReadOnlyList<BorderMisfit> misfits, IReadOnlyList<ElevationModel> models)
         : this(nested, [.. models.Select(model => model.Set)], models)
     {
+        _misfits = misfits;
         Lazy<NestedLevels> levels = new(() => new NestedLevels(nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
         _detailOf = error => error is double pixels ? new SceneDetail(levels.Value, pixels) : new FullDetail(nested);
     }
 
-    private ElevationModel(RefinedTerrain refined, IReadOnlyList<LdemSet> sets, IReadOnlyList<ElevationModel> models)
-        : this((ITerrain)refined, sets, models) => _detailOf = _ => new RefinedDetail(refined);
+    private ElevationModel(
+        RefinedTerrain refined, IReadOnlyList<LdemSet> sets, IReadOnlyList<BorderMisfit> misfits, IReadOnlyList<ElevationModel> models)
+        : this((ITerrain)refined, sets, models) => (_detailOf, _misfits) = (_ => new RefinedDetail(refined), misfits);
 
     /// <summary>The samples; of several models the surface that they make together.</summary>
     public ITerrain Grid { get; }
@@ -113,7 +116,10 @@ internal sealed class ElevationModel : IDisposable
     public IReadOnlyList<ElevationPart> PartsAt(IReadOnlyList<GridResolution?> drawn) => Grid.PartCount == 1 ? [] :
     [
         .. Grid.Models.Select((grid, part) => new ElevationPart(
-            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part])),
+            grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part])
+        {
+            Misfit = part > 0 && part <= _misfits.Count ? PartMisfit.Of(_misfits[part - 1]) : null,
+        }),
         .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(Grid.InventedName!, IsSynthetic: true, window!.Value, window)),
     ];
 
@@ -152,7 +158,7 @@ internal sealed class ElevationModel : IDisposable
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
                         + $"and wider; it is not on the real Moon."));
-                return new ElevationModel(terrain, Sets, isClosedWithIt ? [this] : []);
+                return new ElevationModel(terrain, Sets, _misfits, isClosedWithIt ? [this] : []);
             });
         }
         catch

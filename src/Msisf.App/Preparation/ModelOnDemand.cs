@@ -22,7 +22,8 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
 
     /// <summary>With invented detail, as with levels of detail, few frames or none show the models alone.</summary>
     private ElevationModel Open() => settings.Ldem.Count > 1
-        ? ModelOpening.OpenSeveral(settings.Ldem, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host)
+        ? ModelOpening.OpenSeveral(
+            settings.Ldem, settings.NestBlend, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host)
         : ModelOpening.Open(
             settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
             settings.Body);

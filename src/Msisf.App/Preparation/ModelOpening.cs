@@ -15,7 +15,7 @@ namespace Msisf.App.Preparation;
 /// <summary>Finds and opens elevation models.</summary>
 internal static class ModelOpening
 {
-    /// <summary>m, rms: bent by 5 m over the narrowest border, 8 samples, a site of 5 m/px has slopes that are 7 degrees off.</summary>
+    /// <summary>m, rms: the accuracy of LOLA's heights along a track; models that agree as well are said to meet.</summary>
     private const double MisfitWorthANote = 5.0;
 
     /// <summary>Finds and opens the model of a resolution.</summary>
@@ -65,10 +65,11 @@ internal static class ModelOpening
 
     /// <summary>Opens several models that make one surface.</summary>
     /// <param name="paths">Labels or images.</param>
+    /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
     /// <param name="host">Receives log messages.</param>
     /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
-    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, bool hasLevels, ProgramHost host)
+    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, NestBlend blend, bool hasLevels, ProgramHost host)
     {
         List<ElevationModel> opened = [];
         try
@@ -85,11 +86,12 @@ internal static class ModelOpening
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
                 SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
-                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
+                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
                 nested.Prepare(hasLevels);
-                TellMisfits(nested, host.Log);
+                BorderMisfit[] misfits = [.. nested.BorderMisfits()];
+                TellMisfits(nested, misfits, host.Log);
                 return new ElevationModel(
-                    nested, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
+                    nested, misfits, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
             });
         }
         catch
@@ -156,19 +158,32 @@ internal static class ModelOpening
         }
     }
 
-    private static void TellMisfits(NestedTerrain nested, ILog log)
+    /// <summary>Says of each border how well the models meet there.</summary>
+    private static void TellMisfits(NestedTerrain nested, IReadOnlyList<BorderMisfit> misfits, ILog log)
     {
-        foreach (BorderMisfit misfit in nested.BorderMisfits().Where(misfit => misfit.Rms > MisfitWorthANote))
+        foreach (BorderMisfit misfit in misfits)
         {
-            log.Note(string.Create(
+            (MisfitNumbers height, MisfitNumbers slope) = (misfit.Height, misfit.Slope);
+            string numbers = string.Create(
                 CultureInfo.InvariantCulture,
-                $"{misfit.ProductId} does not meet the ground of the models around it: along its border it lies {Off(misfit.Mean)} it in "
-                    + $"the mean ({misfit.Rms:F1} m rms), at most {Off(misfit.Greatest)}. Over its outermost {misfit.BentSamples} samples "
-                    + $"({misfit.BentMetres:F0} m) it is bent to meet that ground."));
+                $"along its border it lies {Off(height.Mean)} it in the mean ({height.Rms:F1} m rms), at most {Off(height.Greatest)}, and "
+                    + $"rises inwards {Degrees(slope.Mean):F1} degrees more steeply ({Degrees(slope.Rms):F1} rms, at most "
+                    + $"{Degrees(slope.Greatest):F1}).");
+            string remedy = nested.Blend == NestBlend.Outward
+                ? string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"The difference is carried into that ground over {misfit.BlendedMetres / 1000.0:F1} km and more.")
+                : string.Create(
+                    CultureInfo.InvariantCulture, $"Over its outermost {misfit.BlendedMetres:F0} m it is bent to meet that ground.");
+            log.Note(height.Rms <= MisfitWorthANote
+                ? $"{misfit.ProductId} meets the ground of the models around it: {numbers}"
+                : $"{misfit.ProductId} does not meet the ground of the models around it: {numbers} {remedy}");
         }
 
         static string Off(double metres) =>
             string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(metres):F1} m {(metres < 0.0 ? "below" : "above")}");
+
+        static double Degrees(double tangent) => double.RadiansToDegrees(Math.Atan(tangent));
     }
 
     private static ModelLevels OpenLevels(LdemImage image, bool isSparing, ProgramHost host)

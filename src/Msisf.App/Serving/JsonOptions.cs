@@ -126,6 +126,7 @@ internal sealed class JsonOptions
                     + "is one image. Give seconds.").About(NativeOptions.ExposureTime);
         }
 
+        model = _names.Models.Joined(model, settings.NestBlend);
         return new RequestedFrame(
             settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings)
         {

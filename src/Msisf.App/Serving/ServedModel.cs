@@ -4,6 +4,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Render;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Serving;
@@ -62,6 +63,9 @@ internal sealed class ServedModel : IDisposable
     /// <summary>The <c>--ldem</c> of a run that draws it; empty if the run finds it without.</summary>
     public IReadOnlyList<string> Ldem { get; }
 
+    /// <summary>The models of which it is one surface; empty for one.</summary>
+    public IReadOnlyList<ServedModel> Parts { get; private init; } = [];
+
     /// <summary>Whether it is several models.</summary>
     public bool IsSeveral => Ldem.Count > 1;
 
@@ -72,7 +76,8 @@ internal sealed class ServedModel : IDisposable
     /// <param name="models">Two or more.</param>
     /// <param name="name">Its name.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host)
+    /// <param name="blend">Which of two models gives way where they meet.</param>
+    public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host, NestBlend blend)
     {
         string[] paths = [.. models.Select(model => model.Path)];
         return new ServedModel(
@@ -80,7 +85,10 @@ internal sealed class ServedModel : IDisposable
             models.MinBy(model => model.Resolution.MetresPerPixel)!.Resolution,
             models.Any(model => model.IsSynthetic),
             paths,
-            () => ModelOpening.OpenSeveral(paths, hasLevels: true, host));
+            () => ModelOpening.OpenSeveral(paths, blend, hasLevels: true, host))
+        {
+            Parts = models,
+        };
     }
 
     /// <summary>The same model with invented detail. Its files stay those of this model, which closes them.</summary>

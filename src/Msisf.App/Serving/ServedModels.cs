@@ -4,6 +4,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Serving;
 
@@ -21,7 +22,7 @@ internal sealed class ServedModels : IDisposable
 
     private readonly ProgramHost _host;
     private readonly Lock _gate = new();
-    private readonly Dictionary<string, ServedModel> _several = new(StringComparer.Ordinal);
+    private readonly Dictionary<(string Name, NestBlend Blend), ServedModel> _several = [];
     private readonly LinkedList<(ServedModel Model, RefineSettings Detail, ServedModel Refined)> _refined = [];
 
     /// <summary>Looks for the models, and opens none.</summary>
@@ -98,8 +99,13 @@ internal sealed class ServedModels : IDisposable
             throw new UsageException($"'model' has {twice.Key} twice. Leave one of them out.");
         }
 
-        return Several(models);
+        return Several(models, NestBlend.Outward);
     }
+
+    /// <summary>The same models joined in another way; itself if it is one.</summary>
+    /// <param name="model">One of these models, alone or as one surface.</param>
+    /// <param name="blend">Which of two models gives way where they meet.</param>
+    public ServedModel Joined(ServedModel model, NestBlend blend) => model.IsSeveral ? Several(model.Parts, blend) : model;
 
     /// <summary>A model with invented detail; frames that are drawn from it may go on when it is no longer kept.</summary>
     /// <param name="model">One of these models, alone or as one surface.</param>
@@ -137,12 +143,12 @@ internal sealed class ServedModels : IDisposable
         }
     }
 
-    private ServedModel Several(ServedModel[] models)
+    private ServedModel Several(IReadOnlyList<ServedModel> models, NestBlend blend)
     {
         string name = string.Join(Joint, models.Select(model => model.Name));
         lock (_gate)
         {
-            if (!_several.TryGetValue(name, out ServedModel? several))
+            if (!_several.TryGetValue((name, blend), out ServedModel? several))
             {
                 if (_several.Count == MaxSets)
                 {
@@ -150,7 +156,7 @@ internal sealed class ServedModels : IDisposable
                         $"the server draws {MaxSets} sets of several models already, and keeps no more open. Ask for one of them.");
                 }
 
-                _several[name] = several = ServedModel.Of(models, name, _host);
+                _several[(name, blend)] = several = ServedModel.Of(models, name, _host, blend);
             }
 
             return several;

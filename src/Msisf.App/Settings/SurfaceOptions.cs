@@ -1,7 +1,9 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
 using Msisf.Core.Lod;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Settings;
 
@@ -45,6 +47,17 @@ internal static class SurfaceOptions
         Default = CelestialBody.Moon.NaifNumber,
     };
 
+    /// <summary>Which of two models gives way where they meet.</summary>
+    public static ChoiceSpec<NestBlend> NestBlend { get; } = new(
+        "--nest-blend", DecidesBytes.UnlessDefault(frame => frame.NamesOfSeveralModels is null ? null : frame.Settings.NestBlend),
+        [
+            new Choice("outward", Core.Surface.Sources.NestBlend.Outward), new Choice("inward", Core.Surface.Sources.NestBlend.Inward),
+        ],
+        "Of several models, where a finer one ends: carry the difference into the coarser one around it, or bend the finer one")
+    {
+        Default = Core.Surface.Sources.NestBlend.Outward,
+    };
+
     /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
         "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null),
@@ -65,5 +78,13 @@ internal static class SurfaceOptions
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, Body, LevelOfDetail, LevelOfDetailError]);
+    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, NestBlend, Body, LevelOfDetail, LevelOfDetailError]);
+
+    /// <summary>Reads which of two models gives way where they meet.</summary>
+    /// <exception cref="UsageException">It is given for one model.</exception>
+    public static NestBlend ReadNestBlend(OptionValues values) => values.IsGiven(NestBlend) && Ldem.ReadAll(values).Count < 2
+        ? throw new UsageException(
+            $"{NestBlend.Name} has no meaning with one model: it says how several are joined. Leave it out, or give more {Ldem.Name}.")
+            .About(NestBlend, Ldem)
+        : NestBlend.Read(values);
 }

@@ -1,3 +1,4 @@
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Metadata;
@@ -20,4 +21,28 @@ public sealed record DrawnElevation(
 /// <param name="IsSynthetic">Whether the model is synthetic, not the real Moon.</param>
 /// <param name="Resolution">Resolution of the model.</param>
 /// <param name="Drawn">Resolution of the level in the image; null for a model that is left out, because a coarser one is as fine.</param>
-public sealed record ElevationPart(string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution? Drawn);
+public sealed record ElevationPart(string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution? Drawn)
+{
+    /// <summary>How far the model is off those around it along its border; null for the coarsest, and where that is not said.</summary>
+    public PartMisfit? Misfit { get; init; }
+}
+
+/// <summary>How far a model is off those around it along its border: mean, root of the mean square, and the one farthest from 0.</summary>
+/// <param name="HeightMean">m: its height less that of the models around it.</param>
+/// <param name="HeightRms">m.</param>
+/// <param name="HeightGreatest">m.</param>
+/// <param name="SlopeMean">Degrees: how much more steeply it rises inwards.</param>
+/// <param name="SlopeRms">Degrees.</param>
+/// <param name="SlopeGreatest">Degrees.</param>
+public sealed record PartMisfit(
+    double HeightMean, double HeightRms, double HeightGreatest, double SlopeMean, double SlopeRms, double SlopeGreatest)
+{
+    /// <summary>Takes what was found of a border.</summary>
+    public static PartMisfit Of(BorderMisfit misfit)
+    {
+        (MisfitNumbers height, MisfitNumbers slope) = (misfit.Height, misfit.Slope);
+        return new PartMisfit(height.Mean, height.Rms, height.Greatest, Degrees(slope.Mean), Degrees(slope.Rms), Degrees(slope.Greatest));
+    }
+
+    private static double Degrees(double tangent) => double.RadiansToDegrees(Math.Atan(tangent));
+}

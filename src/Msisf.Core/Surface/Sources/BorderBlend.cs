@@ -13,7 +13,7 @@ namespace Msisf.Core.Surface.Sources;
 /// up to 1, and w = t t (3 - 2 t), a radius is w times its own plus 1 - w times that of the coarser facets in its direction. So the
 /// outermost samples, for which d is 1, lie on the coarser facets.
 /// </remarks>
-internal sealed class BorderBlend : ITerrainGrid
+internal sealed class BorderBlend : IBlendedGrid
 {
     private const int Side = DataGaps.Side;
 
@@ -116,25 +116,13 @@ internal sealed class BorderBlend : ITerrainGrid
         }
     }
 
-    /// <summary>The tiles that hold outermost samples.</summary>
-    internal IEnumerable<int> BorderTiles() =>
-        Enumerable.Range(0, _isBlended.Length).Where(tile => _isBlended[tile] && DistancesIn(tile, 1).Contains((byte)1));
-
-    /// <summary>m: own heights less those of the coarser models, of the outermost samples in a tile.</summary>
-    internal IEnumerable<double> MisfitsIn(int tile)
+    /// <inheritdoc/>
+    public bool IsBlended(int line, int sample)
     {
-        byte[] distances = DistancesIn(tile, 1);
-        double[] own = new double[1];
-        for (int i = 0; i < distances.Length; i++)
-        {
-            if (distances[i] == 1)
-            {
-                int line = Window.FirstLine + (tile / _columns * Side) + (i / Side);
-                int sample = Window.FirstSample + (tile % _columns * Side) + (i % Side);
-                _grid.ReadRadii(line, sample, own);
-                yield return own[0] - _coarser.RadiusAt(Projection.DirectionOf(line, sample));
-            }
-        }
+        (int down, int right) = (line - Window.FirstLine, sample - Window.FirstSample);
+        right -= _isRing && right >= Samples ? Samples : 0;
+        int tile = (down / Side * _columns) + (right / Side);
+        return _isBlended[tile] && _tiles.GetOrAdd(tile, NewTile).Distances[(down % Side * Side) + (right % Side)] <= Width;
     }
 
     /// <inheritdoc/>

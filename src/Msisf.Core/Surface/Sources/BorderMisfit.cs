@@ -1,44 +1,91 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Surface.Sources;
 
-/// <summary>
-/// How far a model's own heights are off the ground of the coarser models along its border, where it is bent to meet them
-/// (<see cref="BorderBlend"/>).
-/// </summary>
+/// <summary>How far a model's own ground is off that of the coarser models along its border, before any of them is changed.</summary>
 /// <param name="ProductId">Name of the model.</param>
-/// <param name="Mean">m: the model's height less that of the coarser ones, the mean.</param>
-/// <param name="Rms">m: the root of the mean square.</param>
-/// <param name="Greatest">m: the one that is farthest from 0.</param>
-/// <param name="BentSamples">Samples from the border over which the model is bent.</param>
-/// <param name="BentMetres">m: the same.</param>
-public readonly record struct BorderMisfit(
-    string ProductId, double Mean, double Rms, double Greatest, int BentSamples, double BentMetres)
+/// <param name="Height">m: the model's height less that of the coarser ones.</param>
+/// <param name="Slope">
+/// Tangents: how much more steeply the model rises from its border inwards than the ground of the coarser ones.
+/// </param>
+/// <param name="SlopeMetres">m from the border over which the slope is taken.</param>
+public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Height, MisfitNumbers Slope, double SlopeMetres)
 {
-    /// <summary>
-    /// Tiles of the border that are looked at; of more, these are spread over it evenly. 4,096 samples tell a mean, and their blocks of a
-    /// compressed file are read in less than a second.
-    /// </summary>
-    private const int MaxTiles = 128;
+    /// <summary>m: how far into the coarser model the difference is carried, or the model itself is bent.</summary>
+    public double BlendedMetres { get; init; }
+
+    /// <summary>Samples over which the slope is taken, where the model has as many: fewer have its roughness, not its trend.</summary>
+    private const int SlopeSamples = 64;
 
     /// <summary>Compares a model's outermost samples, also those around places without data.</summary>
-    internal static BorderMisfit Of(BorderBlend model)
+    /// <param name="model">The model.</param>
+    /// <param name="outline">Its outermost samples.</param>
+    /// <param name="coarserAt">m: radius of the coarser models in a direction.</param>
+    internal static BorderMisfit Of(ITerrainGrid model, Outline outline, Func<Vector3D, double> coarserAt)
     {
-        int[] tiles = [.. model.BorderTiles()];
-        int step = Math.Max(1, (tiles.Length + MaxTiles - 1) / MaxTiles);
-        (double sum, double squares, double greatest, int count) = (0.0, 0.0, 0.0, 0);
-        for (int i = 0; i < tiles.Length; i += step)
+        GridWindow window = model.Window;
+        int inwards = Math.Clamp(Math.Min(window.Lines, window.Samples) / 4, 1, SlopeSamples);
+        (MisfitSums heights, MisfitSums slopes) = (default, default);
+        foreach (OutlineSample sample in outline.Samples)
         {
-            foreach (double misfit in model.MisfitsIn(tiles[i]))
+            double misfit = sample.Radius - coarserAt(sample.Direction);
+            heights = heights.With(misfit, sample.Count);
+            if (Inside(model, sample, inwards) is (Vector3D direction, double radius))
             {
-                sum += misfit;
-                squares += misfit * misfit;
-                greatest = Math.Abs(misfit) > Math.Abs(greatest) ? misfit : greatest;
-                count++;
+                double rise = radius - coarserAt(direction) - misfit;
+                slopes = slopes.With(
+                    rise / (MoonConstants.ReferenceRadius * (direction - sample.Direction).Length), sample.Count);
             }
         }
 
-        double number = Math.Max(1, count);
         return new BorderMisfit(
-            model.ProductId, sum / number, Math.Sqrt(squares / number), greatest, model.Width,
-            model.Width * model.Projection.Resolution.MetresPerPixel);
+            model.ProductId, heights.Numbers, slopes.Numbers, inwards * model.Projection.Resolution.MetresPerPixel);
+    }
+
+    /// <summary>A place with data, so many samples from an outermost one away from where there is none; null if there is no such.</summary>
+    private static (Vector3D Direction, double Radius)? Inside(ITerrainGrid model, OutlineSample from, int samples)
+    {
+        GridWindow window = model.Window;
+        bool[] isGap = new bool[1];
+        double[] radius = new double[1];
+        foreach ((int down, int right) in (ReadOnlySpan<(int, int)>)[(0, 1), (1, 0), (0, -1), (-1, 0)])
+        {
+            (int line, int sample) = (from.Line + (down * samples), from.Sample + (right * samples));
+            if (!HasData(from.Line - down, from.Sample - right) && HasData(line, sample))
+            {
+                model.ReadRadii(line, sample, radius);
+                return (model.Projection.DirectionOf(line, sample), radius[0]);
+            }
+        }
+
+        return null;
+
+        bool HasData(int line, int sample)
+        {
+            bool isIn = line >= window.FirstLine && line < window.EndLine && sample >= window.FirstSample && sample < window.EndSample;
+            if (isIn)
+            {
+                model.ReadGaps(line, sample, isGap);
+            }
+
+            return isIn && !isGap[0];
+        }
+    }
+
+    /// <summary>Sums of misfits.</summary>
+    private readonly record struct MisfitSums(double Count, double Sum, double Squares, double Greatest)
+    {
+        public MisfitNumbers Numbers => new(Sum / Math.Max(1.0, Count), Math.Sqrt(Squares / Math.Max(1.0, Count)), Greatest);
+
+        public MisfitSums With(double misfit, double count) => new(
+            Count + count, Sum + (count * misfit), Squares + (count * misfit * misfit),
+            Math.Abs(misfit) > Math.Abs(Greatest) ? misfit : Greatest);
     }
 }
+
+/// <summary>Numbers that tell how large misfits are.</summary>
+/// <param name="Mean">Their mean.</param>
+/// <param name="Rms">The root of their mean square.</param>
+/// <param name="Greatest">The one that is farthest from 0.</param>
+public readonly record struct MisfitNumbers(double Mean, double Rms, double Greatest);

@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>
-/// The models of a surface of several: their heights, which go over into those of coarser ones along the borders, and the cells that the
+/// The models of a surface of several: their heights, of which one goes over into the other along the borders, and the cells that the
 /// surface has of each.
 /// </summary>
 internal sealed class NestedParts
@@ -43,31 +43,43 @@ internal sealed class NestedParts
     public IReadOnlyList<GridPatch> Kept => _kept.Value;
 
     /// <summary>Takes all models as they are.</summary>
-    public static NestedParts OfAll(IReadOnlyList<ITerrainGrid> models) => new(WholeOf(models, models, [], same: 0), needsAll: true);
+    /// <param name="models">The models, the coarsest first.</param>
+    /// <param name="fields">What models get from finer ones; null if the finer ones are bent.</param>
+    public static NestedParts OfAll(IReadOnlyList<ITerrainGrid> models, OutlineFields? fields) =>
+        new(WholeOf(models, models, fields, new GridPatch?[models.Count]), needsAll: true);
 
     /// <summary>Takes levels of the models.</summary>
     /// <param name="models">The models, the coarsest first.</param>
     /// <param name="grids">Their levels; null for one that is left out.</param>
-    /// <param name="alike">The parts of a surface that is alike.</param>
-    /// <param name="same">How many of its first parts are the same: their heights and bounds are used.</param>
+    /// <param name="fields">What models get from finer ones; null if the finer ones are bent.</param>
+    /// <param name="known">Parts of a surface that is alike, whose heights and bounds are used; null for others.</param>
     public static NestedParts OfLevels(
-        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, IReadOnlyList<GridPatch> alike, int same) =>
-        new(WholeOf(models, grids, alike, same), needsAll: false);
+        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields? fields,
+        IReadOnlyList<GridPatch?> known) => new(WholeOf(models, grids, fields, known), needsAll: false);
 
     private static List<GridPatch> WholeOf(
-        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, IReadOnlyList<GridPatch> alike, int same)
+        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields? fields, IReadOnlyList<GridPatch?> known)
     {
-        List<GridPatch> whole = [.. alike.Take(same)];
-        for (int part = same; part < grids.Count; part++)
+        bool[] isDrawn = [.. grids.Select(grid => grid is not null)];
+        List<GridPatch> whole = [];
+        for (int part = 0; part < grids.Count; part++)
         {
-            if (grids[part] is not { } grid)
+            if (known[part] is { } same)
+            {
+                whole.Add(same);
+            }
+            else if (grids[part] is not { } grid)
             {
                 GridPatch model = new(models[part]);
                 whole.Add(model.WithCells(CellMask.NoneOf(model.Mesh)));
             }
             else
             {
-                whole.Add(part == 0 ? new GridPatch(grid) : new GridPatch(new BorderBlend(grid, new CoarserGround(whole))));
+                CoarserGround? coarser = part == 0 ? null : new CoarserGround(whole);
+                whole.Add(new GridPatch(
+                    fields is not null ? OutwardBlend.Of(grid, fields.Of(part, isDrawn), coarser)
+                    : coarser is null ? grid
+                    : new BorderBlend(grid, coarser)));
             }
         }
 

@@ -18,12 +18,14 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     private readonly Lazy<NestedParts> _parts;
     private readonly Lazy<SurfaceModel> _surface;
     private readonly ISeamStore? _seams;
+    private readonly OutlineFields _fields;
 
     /// <summary>Takes the models; nothing is read yet.</summary>
     /// <param name="models">Two or more, in any order; the coarsest is one of the whole Moon.</param>
     /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
+    /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <exception cref="BadInputException">They are no such models.</exception>
-    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
+    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null, NestBlend blend = NestBlend.Outward)
     {
         Models = [.. models.Order(new ModelOrder())];
         if (Models.Count is < 2 or > MaxModels)
@@ -55,7 +57,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
 
         _seams = seams;
         _drawn = Models;
-        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models));
+        (Blend, _fields) = (blend, new OutlineFields(Models));
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models, FieldsIfOutward));
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
@@ -66,14 +69,17 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     internal NestedTerrain(NestedTerrain scene, IReadOnlyList<ITerrainGrid?> levels, NestedTerrain alike)
     {
         Models = [.. scene.Models.Zip(levels, (model, level) => level ?? model)];
-        _seams = scene._seams;
+        (_seams, _fields, Blend) = (scene._seams, scene._fields, scene.Blend);
         _drawn = levels;
-        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, alike.WholeParts, alike.CountSame(levels)));
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, FieldsIfOutward, alike.PartsAt(levels)));
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
     /// <summary>The models, the coarsest first; a facet's part is an index here.</summary>
     public IReadOnlyList<ITerrainGrid> Models { get; }
+
+    /// <summary>Which of two models gives way where they meet.</summary>
+    public NestBlend Blend { get; }
 
     /// <inheritdoc/>
     public double ReferenceRadius => Models[0].ReferenceRadius;
@@ -91,8 +97,14 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     public IReadOnlyList<GridResolution?> DrawnResolutions => [.. _drawn.Select(level => level?.Projection.Resolution)];
 
     /// <inheritdoc/>
-    public (double Min, double Max) RadiusLimits =>
-        (Models.Min(model => model.RadiusLimits.Min), Models.Max(model => model.RadiusLimits.Max));
+    public (double Min, double Max) RadiusLimits
+    {
+        get
+        {
+            IEnumerable<ITerrainGrid> grids = Blend == NestBlend.Inward ? Models : WholeParts.Select(part => part.Grid);
+            return (grids.Min(grid => grid.RadiusLimits.Min), grids.Max(grid => grid.RadiusLimits.Max));
+        }
+    }
 
     /// <summary>The surface; made at the first request.</summary>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
@@ -112,9 +124,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// </summary>
     internal double GroundRadius(Vector3D direction) => new CoarserGround(WholeParts).RadiusAt(direction);
 
-    /// <summary>Number of first models that another surface has at the same levels.</summary>
-    internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) =>
-        _drawn.Zip(levels).TakeWhile(pair => ReferenceEquals(pair.First, pair.Second)).Count();
+    /// <summary>Number of models that have the same heights at other levels.</summary>
+    internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) => IsSame(levels).Count(same => same);
 
     /// <summary>Looks at the models now, so that an error is told before any work.</summary>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them the surface of the models is made too.</param>
@@ -122,7 +133,16 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;
 
     /// <summary>How far each model but the coarsest is off the coarser ones along its border.</summary>
-    public IEnumerable<BorderMisfit> BorderMisfits() => WholeParts.Select(part => part.Grid).OfType<BorderBlend>().Select(BorderMisfit.Of);
+    public IEnumerable<BorderMisfit> BorderMisfits() => Enumerable.Range(1, Models.Count - 1).Select(part =>
+    {
+        BorderMisfit misfit = _fields.MisfitOf(part);
+        return misfit with
+        {
+            BlendedMetres = WholeParts[part].Grid is BorderBlend bent
+                ? bent.Width * bent.Projection.Resolution.MetresPerPixel
+                : OutlineField.WidthOf(misfit.Height.Rms, Models[part - 1].Projection.Resolution.MetresPerPixel),
+        };
+    });
 
     /// <inheritdoc/>
     public void ReleasePages()
@@ -133,7 +153,28 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
         }
     }
 
+    private OutlineFields? FieldsIfOutward => Blend == NestBlend.Outward ? _fields : null;
+
+    /// <summary>The models that have the same heights at other levels; null for the others.</summary>
+    private GridPatch?[] PartsAt(IReadOnlyList<ITerrainGrid?> levels) =>
+        [.. WholeParts.Zip(IsSame(levels), (part, same) => same ? part : null)];
+
+    /// <summary>
+    /// Whether a model has the same heights at other levels: it is at the same level, and so are the models that change it. These are the
+    /// coarser ones if it is bent to meet them; else finer ones, which count if they are drawn, at whatever level.
+    /// </summary>
+    private IEnumerable<bool> IsSame(IReadOnlyList<ITerrainGrid?> levels)
+    {
+        int coarsest = _drawn.Zip(levels).TakeWhile(pair => ReferenceEquals(pair.First, pair.Second)).Count();
+        int finest = Models.Count - 1
+            - _drawn.Zip(levels).Reverse().TakeWhile(pair => pair.First is null == pair.Second is null).Count();
+        return _drawn.Zip(levels, (own, other) => ReferenceEquals(own, other))
+            .Select((same, part) => Blend == NestBlend.Inward
+                ? part < coarsest
+                : same && part >= finest && (part < coarsest || !Models[part].MayHaveGaps));
+    }
+
     double IGround.RadiusAt(Vector3D direction) => TerrainHeight.RadiusOn(Parts, () => Surface.Seams, direction);
 
-    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams));
+    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams, isDelaunay: Blend == NestBlend.Outward));
 }

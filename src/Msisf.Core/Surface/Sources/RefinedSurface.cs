@@ -35,7 +35,7 @@ internal static class RefinedSurface
             parts[part] = windows[window].WithCells(Without(windows[window], hole));
         }
 
-        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], seams, between));
+        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], seams, more: between));
     }
 
     /// <summary>The cells of a window that the next finer one and the ring around that take, from the window's first ones.</summary>

@@ -14,7 +14,8 @@ internal sealed class SeamBorders
     /// <summary>Divides the edges of gaps into borders.</summary>
     /// <param name="vertices">The vertices.</param>
     /// <param name="edges">The edges.</param>
-    public SeamBorders(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
+    /// <param name="isDelaunay">Whether the gaps get a constrained Delaunay triangulation; the hashes say so.</param>
+    public SeamBorders(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, bool isDelaunay)
     {
         UnionFind together = new(vertices.Length);
         bool[] isEnd = new bool[vertices.Length]; // a pole may be a corner of sides without length only
@@ -46,7 +47,7 @@ internal sealed class SeamBorders
         }
 
         _vertices = [.. members];
-        Hashes = HashesOf(vertices, edges);
+        Hashes = HashesOf(vertices, edges, isDelaunay ? [(byte)1] : []);
     }
 
     /// <summary>SHA-256 of each border: of the places of its edges' ends, in their order.</summary>
@@ -61,7 +62,7 @@ internal sealed class SeamBorders
     /// <summary>Number of a vertex in its border.</summary>
     public int PlaceOf(int vertex) => _places[vertex];
 
-    private string[] HashesOf(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
+    private string[] HashesOf(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, byte[] kind)
     {
         const int Bytes = 6 * sizeof(double);
         IncrementalHash?[] hashes = new IncrementalHash?[_vertices.Length];
@@ -77,7 +78,8 @@ internal sealed class SeamBorders
         {
             using (hash)
             {
-                return Convert.ToHexStringLower(hash!.GetHashAndReset());
+                hash!.AppendData(kind);
+                return Convert.ToHexStringLower(hash.GetHashAndReset());
             }
         })];
     }

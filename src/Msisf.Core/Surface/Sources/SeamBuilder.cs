@@ -29,10 +29,11 @@ internal sealed class SeamBuilder
     /// <summary>Makes the seams of models.</summary>
     /// <param name="parts">The models with their cells; the coarsest is one of the whole Moon.</param>
     /// <param name="store">Keeps what fills the gaps; null to make all of it.</param>
+    /// <param name="isDelaunay">Whether the facets are a constrained Delaunay triangulation, or what is found first.</param>
     /// <param name="more">Corners of further facets, three of each, whose vertices may belong to further parts; null for none.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public static SeamPatch Join(
-        IReadOnlyList<GridPatch> parts, ISeamStore? store = null, IReadOnlyList<SeamVertex>? more = null)
+        IReadOnlyList<GridPatch> parts, ISeamStore? store = null, bool isDelaunay = false, IReadOnlyList<SeamVertex>? more = null)
     {
         SeamBuilder builder = new(parts);
         for (int part = 0; part < parts.Count; part++)
@@ -44,9 +45,7 @@ internal sealed class SeamBuilder
         }
 
         SeamVertex[] vertices = [.. builder._vertices];
-        int[] filling = store is null
-            ? new SeamFront(vertices, builder._edges).Fill()
-            : SeamTriangulator.Fill(parts, vertices, builder._edges, store);
+        int[] filling = SeamTriangulator.Fill(parts, vertices, builder._edges, isDelaunay, store);
         int[] corners = InPlaces(vertices, filling);
         builder.Check(vertices, corners);
         return more is null

@@ -24,6 +24,9 @@ internal sealed class SeamGeometry
     /// <summary>Number of vertices.</summary>
     public int Count => _vertices.Length;
 
+    /// <summary>A vertex's place on the reference sphere, m.</summary>
+    public Vector3D PlaceOf(int vertex) => _flat[vertex];
+
     /// <summary>Middle of an edge, m.</summary>
     public Vector3D MiddleOf(int from, int to) => 0.5 * (_flat[from] + _flat[to]);
 

@@ -12,14 +12,17 @@ internal sealed class SeamTriangulator
     private readonly IReadOnlyList<GridPatch> _parts;
     private readonly SeamVertex[] _vertices;
     private readonly IReadOnlyList<(int From, int To)> _edges;
+    private readonly bool _isDelaunay;
     private readonly SeamBorders _borders;
     private readonly Dictionary<string, int> _numbers = new(StringComparer.Ordinal);
     private readonly bool[] _isFilled;
     private readonly List<int> _corners = [];
 
-    private SeamTriangulator(IReadOnlyList<GridPatch> parts, SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
+    private SeamTriangulator(
+        IReadOnlyList<GridPatch> parts, SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, bool isDelaunay)
     {
-        (_parts, _vertices, _edges, _borders) = (parts, vertices, edges, new SeamBorders(vertices, edges));
+        (_parts, _vertices, _edges, _isDelaunay) = (parts, vertices, edges, isDelaunay);
+        _borders = new SeamBorders(vertices, edges, isDelaunay);
         _isFilled = new bool[_borders.Hashes.Count];
         for (int border = 0; border < _borders.Hashes.Count; border++)
         {
@@ -31,12 +34,21 @@ internal sealed class SeamTriangulator
     /// <param name="parts">The models with their cells.</param>
     /// <param name="vertices">The vertices.</param>
     /// <param name="edges">The edges of the borders, with the gap on their left as seen from outside.</param>
-    /// <param name="store">Has fillings, and gets those that it does not have.</param>
+    /// <param name="isDelaunay">Whether the facets are a constrained Delaunay triangulation, or what is found first.</param>
+    /// <param name="store">Has fillings, and gets those that it does not have; null for none.</param>
     /// <returns>Three indices of vertices for each facet, in no order.</returns>
     /// <exception cref="BadInputException">A gap can't be filled: borders cross.</exception>
     public static int[] Fill(
-        IReadOnlyList<GridPatch> parts, SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, ISeamStore store) =>
-        new SeamTriangulator(parts, vertices, edges).Fill(store);
+        IReadOnlyList<GridPatch> parts, SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, bool isDelaunay,
+        ISeamStore? store) => store is null
+            ? Filled(vertices, edges, isDelaunay)
+            : new SeamTriangulator(parts, vertices, edges, isDelaunay).Fill(store);
+
+    private static int[] Filled(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, bool isDelaunay)
+    {
+        int[] corners = new SeamFront(vertices, edges).Fill();
+        return isDelaunay ? SeamDelaunay.Of(vertices, corners) : corners;
+    }
 
     private int[] Fill(ISeamStore store)
     {
@@ -48,8 +60,7 @@ internal sealed class SeamTriangulator
             }
         }
 
-        int[] made = new SeamFront(
-            _vertices, [.. _edges.Where(edge => !_isFilled[_borders.BorderOf(edge.From)])]).Fill();
+        int[] made = Filled(_vertices, [.. _edges.Where(edge => !_isFilled[_borders.BorderOf(edge.From)])], _isDelaunay);
         Keep(made, store);
         return [.. _corners, .. made];
     }

@@ -23,10 +23,10 @@ public sealed class BorderMisfitTests
         BorderMisfit misfit = Assert.Single(new NestedTerrain([map, new FunctionGrid(8, (_, _) => 1_737_400.0)]).BorderMisfits());
 
         // 396 samples lie on the border.
-        Assert.InRange(misfit.Mean, ((395.0 * height) + worst) / 396.0, (((395.0 * height) + worst) / 396.0) + Sagitta);
-        Assert.InRange(misfit.Greatest, worst, worst + Sagitta);
-        Assert.InRange(misfit.Rms, 20.7 - Sagitta, 20.7 + Sagitta); // of 20 m and one of 120
-        Assert.Equal((8, 8000.0), (misfit.BentSamples, misfit.BentMetres));
+        Assert.InRange(misfit.Height.Mean, ((395.0 * height) + worst) / 396.0, (((395.0 * height) + worst) / 396.0) + Sagitta);
+        Assert.InRange(misfit.Height.Greatest, worst, worst + Sagitta);
+        Assert.InRange(misfit.Height.Rms, 20.7 - Sagitta, 20.7 + Sagitta); // of 20 m and one of 120
+        Assert.Equal(25_000.0, misfit.SlopeMetres);
     }
 
     [Fact]
@@ -38,6 +38,6 @@ public sealed class BorderMisfitTests
 
         BorderMisfit misfit = Assert.Single(new NestedTerrain([new FunctionGrid(8, (_, _) => 1_737_400.0), withHole]).BorderMisfits());
 
-        Assert.InRange(misfit.Greatest, 300.0, 300.0 + Sagitta);
+        Assert.InRange(misfit.Height.Greatest, 300.0, 300.0 + Sagitta);
     }
 }

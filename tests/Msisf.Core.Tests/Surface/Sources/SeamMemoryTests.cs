@@ -30,15 +30,15 @@ public sealed class SeamMemoryTests
         Assert.Equal(FacetsOf(first), FacetsOf(again));
     }
 
-    /// <summary>The gap around the map is the same with a site in its middle.</summary>
+    /// <summary>The gap around the map is the same with a site in its middle, which changes no ground of the map at its border.</summary>
     [Fact]
     public void Surface_OneModelMore_TakesTheOtherGaps()
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf("five");
         CountingStore store = new();
-        _ = new NestedTerrain([models[1], models[0], models[3]], store).Surface;
+        _ = new NestedTerrain([models[1], models[0], models[3]], store, NestBlend.Inward).Surface;
         Assert.Equal(2, store.Kept.Count);
-        _ = new NestedTerrain([models[1], models[0], models[3], models[4]], store).Surface;
+        _ = new NestedTerrain([models[1], models[0], models[3], models[4]], store, NestBlend.Inward).Surface;
         Assert.Equal(3, store.Kept.Count);
     }
 
@@ -49,14 +49,14 @@ public sealed class SeamMemoryTests
         FunctionGrid moon = FunctionGrid.Rugged(1);
         PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 6000.0, 90, 44.5, 44.5); // 267 km to each side
         CountingStore store = new();
-        _ = new NestedTerrain([moon, map], store).Surface;
+        _ = new NestedTerrain([moon, map], store, NestBlend.Inward).Surface;
         string[] borders = [.. Assert.Single(store.Kept).Borders];
         int within = 0;
         foreach (int kilometres in (int[])[272, 274, 282])
         {
             PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 100.0, 16, 7.5, 7.5 - (10.0 * kilometres));
-            SeamPatch seams = new NestedTerrain([moon, map, site], store).Surface.Seams;
-            Assert.Equal(FacetsOf(new NestedTerrain([moon, map, site]).Surface.Seams), FacetsOf(seams));
+            SeamPatch seams = new NestedTerrain([moon, map, site], store, NestBlend.Inward).Surface.Seams;
+            Assert.Equal(FacetsOf(new NestedTerrain([moon, map, site], seams: null, NestBlend.Inward).Surface.Seams), FacetsOf(seams));
             within += borders.All(border => store.Kept[^1].Borders.Contains(border)) ? 1 : 0;
         }
 

@@ -1,0 +1,221 @@
+using System.Collections.Concurrent;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.Core.Surface.Sources;
+
+/// <summary>
+/// A model, or a level of it, whose ground meets the finer models in it: its own heights and those of an <see cref="OutlineField"/>. Its
+/// samples without data lie on the coarser models. Safe for several threads.
+/// </summary>
+internal class OutwardBlend : IBlendedGrid
+{
+    private const int Side = DataGaps.Side;
+
+    private const int Unknown = 0;
+    private const int Untouched = 1;
+    private const int Changed = 2;
+
+    private readonly ITerrainGrid _grid;
+    private readonly OutlineField? _field;
+    private readonly CoarserGround? _coarser;
+    private readonly int _columns;
+    private readonly int[] _states;
+    private readonly ConcurrentDictionary<int, double[]> _tiles = new();
+
+    /// <summary>Takes a model; nothing of it is read yet.</summary>
+    /// <param name="grid">The model, or a level of it.</param>
+    /// <param name="field">What it gets; null for nothing.</param>
+    /// <param name="coarser">The coarser models; null of the coarsest.</param>
+    protected OutwardBlend(ITerrainGrid grid, OutlineField? field, CoarserGround? coarser)
+    {
+        (_grid, _field, _coarser) = (grid, field, grid.MayHaveGaps ? coarser : null);
+        _columns = (grid.Window.Samples + Side - 1) / Side;
+        _states = new int[_columns * ((grid.Window.Lines + Side - 1) / Side)];
+        (double min, double max) = grid.RadiusLimits;
+        RadiusLimits = (min + (field?.Limits.Min ?? 0.0), max + (field?.Limits.Max ?? 0.0));
+        if (_coarser is not null)
+        {
+            (min, max) = _coarser.RadiusLimits;
+            RadiusLimits = (Math.Min(min, RadiusLimits.Min), Math.Max(max, RadiusLimits.Max));
+        }
+    }
+
+    /// <inheritdoc/>
+    public string ProductId => _grid.ProductId;
+
+    /// <inheritdoc/>
+    public bool IsWholeBody => _grid.IsWholeBody;
+
+    /// <inheritdoc/>
+    public MapProjection Projection => _grid.Projection;
+
+    /// <inheritdoc/>
+    public int Lines => _grid.Lines;
+
+    /// <inheritdoc/>
+    public int Samples => _grid.Samples;
+
+    /// <inheritdoc/>
+    public GridWindow Window => _grid.Window;
+
+    /// <inheritdoc/>
+    public double ReferenceRadius => _grid.ReferenceRadius;
+
+    /// <inheritdoc/>
+    public (double Min, double Max) RadiusLimits { get; }
+
+    /// <inheritdoc/>
+    public bool MayHaveGaps => _grid.MayHaveGaps;
+
+    /// <summary>The model with what it gets; itself if that is nothing.</summary>
+    /// <param name="grid">The model, or a level of it.</param>
+    /// <param name="field">What it gets; null for nothing.</param>
+    /// <param name="coarser">The coarser models; null of the coarsest.</param>
+    public static ITerrainGrid Of(ITerrainGrid grid, OutlineField? field, CoarserGround? coarser) =>
+        field is null && (coarser is null || !grid.MayHaveGaps) ? grid
+        : grid is IGlobalGrid moon ? new OutwardMoon(moon, field)
+        : new OutwardBlend(grid, field, coarser);
+
+    /// <inheritdoc/>
+    public void ReadGaps(int line, int firstSample, Span<bool> isGap) => _grid.ReadGaps(line, firstSample, isGap);
+
+    /// <inheritdoc/>
+    public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
+        _grid.Prefetch(firstLine, lines, firstSample, samples);
+
+    /// <inheritdoc/>
+    public void ReleasePages() => _grid.ReleasePages();
+
+    /// <inheritdoc/>
+    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    {
+        if (_coarser is null)
+        {
+            _grid.ReadRadii(line, firstSample, radii);
+        }
+        else
+        {
+            ReadWithGaps(line, firstSample, radii);
+        }
+
+        int down = line - Window.FirstLine;
+        for (int done = 0; done < radii.Length && _field is not null;)
+        {
+            int right = RightOf(firstSample + done);
+            int tile = (down / Side * _columns) + (right / Side);
+            int count = Math.Min(radii.Length - done, Math.Min(Side - (right % Side), Window.Samples - right));
+            if (StateOf(tile) == Changed)
+            {
+                ReadOnlySpan<double> heights = _tiles.GetOrAdd(tile, NewTile).AsSpan((down % Side * Side) + (right % Side), count);
+                for (int i = 0; i < count; i++)
+                {
+                    radii[done + i] += heights[i];
+                }
+            }
+
+            done += count;
+        }
+    }
+
+    /// <inheritdoc/>
+    public bool IsBlended(int line, int sample)
+    {
+        Span<bool> isGap = stackalloc bool[1];
+        if (_coarser is not null)
+        {
+            _grid.ReadGaps(line, sample, isGap);
+        }
+
+        return isGap[0] || (_field is not null && _field.At(Projection.DirectionOf(line, sample)) != 0.0);
+    }
+
+    private int RightOf(int sample)
+    {
+        int right = sample - Window.FirstSample;
+        return right >= Window.Samples && Projection is Equirectangular ? right % Samples : right;
+    }
+
+    private void ReadWithGaps(int line, int firstSample, Span<double> radii)
+    {
+        Span<bool> isGap = radii.Length <= Side ? stackalloc bool[radii.Length] : new bool[radii.Length];
+        _grid.ReadGaps(line, firstSample, isGap);
+        for (int start = 0; start < radii.Length;)
+        {
+            int length = isGap[start..].IndexOf(!isGap[start]);
+            length = length < 0 ? radii.Length - start : length;
+            if (!isGap[start])
+            {
+                _grid.ReadRadii(line, firstSample + start, radii.Slice(start, length));
+            }
+            else
+            {
+                for (int i = start; i < start + length; i++)
+                {
+                    radii[i] = _coarser!.RadiusAt(Projection.DirectionOf(line, firstSample + i));
+                }
+            }
+
+            start += length;
+        }
+    }
+
+    /// <summary>Whether a tile may get any height; threads find the same.</summary>
+    private int StateOf(int tile)
+    {
+        int state = Volatile.Read(ref _states[tile]);
+        if (state == Unknown)
+        {
+            (double line, double sample) = FirstOf(tile);
+            Vector3D middle = Projection.DirectionOf(line + (0.5 * Side), sample + (0.5 * Side));
+            double around = 0.0;
+            for (int i = 0; i < 9; i++)
+            {
+                // Corners, and middles of the sides, which may be farther away beside a pole.
+                Vector3D rim = Projection.DirectionOf(line + (0.5 * Side * (i / 3)), sample + (0.5 * Side * (i % 3)));
+                around = Math.Max(around, (rim - middle).Length);
+            }
+
+            const double Margin = 1.1;
+            state = _field!.IsZeroWithin(middle, Margin * around * MoonConstants.ReferenceRadius) ? Untouched : Changed;
+            Volatile.Write(ref _states[tile], state);
+        }
+
+        return state;
+    }
+
+    private (int Line, int Sample) FirstOf(int tile) =>
+        (Window.FirstLine + (tile / _columns * Side), Window.FirstSample + (tile % _columns * Side));
+
+    /// <summary>m: what the samples of a tile get; nothing where they have no data.</summary>
+    private double[] NewTile(int tile)
+    {
+        double[] heights = new double[Side * Side];
+        (int line, int sample) = FirstOf(tile);
+        Span<bool> isGap = stackalloc bool[1];
+        for (int i = 0; i < heights.Length; i++)
+        {
+            (int row, int column) = (line + (i / Side), sample + (i % Side));
+            if (row >= Window.EndLine || column >= Window.EndSample)
+            {
+                continue;
+            }
+
+            if (_coarser is not null)
+            {
+                _grid.ReadGaps(row, column, isGap);
+            }
+
+            heights[i] = isGap[0] ? 0.0 : _field!.At(Projection.DirectionOf(row, column));
+        }
+
+        return heights;
+    }
+
+    /// <summary>The same of a model of the whole Moon.</summary>
+    private sealed class OutwardMoon(IGlobalGrid grid, OutlineField? field) : OutwardBlend(grid, field, coarser: null), IGlobalGrid
+    {
+        /// <inheritdoc/>
+        public int PixelsPerDegree { get; } = grid.PixelsPerDegree;
+    }
+}
