@@ -1,10 +1,12 @@
 using System.Globalization;
+using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
@@ -23,18 +25,26 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
     /// <param name="settings">Where the spacecraft is, and how its camera points.</param>
     /// <param name="kernels">The engine with its kernels.</param>
     /// <param name="scene">Terrain and Sun.</param>
+    /// <param name="note">Receives a sentence about what was put right in a file.</param>
     /// <exception cref="MsisfException">A file can't be read, or does not have what is asked for.</exception>
-    public static MissionPath Open(MissionSettings settings, OpenedEphemeris kernels, ISceneGeometry scene)
+    public static MissionPath Open(
+        MissionSettings settings, OpenedEphemeris kernels, ISceneGeometry scene, Action<string> note)
     {
         ITrajectory trajectory = settings.Position switch
         {
             KernelPosition position => MissionOptions.Spacecraft.NamedInErrors(() => new KernelTrajectory(kernels, position.Spacecraft)),
+            OemPosition oem => new SampledTrajectory(
+                OpenFile(MissionOptions.Oem, oem.Path, stream => new CcsdsFile(kernels, note).ReadOem(stream, oem.Path)),
+                oem.Path, kernels.Engine),
             _ => throw new ArgumentException($"no trajectory is known of {settings.Position.GetType().Name}", nameof(settings)),
         };
         IAttitudeSource attitude = settings.Attitude switch
         {
             PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
             QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
+            AemChoice aem => new SampledAttitude(
+                OpenFile(MissionOptions.Aem, aem.Path, stream => new CcsdsFile(kernels, note).ReadAem(stream, aem.Path, aem.IsRounded)),
+                UnitQuaternion.Identity, aem.Path, kernels.Engine.TimeScale),
             _ => throw new ArgumentException($"no attitude is known of {settings.Attitude.GetType().Name}", nameof(settings)),
         };
         return new MissionPath(new SpacecraftPath(trajectory, attitude, kernels.Engine), kernels.Engine.TimeScale);
@@ -58,6 +68,21 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
                 $"{MissionOptions.Every.Name} {step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
                     + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."))
                 .About(MissionOptions.Every);
+    }
+
+    private static T OpenFile<T>(PathSpec option, string path, Func<Stream, T> read)
+    {
+        if (!File.Exists(path))
+        {
+            string what = Directory.Exists(path) ? "is a folder; a file is needed" : "there is no such file";
+            throw new BadInputException($"{option.Name} {path}: {what}.");
+        }
+
+        return option.NamedInErrors(() => FileErrors.ToBadInput($"{path}: can't be read", () =>
+        {
+            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 16, FileOptions.SequentialScan);
+            return read(stream);
+        }));
     }
 
     /// <summary>Times in an interval of the cover; those at its ends are rounded inwards, because a date holds 0.6 microseconds.</summary>

@@ -168,7 +168,7 @@ internal sealed class StateReader
     private SpacecraftState[] OnMission(MissionSettings settings, CancellationToken cancellation)
     {
         OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");
-        MissionPath mission = MissionPath.Open(settings, kernels, _scene);
+        MissionPath mission = MissionPath.Open(settings, kernels, _scene, _host.Log.Note);
         return [.. mission.Times(settings).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();

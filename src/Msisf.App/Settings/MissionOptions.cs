@@ -17,6 +17,16 @@ internal static class MissionOptions
         "--spacecraft", DecidesBytes.ByStates, "NAME|ID",
         "The spacecraft whose trajectory in the kernels the camera follows, e.g. LRO or -85");
 
+    /// <summary>A trajectory as a CCSDS file.</summary>
+    public static PathSpec Oem { get; } = new(
+        "--oem", DecidesBytes.ByStates, PathKind.File,
+        "Trajectory as a CCSDS orbit ephemeris message (OEM 1.0, 2.0 or 3.0; lines or XML; .gz too)");
+
+    /// <summary>Attitudes as a CCSDS file.</summary>
+    public static PathSpec Aem { get; } = new(
+        "--aem", DecidesBytes.ByStates, PathKind.File,
+        "With a mission's trajectory: attitudes as a CCSDS attitude ephemeris message (AEM 1.0 or 2.0; lines or XML; .gz too)");
+
     /// <summary>Steps of the cover.</summary>
     public static NumberSpec Every { get; } = new(
         "--every", DecidesBytes.ByStates, "SECONDS",
@@ -26,8 +36,8 @@ internal static class MissionOptions
     };
 
     /// <summary>The ways in which a mission's files say where the camera is.</summary>
-    public static OptionSpec[] Ways { get; } = [Spacecraft];
+    public static OptionSpec[] Ways { get; } = [Spacecraft, Oem];
 
     /// <summary>The options that have a meaning with a mission's files only.</summary>
-    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Every];
+    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Oem, Aem, Every];
 }

@@ -18,12 +18,21 @@ internal abstract record PositionSource;
 /// <param name="Spacecraft">Its name or number.</param>
 internal sealed record KernelPosition(string Spacecraft) : PositionSource;
 
+/// <summary>An orbit ephemeris message.</summary>
+/// <param name="Path">The file.</param>
+internal sealed record OemPosition(string Path) : PositionSource;
+
 /// <summary>What says how the camera points.</summary>
 internal abstract record AttitudeChoice;
 
 /// <summary>A target.</summary>
 /// <param name="Pointing">What the camera looks at.</param>
 internal sealed record PointedChoice(CameraPointing Pointing) : AttitudeChoice;
+
+/// <summary>An attitude ephemeris message.</summary>
+/// <param name="Path">The file.</param>
+/// <param name="IsRounded">Whether its quaternions may be rounded to a few decimals.</param>
+internal sealed record AemChoice(string Path, bool IsRounded) : AttitudeChoice;
 
 /// <summary>A quaternion.</summary>
 /// <param name="Attitude">From the epoch on.</param>

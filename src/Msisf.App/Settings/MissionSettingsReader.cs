@@ -31,11 +31,26 @@ internal sealed class MissionSettingsReader(
 
         double? every = MissionOptions.Every.ReadIfGiven(values);
         return new MissionSettings(
-            new KernelPosition(MissionOptions.Spacecraft.Read(values)), Attitude(way), every is null ? readTimes() : null, every);
+            Position(way), Attitude(way), every is null ? readTimes() : null, every);
     }
+
+    private PositionSource Position(OptionSpec way) => way == MissionOptions.Oem
+        ? new OemPosition(MissionOptions.Oem.Read(values))
+        : new KernelPosition(MissionOptions.Spacecraft.Read(values));
 
     private AttitudeChoice Attitude(OptionSpec way)
     {
+        if (MissionOptions.Aem.ReadIfGiven(values) is { } path)
+        {
+            Refuse(
+                [
+                    CameraOptions.Attitude, CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame,
+                    .. PointingOptions.OfPosition,
+                ],
+                $"and {MissionOptions.Aem.Name} exclude each other: both say how the camera points. Leave one out.");
+            return new AemChoice(path, CameraOptions.Normalize.Read(values));
+        }
+
         bool isPointed = PointingOptions.OfPosition.Any(values.IsGiven);
         if (readAttitude() is not { } attitude)
         {

@@ -84,7 +84,8 @@ internal sealed class TrajectorySettingsReader
             Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
         }
 
-        if (way != CameraOptions.FixedState && way != _batchFile && !_values.IsGiven(CameraOptions.Attitude))
+        if (way != CameraOptions.FixedState && way != _batchFile && !_values.IsGiven(CameraOptions.Attitude)
+            && !_values.IsGiven(MissionOptions.Aem))
         {
             Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
         }

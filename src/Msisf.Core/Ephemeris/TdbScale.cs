@@ -37,16 +37,23 @@ public sealed class TdbScale
     public static double UtcSeconds(ModifiedJulianDate time) =>
         ((86400.0 * ((double)time.DayNumber - DayOfJ2000)) - 43200.0) + time.SecondsOfDay;
 
+    /// <summary>s: terrestrial time counts that much before TAI (32.184).</summary>
+    public double TtMinusTai => _constants.TtMinusTai;
+
     /// <summary>TDB seconds past J2000.</summary>
     /// <param name="time">UTC.</param>
     /// <remarks>
     /// The sums are in the order of CSPICE's DELTET, so that both engines round to the same TDB (one ulp in 1900 turns the Sun by 1.3e-12).
     /// </remarks>
-    public double FromUtc(ModifiedJulianDate time)
-    {
-        double utcSeconds = UtcSeconds(time);
-        return utcSeconds + TdbMinusUtc(utcSeconds);
-    }
+    public double FromUtc(ModifiedJulianDate time) => FromUtcSeconds(UtcSeconds(time));
+
+    /// <summary>TDB seconds past J2000.</summary>
+    /// <param name="utcSeconds">As of <see cref="UtcSeconds"/>.</param>
+    public double FromUtcSeconds(double utcSeconds) => utcSeconds + TdbMinusUtc(utcSeconds);
+
+    /// <summary>TDB seconds past J2000.</summary>
+    /// <param name="ttSeconds">Terrestrial time: seconds past 2000-01-01T12:00:00 TT.</param>
+    public double FromTt(double ttSeconds) => ttSeconds + TdbMinusTt(ttSeconds);
 
     /// <summary>Seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s; within a leap second up to 1 s off.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
@@ -80,9 +87,14 @@ public sealed class TdbScale
         // CSPICE's DELTET takes the anomaly at the nearest whole second. This changes TDB by at most 2e-10 s. Without it, one time in
         // 5000 was rounded to another double; with it, both engines agree in every bit (20 000 random times).
         double nearestSecond = Math.Round(utcSeconds + _constants.TtMinusTai + taiMinusUtc, MidpointRounding.AwayFromZero);
-        double meanAnomaly = _constants.MeanAnomalyAtJ2000 + (_constants.MeanMotion * nearestSecond);
+        return _constants.TtMinusTai + taiMinusUtc + TdbMinusTt(nearestSecond);
+    }
+
+    private double TdbMinusTt(double ttSeconds)
+    {
+        double meanAnomaly = _constants.MeanAnomalyAtJ2000 + (_constants.MeanMotion * ttSeconds);
         double eccentricAnomaly = meanAnomaly + (_constants.Eccentricity * Math.Sin(meanAnomaly));
-        return _constants.TtMinusTai + taiMinusUtc + (_constants.Amplitude * Math.Sin(eccentricAnomaly));
+        return _constants.Amplitude * Math.Sin(eccentricAnomaly);
     }
 }
 

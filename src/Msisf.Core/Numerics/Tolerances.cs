@@ -10,6 +10,12 @@ public static class Tolerances
     public const double UnitQuaternionLength = 1e-6;
 
     /// <summary>
+    /// 1: how far the length of a quaternion in an attitude file may be from 1: that of five decimals. The standard's own examples are
+    /// off by 2e-6.
+    /// </summary>
+    public const double PrintedQuaternionLength = 1e-5;
+
+    /// <summary>
     /// 1: how far a quaternion's length may be from 1, or a matrix from a rotation, if the user says that its numbers are rounded: that of
     /// two decimals.
     /// </summary>

@@ -1,0 +1,131 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Ccsds;
+
+/// <summary>An attitude ephemeris message (AEM): attitudes of a spacecraft.</summary>
+/// <remarks>CCSDS 504.0-B-1 and B-2.</remarks>
+/// <param name="place">Where the reader is.</param>
+/// <param name="scale">Turns times into TDB.</param>
+/// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
+/// <param name="isRounded">Whether quaternions may be rounded to a few decimals.</param>
+internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, bool isRounded)
+    : CcsdsMessage(place, scale)
+{
+    private const int DefaultDegree = 7;
+
+    private static readonly string[] OfBlock =
+    [
+        "COMMENT", "OBJECT_NAME", "OBJECT_ID", "CENTER_NAME", "REF_FRAME_A", "REF_FRAME_B", "ATTITUDE_DIR", "TIME_SYSTEM", "START_TIME",
+        "USEABLE_START_TIME", "USEABLE_STOP_TIME", "STOP_TIME", "ATTITUDE_TYPE", "QUATERNION_TYPE", "EULER_ROT_SEQ", "RATE_FRAME",
+        "ANGVEL_FRAME", "INTERPOLATION", "INTERPOLATION_METHOD", "INTERPOLATION_DEGREE",
+    ];
+
+    private readonly List<AttitudeBlock> _blocks = [];
+    private AttitudeSamples _samples = new();
+    private AemColumns? _columns;
+    private RotationMatrix? _moonMeFromFrame;
+    private string? _object;
+
+    /// <summary>The blocks so far.</summary>
+    public IReadOnlyList<AttitudeBlock> Blocks => _blocks;
+
+    /// <inheritdoc/>
+    public override string Kind => "AEM";
+
+    /// <inheritdoc/>
+    public override string[] Keywords => OfBlock;
+
+    /// <inheritdoc/>
+    protected override string[] Versions { get; } = ["1.0", "2.0"];
+
+    private bool IsFirstVersion => Version == "1.0";
+
+    /// <inheritdoc/>
+    public override (int Index, string Unit) PlaceOf(string parent, string name, string? axis) => _columns!.PlaceOf(parent, name, axis);
+
+    /// <inheritdoc/>
+    public override void EndBlock()
+    {
+        if (_samples.Count == 0)
+        {
+            Place.Note("A block has no attitudes; it is left out.");
+            return;
+        }
+
+        if (!(_samples.Cover.Start <= _samples.Cover.End))
+        {
+            throw Metadata.Error("USEABLE_STOP_TIME", "no attitude lies between USEABLE_START_TIME and this. Check the times.");
+        }
+
+        _blocks.Add(new AttitudeBlock(_samples, _moonMeFromFrame));
+    }
+
+    /// <inheritdoc/>
+    protected override void OpenBlock()
+    {
+        string a = Metadata.Require("REF_FRAME_A", "from which axes its attitudes turn");
+        string b = Metadata.Require("REF_FRAME_B", "to which axes its attitudes turn");
+        bool isKnownA = CcsdsFrames.TryFind(a, moonMeFromMoonPa, out RotationMatrix? fromA);
+        bool isKnownB = CcsdsFrames.TryFind(b, moonMeFromMoonPa, out RotationMatrix? fromB);
+        if (isKnownA == isKnownB)
+        {
+            throw Metadata.Error(isKnownA ? "REF_FRAME_B" : "REF_FRAME_A", isKnownA
+                ? $"both frames are of space ({a}, {b}); one of them must be the spacecraft's."
+                : $"one of REF_FRAME_A and REF_FRAME_B must be a frame of space: {CcsdsFrames.Frames}.");
+        }
+
+        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
+        {
+            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
+        }
+
+        _moonMeFromFrame = isKnownA ? fromA : fromB;
+        _columns = AemColumns.Of(Metadata, IsFirstVersion) with
+        {
+            TurnsToFrame = isKnownA == IsFromBToA(),
+            IsBodyB = isKnownA,
+        };
+        Interpolation said = ReadInterpolation(DefaultDegree) ?? default;
+        if (said.Method == InterpolationMethod.Hermite && !_columns.HasRates)
+        {
+            Place.Note($"{said} needs rates, which {_columns.Type} has not; LAGRANGE of that degree is used.");
+            said = said with { Method = InterpolationMethod.Lagrange };
+        }
+
+        _samples = new AttitudeSamples { Useable = ReadUseable(), Interpolation = said };
+    }
+
+    /// <inheritdoc/>
+    protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
+    {
+        RequireLater(_samples.Times, tdbSeconds);
+        bool hasRates = _samples.Interpolation.Method == InterpolationMethod.Hermite;
+        try
+        {
+            UnitQuaternion frameFromBody = _columns!.FrameFromBody(numbers, areNamed, isRounded);
+            _samples.Add(tdbSeconds, frameFromBody, hasRates ? _columns.RateBody(numbers, areNamed, frameFromBody) : null);
+        }
+        catch (BadInputException exception)
+        {
+            throw Place.Error(exception.Message, exception);
+        }
+    }
+
+    /// <summary>Whether the attitudes turn from frame B to A.</summary>
+    private bool IsFromBToA()
+    {
+        string? direction = Metadata.Find("ATTITUDE_DIR")?.ToUpperInvariant();
+        return direction switch
+        {
+            "A2B" => false,
+            "B2A" when IsFirstVersion => true,
+            "B2A" => throw Metadata.Error("ATTITUDE_DIR", "version 2.0 turns from A to B always. Swap the frames, or write version 1.0."),
+            null when !IsFirstVersion => false,
+            null => throw Place.Error("the block above has no ATTITUDE_DIR (A2B or B2A), so both are possible. Add it."),
+            _ => throw Metadata.Error("ATTITUDE_DIR", "A2B and B2A are known."),
+        };
+    }
+}

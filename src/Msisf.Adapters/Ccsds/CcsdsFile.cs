@@ -1,0 +1,90 @@
+using System.IO.Compression;
+using System.Text;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+
+namespace Msisf.Adapters.Ccsds;
+
+/// <summary>
+/// Reads CCSDS files: orbit ephemeris messages (OEM 1.0, 2.0, 3.0) and attitude ephemeris messages (AEM 1.0, 2.0), as lines (KVN) or XML,
+/// also compressed by gzip. A state takes 56 bytes of memory, an attitude 40, and 72 with rates.
+/// </summary>
+/// <param name="scale">Turns the files' times into TDB.</param>
+/// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
+/// <param name="note">Receives a sentence for what was put right.</param>
+public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, Action<string>? note = null)
+{
+    /// <summary>Reads files by the kernels of a run.</summary>
+    /// <param name="kernels">The engine with its kernels.</param>
+    /// <param name="note">Receives a sentence for what was put right.</param>
+    public CcsdsFile(OpenedEphemeris kernels, Action<string> note)
+        : this(
+            kernels.Engine.TimeScale,
+            () => FrameKernel.ReadBodyFixedFrame(kernels.Catalogue.Pool, CelestialBody.Moon.Frame).FrameFromOrientation, note)
+    {
+    }
+
+    /// <summary>Reads the states of an OEM.</summary>
+    /// <param name="stream">The file; read once from start to end.</param>
+    /// <param name="fileName">Its name, for messages.</param>
+    /// <exception cref="BadInputException">The first thing that is wrong, by file and line.</exception>
+    public IReadOnlyList<TrajectoryBlock> ReadOem(Stream stream, string fileName)
+    {
+        OemMessage message = new(new CcsdsPlace(fileName), scale, moonMeFromMoonPa);
+        Read(stream, message);
+        return RequireBlocks(message.Blocks, message.Place);
+    }
+
+    /// <summary>Reads the attitudes of an AEM.</summary>
+    /// <param name="stream">The file; read once from start to end.</param>
+    /// <param name="fileName">Its name, for messages.</param>
+    /// <param name="isRounded">Whether quaternions may be rounded to a few decimals.</param>
+    /// <exception cref="BadInputException">The first thing that is wrong, by file and line.</exception>
+    public IReadOnlyList<AttitudeBlock> ReadAem(Stream stream, string fileName, bool isRounded = false)
+    {
+        AemMessage message = new(new CcsdsPlace(fileName), scale, moonMeFromMoonPa, isRounded);
+        Read(stream, message);
+        return RequireBlocks(message.Blocks, message.Place);
+    }
+
+    private void Read(Stream stream, CcsdsMessage message)
+    {
+        try
+        {
+            using StreamReader reader = new(Decompressed(stream), Encoding.UTF8);
+            if (reader.Peek() == '<')
+            {
+                new CcsdsXmlReader(message).Read(reader);
+            }
+            else
+            {
+                new CcsdsKvnReader(message).Read(reader);
+            }
+        }
+        catch (Exception exception) when (exception is InvalidDataException or IOException)
+        {
+            throw message.Place.Error($"can't be read on: {exception.Message}", exception);
+        }
+
+        foreach (string text in message.Place.Notes)
+        {
+            note?.Invoke(text);
+        }
+    }
+
+    private static Stream Decompressed(Stream stream)
+    {
+        byte[] start = new byte[2];
+        int count = stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
+        Stream whole = new PrefixedStream(start.AsMemory(0, count), stream);
+        return start is [0x1F, 0x8B] ? new GZipStream(whole, CompressionMode.Decompress) : whole;
+    }
+
+    private static IReadOnlyList<T> RequireBlocks<T>(IReadOnlyList<T> blocks, CcsdsPlace place) => blocks.Count > 0
+        ? blocks
+        : throw new NothingToRenderException($"{place.FileName}: no block of it has a line of numbers.");
+}

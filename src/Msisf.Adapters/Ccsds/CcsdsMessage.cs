@@ -1,0 +1,197 @@
+using System.Globalization;
+using Msisf.Adapters.Input;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Ccsds;
+
+/// <summary>What is the same in both kinds of files: header, blocks of keywords, times, interpolation.</summary>
+/// <param name="place">Where the reader is.</param>
+/// <param name="scale">Turns times into TDB.</param>
+internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
+{
+    private static readonly string[] HeaderKeywords = ["CREATION_DATE", "ORIGINATOR", "MESSAGE_ID", "CLASSIFICATION"];
+
+    private static readonly (string Word, InterpolationMethod Method)[] Methods =
+    [
+        ("LINEAR", InterpolationMethod.Linear), ("LAGRANGE", InterpolationMethod.Lagrange), ("HERMITE", InterpolationMethod.Hermite),
+        ("SLERP", InterpolationMethod.Linear),
+    ];
+
+    private CcsdsTimeSystem? _timeSystem;
+    private CcsdsMetadata? _metadata;
+
+    /// <summary>"OEM" or "AEM".</summary>
+    public abstract string Kind { get; }
+
+    /// <summary>The keyword of the format's version.</summary>
+    public string VersionKeyword => $"CCSDS_{Kind}_VERS";
+
+    /// <summary>All keywords of a block, in the order of the standard.</summary>
+    public abstract string[] Keywords { get; }
+
+    /// <summary>The version of the format; null until it was read.</summary>
+    public string? Version { get; private set; }
+
+    /// <summary>Where the reader is.</summary>
+    public CcsdsPlace Place => place;
+
+    /// <summary>The versions that are read.</summary>
+    protected abstract string[] Versions { get; }
+
+    /// <summary>The keywords of the block.</summary>
+    protected CcsdsMetadata Metadata => _metadata ?? throw new InvalidOperationException("no block has begun");
+
+    /// <summary>Takes a keyword above the first block.</summary>
+    public void TakeHeader(string key, string value)
+    {
+        if (key.Equals(VersionKeyword, StringComparison.OrdinalIgnoreCase))
+        {
+            if (!Versions.Contains(value))
+            {
+                throw place.Error($"{VersionKeyword} = {NumberText.Shown(value)}: versions {string.Join(", ", Versions)} are read.");
+            }
+
+            Version = value;
+        }
+        else if (key.StartsWith("CCSDS_", StringComparison.OrdinalIgnoreCase))
+        {
+            throw place.Error($"this is no {Kind}: it begins with {NumberText.Shown(key)}, {VersionKeyword} is needed.");
+        }
+        else if (Version is null)
+        {
+            throw place.Error($"{NumberText.Shown(key)} stands above the version. The first line is {VersionKeyword} = {Versions[^1]}.");
+        }
+        else if (!HeaderKeywords.Contains(key, StringComparer.OrdinalIgnoreCase))
+        {
+            place.Note($"The keyword {NumberText.Shown(key)} is not known in the header; it is left out.");
+        }
+    }
+
+    /// <summary>Whether a word is a keyword of blocks.</summary>
+    public bool IsKeyword(string word) => Keywords.Contains(word, StringComparer.OrdinalIgnoreCase);
+
+    /// <summary>Begins a block.</summary>
+    public void BeginBlock()
+    {
+        if (Version is null)
+        {
+            throw place.Error($"no version stands above it. The first line of an {Kind} is {VersionKeyword} = {Versions[^1]}.");
+        }
+
+        _metadata = new CcsdsMetadata(Keywords, place);
+    }
+
+    /// <summary>Takes a keyword of the block.</summary>
+    public void TakeMetadata(string key, string value) => Metadata.Add(key, value);
+
+    /// <summary>All keywords of the block were taken; its data follow.</summary>
+    public void BeginData()
+    {
+        string system = Metadata.Require("TIME_SYSTEM", $"in which system its times are ({string.Join(", ", CcsdsTimeSystem.Names)})");
+        _timeSystem = CcsdsTimeSystem.Of(system, scale)
+            ?? throw Metadata.Error("TIME_SYSTEM", $"{string.Join(", ", CcsdsTimeSystem.Names)} are read.");
+        if (string.IsNullOrEmpty(Metadata.Find("OBJECT_NAME")))
+        {
+            place.Note("The block has no OBJECT_NAME, which the standard demands.");
+        }
+
+        OpenBlock();
+    }
+
+    /// <summary>Takes a line of data.</summary>
+    /// <param name="epoch">Its time.</param>
+    /// <param name="numbers">Its numbers.</param>
+    /// <param name="areNamed">Whether each number had a name of its own (XML), so that they are in the standard's order.</param>
+    public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed) =>
+        Add(TdbSecondsOf(epoch), numbers, areNamed);
+
+    /// <summary>The block ends.</summary>
+    public abstract void EndBlock();
+
+    /// <summary>Where a value of the XML form stands in the line of the other form.</summary>
+    /// <param name="parent">The element around its own.</param>
+    /// <param name="name">The element.</param>
+    /// <param name="axis">The attribute that names an axis; null for none.</param>
+    /// <returns>Its place, from 0, and its unit; a negative place for an element that is not known.</returns>
+    public abstract (int Index, string Unit) PlaceOf(string parent, string name, string? axis);
+
+    /// <summary>Reads the keywords of the block.</summary>
+    protected abstract void OpenBlock();
+
+    /// <summary>Adds a line of data to the block.</summary>
+    protected abstract void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed);
+
+    /// <summary>The error for a time that does not rise.</summary>
+    protected void RequireLater(SampleTimes times, double tdbSeconds)
+    {
+        if (times.Count > 0 && !(tdbSeconds > times.Last))
+        {
+            throw place.Error(tdbSeconds == times.Last
+                ? "the time of the line before stands again. Remove one of the lines, or begin a new block between them."
+                : "the time is before that of the line above. Put the lines into the order of time.");
+        }
+    }
+
+    /// <summary>USEABLE_START_TIME and USEABLE_STOP_TIME; null if the block has none.</summary>
+    protected TdbInterval? ReadUseable()
+    {
+        TdbInterval useable = new(
+            TimeOf("USEABLE_START_TIME") ?? double.NegativeInfinity, TimeOf("USEABLE_STOP_TIME") ?? double.PositiveInfinity);
+        return useable.Start <= useable.End ? useable : throw Metadata.Error("USEABLE_STOP_TIME", "it is before USEABLE_START_TIME.");
+    }
+
+    /// <summary>How states between samples are found; null where the file does not say it.</summary>
+    protected Interpolation? ReadInterpolation(int defaultDegree)
+    {
+        string key = Metadata.Find("INTERPOLATION") is null ? "INTERPOLATION_METHOD" : "INTERPOLATION";
+        if (Metadata.Find(key) is not { } word)
+        {
+            if (Metadata.Find("INTERPOLATION_DEGREE") is not null)
+            {
+                place.Note("INTERPOLATION_DEGREE without a method means nothing; it is left out.");
+            }
+
+            return null;
+        }
+
+        (string Word, InterpolationMethod Method) found = Methods.FirstOrDefault(
+            known => known.Word.Equals(word, StringComparison.OrdinalIgnoreCase));
+        if (found.Word is null)
+        {
+            throw Metadata.Error(key, "LINEAR, LAGRANGE and HERMITE are known.");
+        }
+
+        return new Interpolation(found.Method, found.Method == InterpolationMethod.Linear ? 1 : ReadDegree(defaultDegree));
+    }
+
+    private int ReadDegree(int defaultDegree)
+    {
+        const int Highest = SampleWeights.MaxSamples - 1;
+        if (Metadata.Find("INTERPOLATION_DEGREE") is not { } text)
+        {
+            place.Note(string.Create(CultureInfo.InvariantCulture, $"INTERPOLATION_DEGREE is missing; {defaultDegree} is used."));
+            return defaultDegree;
+        }
+
+        return int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int degree) && degree is >= 1 and <= Highest
+            ? degree
+            : throw Metadata.Error(
+                "INTERPOLATION_DEGREE", string.Create(CultureInfo.InvariantCulture, $"a whole number from 1 to {Highest} is needed."));
+    }
+
+    private double? TimeOf(string key) => Metadata.Find(key) is not { } text ? null
+        : CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch) && _timeSystem!.ToTdbSeconds(epoch) is { } seconds ? seconds
+        : throw Metadata.Error(key, $"not a time, which looks like {CcsdsEpoch.ValidValues}.");
+
+    private double TdbSecondsOf(ReadOnlySpan<char> text)
+    {
+        if (!CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch))
+        {
+            throw place.Error($"{NumberText.Shown(text)} is not a time, which looks like {CcsdsEpoch.ValidValues}.");
+        }
+
+        return _timeSystem!.ToTdbSeconds(epoch)
+            ?? throw place.Error($"{NumberText.Shown(text)}: there was no leap second then.");
+    }
+}

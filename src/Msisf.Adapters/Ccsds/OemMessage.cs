@@ -1,0 +1,138 @@
+using System.Globalization;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+
+namespace Msisf.Adapters.Ccsds;
+
+/// <summary>An orbit ephemeris message (OEM): states of a spacecraft.</summary>
+/// <remarks>CCSDS 502.0-B-1 to B-3.</remarks>
+/// <param name="place">Where the reader is.</param>
+/// <param name="scale">Turns times into TDB.</param>
+/// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
+internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa) : CcsdsMessage(place, scale)
+{
+    private const double MetresPerKilometre = 1000.0;
+    private const int DefaultDegree = 7;
+
+    private static readonly string[] Names = ["X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"];
+
+    private static readonly string[] OfBlock =
+    [
+        "COMMENT", "OBJECT_NAME", "OBJECT_ID", "CENTER_NAME", "REF_FRAME", "REF_FRAME_EPOCH", "TIME_SYSTEM", "START_TIME",
+        "USEABLE_START_TIME", "USEABLE_STOP_TIME", "STOP_TIME", "INTERPOLATION", "INTERPOLATION_METHOD", "INTERPOLATION_DEGREE",
+    ];
+
+    private readonly List<TrajectoryBlock> _blocks = [];
+    private StateSamples _samples = new();
+    private Interpolation? _said;
+    private string? _object;
+
+    /// <summary>The blocks so far.</summary>
+    public IReadOnlyList<TrajectoryBlock> Blocks => _blocks;
+
+    /// <summary>The spacecraft's name; null if the file has none.</summary>
+    public string? ObjectName => _object;
+
+    /// <inheritdoc/>
+    public override string Kind => "OEM";
+
+    /// <inheritdoc/>
+    public override string[] Keywords => OfBlock;
+
+    /// <inheritdoc/>
+    protected override string[] Versions { get; } = ["1.0", "2.0", "3.0"];
+
+    /// <inheritdoc/>
+    public override (int Index, string Unit) PlaceOf(string parent, string name, string? axis)
+    {
+        int index = Array.IndexOf(Names, name);
+        return (index, index < 3 ? "km" : index < 6 ? "km/s" : "km/s**2");
+    }
+
+    /// <inheritdoc/>
+    public override void EndBlock()
+    {
+        if (_samples.Count == 0)
+        {
+            Place.Note("A block has no states; it is left out.");
+            return;
+        }
+
+        Interpolation wanted = _said ?? new Interpolation(InterpolationMethod.Hermite, DefaultDegree);
+        if (wanted.Method == InterpolationMethod.Hermite && !_samples.HasVelocities && _samples.Count > 1)
+        {
+            Place.Note($"All velocities of a block are 0: {wanted} is not possible; LAGRANGE of that degree is used.");
+            wanted = new Interpolation(InterpolationMethod.Lagrange, wanted.Degree);
+        }
+
+        if (_samples.Count < wanted.Samples && _said is not null)
+        {
+            Place.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{wanted} needs {wanted.Samples} states, a block has {_samples.Count}: they are used with a lower degree."));
+        }
+
+        _samples.Interpolation = wanted;
+        if (!(_samples.Cover.Start <= _samples.Cover.End))
+        {
+            throw Metadata.Error("USEABLE_STOP_TIME", "no state of the block lies between USEABLE_START_TIME and this. Check the times.");
+        }
+
+        string frame = Metadata.Require("REF_FRAME", "in which axes its numbers are");
+        string center = Metadata.Require("CENTER_NAME", "about which body its numbers are");
+        CcsdsFrames.TryFind(frame, moonMeFromMoonPa, out RotationMatrix? moonMeFromFrame);
+        _blocks.Add(new TrajectoryBlock(_samples, CcsdsFrames.Center(center)!.Value, moonMeFromFrame));
+    }
+
+    /// <inheritdoc/>
+    protected override void OpenBlock()
+    {
+        string center = Metadata.Require("CENTER_NAME", "about which body its numbers are");
+        if (CcsdsFrames.Center(center) is null)
+        {
+            throw Metadata.Error("CENTER_NAME", $"{CcsdsFrames.Centers}. Convert the file to one of them.");
+        }
+
+        string frame = Metadata.Require("REF_FRAME", "in which axes its numbers are");
+        if (!CcsdsFrames.TryFind(frame, moonMeFromMoonPa, out RotationMatrix? moonMeFromFrame))
+        {
+            throw Metadata.Error("REF_FRAME", $"{CcsdsFrames.Frames}. Convert the file to one of them.");
+        }
+
+        if (moonMeFromFrame is not null && CcsdsFrames.Center(center) != CelestialBody.Moon.NaifNumber)
+        {
+            throw Metadata.Error("REF_FRAME", $"it turns with the Moon, but CENTER_NAME is {center}. Check the two.");
+        }
+
+        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
+        {
+            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
+        }
+
+        _said = ReadInterpolation(DefaultDegree);
+        if (_said is { Method: InterpolationMethod.Hermite } said && said.Degree % 2 == 0)
+        {
+            Place.Note(string.Create(CultureInfo.InvariantCulture, $"{said} needs an odd degree; {said.Degree + 1} is used."));
+            _said = said with { Degree = said.Degree + 1 };
+        }
+
+        _samples = new StateSamples { Useable = ReadUseable() };
+    }
+
+    /// <inheritdoc/>
+    protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
+    {
+        if (numbers.Length is not (6 or 9))
+        {
+            throw Place.Error(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{numbers.Length} numbers behind the time; 6 are needed (X Y Z X_DOT Y_DOT Z_DOT), or 9 with accelerations."));
+        }
+
+        RequireLater(_samples.Times, tdbSeconds);
+        _samples.Add(tdbSeconds, new StateVector(
+            MetresPerKilometre * new Vector3D(numbers[0], numbers[1], numbers[2]),
+            MetresPerKilometre * new Vector3D(numbers[3], numbers[4], numbers[5])));
+    }
+}

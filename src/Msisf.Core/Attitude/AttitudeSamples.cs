@@ -1,0 +1,132 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Attitude;
+
+/// <summary>
+/// Attitudes of a spacecraft at rising times, and those between them: one block of a file, in its frame. It takes 40 bytes an attitude,
+/// 72 with rates.
+/// </summary>
+public sealed class AttitudeSamples
+{
+    private readonly SampleTimes _times = new();
+    private readonly LongList<Components> _attitudes = new();
+    private readonly LongList<Components> _rates = new();
+
+    /// <summary>How attitudes between samples are found.</summary>
+    public Interpolation Interpolation { get; set; }
+
+    /// <summary>The times at which the file lets its attitudes be used; null for all.</summary>
+    public TdbInterval? Useable { get; set; }
+
+    /// <summary>Number of samples.</summary>
+    public int Count => _times.Count;
+
+    /// <summary>The times of the samples, TDB seconds past J2000.</summary>
+    public SampleTimes Times => _times;
+
+    /// <summary>When the block holds; there must be a sample.</summary>
+    public TdbInterval Cover => Useable is { } useable
+        ? new TdbInterval(Math.Max(useable.Start, _times.First), Math.Min(useable.End, _times.Last))
+        : new TdbInterval(_times.First, _times.Last);
+
+    /// <summary>Adds a sample. q and -q are one attitude: the one that is nearer to the last sample is kept.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, after that of the last sample.</param>
+    /// <param name="frameFromBody">Turns the body's axes into those of the frame.</param>
+    /// <param name="rateBody">rad/s about the body's axes; only where the interpolation is Hermite's.</param>
+    public void Add(double tdbSeconds, UnitQuaternion frameFromBody, Vector3D? rateBody = null)
+    {
+        Components attitude = Components.Of(frameFromBody);
+        bool isFar = Count > 0 && Components.Dot(_attitudes[Count - 1], attitude) < 0.0;
+        _times.Add(tdbSeconds);
+        _attitudes.Add(isFar ? -1.0 * attitude : attitude);
+        if (rateBody is { } rate)
+        {
+            _rates.Add((isFar ? -0.5 : 0.5) * Components.Times(attitude, rate));
+        }
+    }
+
+    /// <summary>The attitude at a time.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <returns>Turns the body's axes into those of the frame.</returns>
+    public UnitQuaternion At(double tdbSeconds)
+    {
+        (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
+        if (count == 1)
+        {
+            return _attitudes[first].Normalized();
+        }
+
+        if (Interpolation.Method == InterpolationMethod.Linear)
+        {
+            return AtConstantRate(first, tdbSeconds);
+        }
+
+        Span<double> times = stackalloc double[count];
+        _times.CopyTo(first, tdbSeconds, times);
+        Components sum = default;
+        if (Interpolation.Method == InterpolationMethod.Hermite)
+        {
+            Span<(double Value, double Rate)> ofValues = stackalloc (double, double)[count];
+            Span<(double Value, double Rate)> ofRates = stackalloc (double, double)[count];
+            SampleWeights.Hermite(times, 0.0, ofValues, ofRates);
+            for (int i = 0; i < count; i++)
+            {
+                sum += (ofValues[i].Value * _attitudes[first + i]) + (ofRates[i].Value * _rates[first + i]);
+            }
+        }
+        else
+        {
+            Span<double> weights = stackalloc double[count];
+            SampleWeights.Lagrange(times, 0.0, weights, stackalloc double[count]);
+            for (int i = 0; i < count; i++)
+            {
+                sum += weights[i] * _attitudes[first + i];
+            }
+        }
+
+        return sum.Normalized();
+    }
+
+    private UnitQuaternion AtConstantRate(int first, double tdbSeconds)
+    {
+        UnitQuaternion before = _attitudes[first].Normalized();
+        UnitQuaternion turn = before.Conjugate * _attitudes[first + 1].Normalized();
+        Vector3D sine = new(turn.X, turn.Y, turn.Z); // of half the angle
+        double length = sine.Length;
+        if (length == 0.0)
+        {
+            return before;
+        }
+
+        double part = (tdbSeconds - _times[first]) / (_times[first + 1] - _times[first]);
+        return before * UnitQuaternion.FromAxisAngle(sine, part * 2.0 * Math.Atan2(length, turn.W));
+    }
+
+    /// <summary>The four numbers of a quaternion, of any length.</summary>
+    private readonly record struct Components(double X, double Y, double Z, double W)
+    {
+        public static Components operator +(Components p, Components q) => new(p.X + q.X, p.Y + q.Y, p.Z + q.Z, p.W + q.W);
+
+        public static Components operator *(double factor, Components q) =>
+            new(factor * q.X, factor * q.Y, factor * q.Z, factor * q.W);
+
+        public static Components Of(UnitQuaternion q) => new(q.X, q.Y, q.Z, q.W);
+
+        public static double Dot(Components p, Components q) => (p.X * q.X) + (p.Y * q.Y) + (p.Z * q.Z) + (p.W * q.W);
+
+        /// <summary>The product with the quaternion (v, 0).</summary>
+        public static Components Times(Components q, Vector3D v)
+        {
+            Vector3D imaginary = new(q.X, q.Y, q.Z);
+            Vector3D product = (q.W * v) + Vector3D.Cross(imaginary, v);
+            return new Components(product.X, product.Y, product.Z, -Vector3D.Dot(imaginary, v));
+        }
+
+        public UnitQuaternion Normalized()
+        {
+            double length = double.Hypot(double.Hypot(X, Y), double.Hypot(Z, W));
+            return UnitQuaternion.FromComponents(X / length, Y / length, Z / length, W / length);
+        }
+    }
+}

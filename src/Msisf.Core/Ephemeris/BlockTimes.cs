@@ -1,0 +1,62 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>The blocks of a file that hold at different times, and what is said where none holds.</summary>
+/// <param name="blocks">When each block holds, in the order of the file; where two do, the later one is used, as in SPICE.</param>
+/// <param name="source">The file's name, for messages.</param>
+/// <param name="scale">Turns TDB into UTC, for messages.</param>
+public sealed class BlockTimes(IReadOnlyList<TdbInterval> blocks, string source, TdbScale scale)
+{
+    /// <summary>s: times are rounded to steps of 0.6 microseconds, so the last time of a block may come back after its end.</summary>
+    private const double Rounding = 2e-6;
+
+    private const double MillisecondsPerDay = 86_400_000.0;
+
+    /// <summary>The times at which a block holds.</summary>
+    public TdbCover Cover { get; } = TdbCover.Union(blocks);
+
+    /// <summary>The block to use at a time.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <returns>Its place in the file, from 0.</returns>
+    /// <exception cref="BadInputException">The time is in no block.</exception>
+    public int Find(double tdbSeconds)
+    {
+        int widened = -1;
+        for (int i = blocks.Count - 1; i >= 0; i--)
+        {
+            if (blocks[i].Contains(tdbSeconds))
+            {
+                return i;
+            }
+
+            if (tdbSeconds >= blocks[i].Start - Rounding && tdbSeconds <= blocks[i].End + Rounding)
+            {
+                widened = i;
+            }
+        }
+
+        return widened >= 0 ? widened : throw Outside(tdbSeconds);
+    }
+
+    private BadInputException Outside(double tdbSeconds)
+    {
+        ModifiedJulianDate time = scale.ToUtc(tdbSeconds);
+        string asked = string.Create(CultureInfo.InvariantCulture, $"{source}: {Text(tdbSeconds)} (MJD {time.Days:R}) is");
+        IReadOnlyList<TdbInterval> covered = Cover.Intervals;
+        int after = Enumerable.Range(0, covered.Count).FirstOrDefault(i => covered[i].Start > tdbSeconds, covered.Count);
+        return after > 0 && after < covered.Count
+            ? new BadInputException(
+                $"{asked} between two blocks, of which one ends at {Text(covered[after - 1].End)} and the next begins at "
+                    + $"{Text(covered[after].Start)}; nothing is known between them. Choose a time inside a block.")
+            : new BadInputException(
+                $"{asked} outside the file, which has {Text(covered[0].Start)} to {Text(covered[^1].End)}"
+                    + $"{(covered.Count > 1 ? $" in {covered.Count} blocks" : string.Empty)}. Choose a time inside.");
+    }
+
+    /// <summary>UTC to the millisecond: more digits are not those of the file, because a date holds 0.6 microseconds.</summary>
+    private string Text(double tdbSeconds) =>
+        new ModifiedJulianDate(Math.Round(scale.ToUtc(tdbSeconds).Days * MillisecondsPerDay) / MillisecondsPerDay).ToIsoUtc();
+}

@@ -1,0 +1,62 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Orbit;
+
+/// <summary>A trajectory from a file of states. As thread-safe as its ephemeris.</summary>
+public sealed class SampledTrajectory : ITrajectory
+{
+    /// <summary>s: the turning of a frame is a difference of its axes this long before and after.</summary>
+    private const double HalfStep = 1.0;
+
+    private readonly IReadOnlyList<TrajectoryBlock> _blocks;
+    private readonly BlockTimes _times;
+    private readonly IEphemeris _ephemeris;
+
+    /// <summary>Takes the file's blocks.</summary>
+    /// <param name="blocks">In the order of the file, each with at least one sample.</param>
+    /// <param name="source">The file's name, for messages.</param>
+    /// <param name="ephemeris">Where other centres are, and how the Moon turns.</param>
+    public SampledTrajectory(IReadOnlyList<TrajectoryBlock> blocks, string source, IEphemeris ephemeris)
+    {
+        (_blocks, _ephemeris) = (blocks, ephemeris);
+        _times = new BlockTimes([.. blocks.Select(block => block.Samples.Cover)], source, ephemeris.TimeScale);
+    }
+
+    /// <inheritdoc/>
+    public TdbCover Cover => _times.Cover;
+
+    /// <inheritdoc/>
+    public StateVector StateJ2000(double tdbSeconds)
+    {
+        TrajectoryBlock block = _blocks[_times.Find(tdbSeconds)];
+        StateVector state = block.Samples.At(tdbSeconds);
+        if (block.MoonMeFromFrame is { } moonMeFromFrame)
+        {
+            RotationMatrix j2000FromFrame = J2000FromMoonMe(tdbSeconds) * moonMeFromFrame;
+            Vector3D later = J2000FromMoonMe(tdbSeconds + HalfStep) * moonMeFromFrame * state.Position;
+            Vector3D earlier = J2000FromMoonMe(tdbSeconds - HalfStep) * moonMeFromFrame * state.Position;
+            state = new StateVector(
+                j2000FromFrame * state.Position, (j2000FromFrame * state.Velocity) + ((later - earlier) / (2.0 * HalfStep)));
+        }
+
+        if (block.Center == CelestialBody.Moon.NaifNumber)
+        {
+            return state;
+        }
+
+        StateVector center = _ephemeris.StateOf(block.Center, tdbSeconds);
+        return new StateVector(center.Position + state.Position, center.Velocity + state.Velocity);
+    }
+
+    private RotationMatrix J2000FromMoonMe(double tdbSeconds) => _ephemeris.MoonMeFromJ2000(tdbSeconds).Transposed;
+}
+
+/// <summary>A part of a trajectory, whose states are of one frame and centre.</summary>
+/// <param name="Samples">The states.</param>
+/// <param name="Center">NAIF's number of the body about which they are.</param>
+/// <param name="MoonMeFromFrame">
+/// For a frame that turns with the Moon, the constant rotation to MOON_ME; null for J2000's axes.
+/// </param>
+public sealed record TrajectoryBlock(StateSamples Samples, int Center, RotationMatrix? MoonMeFromFrame);

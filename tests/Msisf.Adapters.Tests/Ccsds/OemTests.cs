@@ -1,0 +1,200 @@
+using System.IO.Compression;
+using System.Text;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Ccsds;
+
+public sealed class OemTests
+{
+    [Fact]
+    public void ReadOem_Lines_GivesStatesInMetres()
+    {
+        List<string> notes = [];
+
+        TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(CcsdsTexts.Oem, notes));
+
+        StateVector state = block.Samples.At(CcsdsTexts.Noon + 90.0);
+        Assert.InRange((state.Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-3);
+        Assert.InRange((state.Velocity - new Vector3D(1000.0, 50.0, 0.0)).Length, 0.0, 1e-4);
+        Assert.Equal(301, block.Center);
+        Assert.Null(block.MoonMeFromFrame);
+        Assert.Empty(notes);
+    }
+
+    /// <summary>2024-01-19T12:00:00 UTC in other systems, by astropy.time (ERFA): TDB there is within 30 microseconds of SPICE's.</summary>
+    [Theory]
+    [InlineData("TAI", "12:00:37.000", 2e-7)]
+    [InlineData("GPS", "12:00:18.000", 2e-7)]
+    [InlineData("TT", "12:01:09.184", 2e-7)]
+    [InlineData("TDB", "12:01:09.184411914", 5e-5)]
+    [InlineData("utc", "12:00:00Z", 0.0)]
+    public void ReadOem_TimeSystem_IsTheSameInstant(string system, string time, double limit)
+    {
+        string text = CcsdsTexts.Oem.Replace("TIME_SYSTEM = UTC", $"TIME_SYSTEM = {system}", StringComparison.Ordinal)
+            .Replace("\n2024-01-19T12:00:00.000", $"\n2024-01-19T{time}", StringComparison.Ordinal)
+            .Replace("12:01:00.000", "12:01:30", StringComparison.Ordinal);
+
+        double first = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Times.First;
+
+        Assert.Equal(CcsdsTexts.Noon, first, limit);
+    }
+
+    /// <summary>By astropy 1999-01-01T00:00:00 UTC is -31579135.816114 TDB; half a second before it is a leap second.</summary>
+    [Fact]
+    public void ReadOem_LeapSecond_CountsOn()
+    {
+        string text = WithTimes("1998-12-31T23:59:59.5", "1998-12-31T23:59:60.5", "1999-001T00:00:00", "1999-01-01T00:00:01");
+
+        SampleTimes times = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Times;
+
+        Assert.Equal(-31579137.316114, times[0], 5e-5);
+        Assert.Equal(-31579136.316114, times[1], 5e-5);
+        Assert.Equal(-31579135.816114, times[2], 5e-5);
+    }
+
+    [Theory]
+    [InlineData("MOON", "EME2000", 301, false)]
+    [InlineData("LUNA", "ICRF", 301, false)]
+    [InlineData("Earth", "gcrf", 399, false)]
+    [InlineData("MOON", "MOON_ME", 301, true)]
+    [InlineData("MOON", "MOON_PA", 301, true)]
+    public void ReadOem_CenterAndFrame_AreTaken(string center, string frame, int number, bool turns)
+    {
+        string text = CcsdsTexts.Oem.Replace("= MOON", $"= {center}", StringComparison.Ordinal)
+            .Replace("EME2000", frame, StringComparison.Ordinal);
+
+        TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(text));
+
+        Assert.Equal(number, block.Center);
+        Assert.Equal(turns, block.MoonMeFromFrame is not null);
+        Assert.Equal(frame == "MOON_PA" ? RotationMatrix.FrameAboutX(1e-3) : turns ? RotationMatrix.Identity : null, block.MoonMeFromFrame);
+    }
+
+    [Fact]
+    public void ReadOem_NothingSaidOfInterpolation_IsHermiteOfDegreeSeven()
+    {
+        string text = CcsdsTexts.Oem.Replace("INTERPOLATION = HERMITE\nINTERPOLATION_DEGREE = 7\n", string.Empty, StringComparison.Ordinal);
+
+        Assert.Equal(
+            new Interpolation(InterpolationMethod.Hermite, 7), Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Interpolation);
+    }
+
+    [Theory]
+    [InlineData("LAGRANGE", "5", InterpolationMethod.Lagrange, 5, 6)]
+    [InlineData("Hermite", "3", InterpolationMethod.Hermite, 3, 2)]
+    [InlineData("LINEAR", "1", InterpolationMethod.Linear, 1, 2)]
+    public void ReadOem_Interpolation_IsAsTheFileSays(string method, string degree, InterpolationMethod expected, int number, int samples)
+    {
+        string text = CcsdsTexts.Oem.Replace("HERMITE", method, StringComparison.Ordinal)
+            .Replace("DEGREE = 7", $"DEGREE = {degree}", StringComparison.Ordinal);
+
+        Interpolation interpolation = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Interpolation;
+
+        Assert.Equal(new Interpolation(expected, number), interpolation);
+        Assert.Equal(samples, interpolation.Samples);
+    }
+
+    [Fact]
+    public void ReadOem_TwoBlocksCovarianceAccelerationsUseable_AreRead()
+    {
+        string second = CcsdsTexts.Oem[CcsdsTexts.Oem.IndexOf("META_START", StringComparison.Ordinal)..]
+            .Replace("2024-01-19T12", "2024-01-19T13", StringComparison.Ordinal)
+            .Replace("STOP_TIME = ", "USEABLE_START_TIME = 2024-019T13:00:30\nUSEABLE_STOP_TIME = 2024-019T13:02:30\nSTOP_TIME = ",
+                StringComparison.Ordinal)
+            .Replace("1.0 0.0 0.0\n", "1.0 0.0 0.0 0.0 0.0 0.0\n", StringComparison.Ordinal);
+        string text = CcsdsTexts.Oem
+            + "COVARIANCE_START\nEPOCH = 2024-01-19T12:00:00\nCOV_REF_FRAME = RTN\n1.0\n0.1 1.0\nCOVARIANCE_STOP\n" + second;
+
+        IReadOnlyList<TrajectoryBlock> blocks = CcsdsTexts.ReadOem(text.Replace("VERS = 2.0", "VERS = 3.0", StringComparison.Ordinal));
+
+        Assert.Equal([4, 4], blocks.Select(block => block.Samples.Count));
+        Assert.Equal(CcsdsTexts.Noon + 3630.0, blocks[1].Samples.Cover.Start, 1e-5);
+        Assert.Equal(CcsdsTexts.Noon + 3750.0, blocks[1].Samples.Cover.End, 1e-5);
+    }
+
+    [Fact]
+    public void ReadOem_GzipAndByteOrderMark_AreTheSame()
+    {
+        using MemoryStream packed = new();
+        using (GZipStream gzip = new(packed, CompressionLevel.Fastest, leaveOpen: true))
+        {
+            gzip.Write([0xEF, 0xBB, 0xBF, .. Encoding.UTF8.GetBytes(CcsdsTexts.Oem.Replace("\n", "\r\n", StringComparison.Ordinal))]);
+        }
+
+        Assert.Equal(
+            CcsdsTexts.ReadOem(CcsdsTexts.Oem)[0].Samples[3], Assert.Single(CcsdsTexts.ReadOem(packed.ToArray())).Samples[3]);
+    }
+
+    /// <summary>What writers get wrong, where it can be meant in one way only.</summary>
+    [Theory]
+    [InlineData("OBJECT_NAME = ORBITER\n", "", "line 15: The block has no OBJECT_NAME")]
+    [InlineData(" 2060.0 ", "\t2060.0\t", "line 18: TABs stand where the standard has blanks")]
+    [InlineData(
+        "CENTER_NAME = MOON\nREF_FRAME = EME2000", "REF_FRAME = EME2000\nCENTER_NAME = MOON", "line 10: The keywords are not in the order")]
+    [InlineData("META_START\n", "", "line 6: META_START is missing")]
+    [InlineData("META_STOP\n", "", "line 16: META_STOP is missing")]
+    [InlineData("2060.0", "2.060D+03", "line 18: Numbers have Fortran's D for the exponent")]
+    [InlineData("DEGREE = 7", "DEGREE = 6", "HERMITE 6 needs an odd degree; 7 is used.")]
+    [InlineData("OBJECT_ID = 2024-001A", "OBJECT_ID = 2024-001A\nQUALITY_OF_FIT = 1", "'QUALITY_OF_FIT' is not known; it is left out.")]
+    [InlineData("DEGREE = 7", "DEGREE = 9", "HERMITE 9 needs 5 states, a block has 4")]
+    public void ReadOem_SmallFault_IsReadWithANote(string right, string wrong, string expected)
+    {
+        List<string> notes = [];
+
+        TrajectoryBlock block = Assert.Single(
+            CcsdsTexts.ReadOem(CcsdsTexts.Oem.Replace(right, wrong, StringComparison.Ordinal), notes));
+
+        Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-3);
+        Assert.Contains(expected, Assert.Single(notes));
+        Assert.StartsWith("orbit.oem, line ", notes[0]);
+    }
+
+    [Fact]
+    public void ReadOem_NoVelocities_TakesPositionsAlone()
+    {
+        List<string> notes = [];
+        string text = string.Join('\n', CcsdsTexts.Oem.Split('\n').Select(line => line.StartsWith("2024", StringComparison.Ordinal)
+            ? string.Join(' ', [.. line.Split(' ')[..4], "0", "0", "0"])
+            : line));
+
+        TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(text, notes));
+
+        Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-6);
+        Assert.Contains("LAGRANGE of that degree is used", notes[0]);
+    }
+
+    /// <summary>Time, position and velocity are 56 bytes; nothing else is allocated for a line, so ten million need 560 MB.</summary>
+    [Fact]
+    public void ReadOem_ManyStates_Takes56BytesEach()
+    {
+        const int Count = 160_000;
+        StringBuilder text = new(CcsdsTexts.Oem[..CcsdsTexts.Oem.IndexOf("2024-01-19T12:00:00.000 2000", StringComparison.Ordinal)]);
+        DateTime start = new(2024, 1, 19, 0, 0, 0, DateTimeKind.Utc);
+        for (int i = 0; i < Count; i++)
+        {
+            text.Append(start.AddSeconds(i).ToString("s", System.Globalization.CultureInfo.InvariantCulture))
+                .Append(" 2000.0 1.5 -3.25 1.0 0.5 0.25\n");
+        }
+
+        byte[] bytes = Encoding.ASCII.GetBytes(text.ToString());
+        CcsdsTexts.ReadOem(CcsdsTexts.Oem); // its own constants
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        IReadOnlyList<TrajectoryBlock> blocks = CcsdsTexts.ReadOem(bytes);
+        long used = GC.GetAllocatedBytesForCurrentThread() - before;
+
+        Assert.Equal(Count, blocks[0].Samples.Count);
+        Assert.InRange((double)used / Count, 50.0, 64.0);
+    }
+
+    private static string WithTimes(params string[] times)
+    {
+        string[] lines = CcsdsTexts.Oem.Split('\n');
+        int next = 0;
+        return string.Join('\n', lines.Select(line => line.StartsWith("2024", StringComparison.Ordinal)
+            ? times[next++] + line[line.IndexOf(' ', StringComparison.Ordinal)..]
+            : line));
+    }
+}
