@@ -110,6 +110,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--craters", "--craters FILE:craters.csv", "--craters FILE:more.csv" },
         { "--crater-rim", "--craters FILE:craters.csv", "--crater-rim terrain" },
         { "--crater-size", "--craters FILE:craters.csv", "--crater-size 1" },
+        { "--landmarks", "", "--landmarks FILE:landmarks.csv" },
         { "--jobs", "", "--jobs 2" },
         { "--frames", "", "--frames 1" },
         { "--overwrite", "", "--overwrite" },

@@ -52,6 +52,7 @@ public sealed class IdentityRuns : IDisposable
         string map = PdsMap.Write(_folder, "WAC_A", "PC_REAL", 32, 1, (column, line) => 50 + ((column + line) % 50));
         _checksumOfMap = Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(map)));
         _folder.Write("hapke.img", HapkeMap());
+        _folder.Write("landmarks.csv", "lat,lon\n0,0\n");
         _folder.Write("craters.csv", "lat,lon,diam_km\n0,0,60\n1,1,40\n");
         _folder.Write("more.csv", "lat,lon,diam_km\n0,0,60\n1,1,41\n");
         Synthesize("models", "--res", "1", "--seed", "1");

@@ -101,16 +101,12 @@ public static class CraterCatalogueReader
 
     private static IEnumerable<(Crater Crater, int Line)> Lines(TextReader reader, string fileName, double maxDiameter)
     {
-        CraterColumns columns = new(CsvLine.Fields(reader.ReadLine() ?? string.Empty), fileName);
-        int line = 1;
+        IReadOnlyList<string> header = CsvRow.HeaderOf(reader);
+        CraterColumns columns = new(header, fileName);
         int number = 0;
-        while (reader.ReadLine() is { } text)
+        foreach (CsvRow row in CsvRow.Of(reader, fileName, header))
         {
-            line++;
-            if (text.Trim().Length > 0)
-            {
-                yield return (columns.Read(CsvLine.Fields(text), line, ++number, maxDiameter), line);
-            }
+            yield return (columns.Read(row, ++number, maxDiameter), row.Line);
         }
     }
 }

@@ -10,7 +10,7 @@ internal sealed class CraterColumns
     private const double MetresPerKilometre = 1000.0;
 
     private readonly string _fileName;
-    private readonly List<string> _header;
+    private readonly IReadOnlyList<string> _header;
     private readonly int[] _latitude;
     private readonly int[] _longitude;
     private readonly int[] _diameter;
@@ -21,13 +21,13 @@ internal sealed class CraterColumns
     private readonly int[] _errors;
 
     /// <summary>Finds the columns.</summary>
-    /// <param name="header">The fields of the first line.</param>
+    /// <param name="header">The names of the columns, in small letters.</param>
     /// <param name="fileName">For messages.</param>
     /// <exception cref="BadInputException">A column is missing.</exception>
-    public CraterColumns(IEnumerable<string> header, string fileName)
+    public CraterColumns(IReadOnlyList<string> header, string fileName)
     {
         _fileName = fileName;
-        _header = [.. header.Select(name => name.Trim().ToLowerInvariant())];
+        _header = header;
         _latitude = Required(
             "latitude", ["lat_elli_img", "lat_circ_img", "lat", "latitude", "center latitude", "center_latitude"]);
         _longitude = Required(
@@ -48,31 +48,29 @@ internal sealed class CraterColumns
     }
 
     /// <summary>Reads a crater.</summary>
-    /// <param name="fields">The fields of a line.</param>
-    /// <param name="line">The line, for messages.</param>
+    /// <param name="row">The line.</param>
     /// <param name="number">Of the crater, from 1.</param>
     /// <param name="maxDiameter">m: no crater is larger.</param>
     /// <exception cref="BadInputException">A value is wrong.</exception>
-    public Crater Read(List<string> fields, int line, int number, double maxDiameter)
+    public Crater Read(CsvRow row, int number, double maxDiameter)
     {
         // Robbins's ellipse is missing where the rim has too few points; then the circle stands for it.
-        int column = Array.FindIndex(_diameter, place => HasNumber(fields, place));
-        bool isEllipse = column <= 0 && _minor >= 0 && HasNumber(fields, _minor);
+        int column = Array.FindIndex(_diameter, place => row.HasNumber(place));
+        bool isEllipse = column <= 0 && row.HasNumber(_minor);
         double major = Diameter(Of(_diameter, column));
         double minor = isEllipse ? Diameter(_minor) : major;
-        double angle = isEllipse && _angle >= 0 ? Number(_angle, -360.0, 360.0) : 0.0;
+        double angle = isEllipse && _angle >= 0 ? row.Number(_angle, -360.0, 360.0) : 0.0;
         if (minor > major)
         {
             (major, minor, angle) = (minor, major, angle + 90.0);
         }
 
-        string? name = Text(_name);
         return new Crater(
             number,
-            Text(_identity) ?? number.ToString(CultureInfo.InvariantCulture),
-            name,
-            Number(Of(_latitude, column), -90.0, 90.0),
-            EastLongitude(Number(Of(_longitude, column), -360.0, 360.0)),
+            row.Text(_identity) ?? number.ToString(CultureInfo.InvariantCulture),
+            row.Text(_name),
+            row.Number(Of(_latitude, column), -90.0, 90.0),
+            EastLongitude(row.Number(Of(_longitude, column), -360.0, 360.0)),
             major)
         {
             MinorDiameter = minor,
@@ -80,39 +78,25 @@ internal sealed class CraterColumns
             Errors = Errors(isEllipse),
         };
 
-        string? Text(int place) => place >= 0 && place < fields.Count && fields[place].Trim() is { Length: > 0 } text ? text : null;
-
         double Diameter(int place)
         {
-            double metres = MetresPerKilometre * Number(place, 0.0, maxDiameter / MetresPerKilometre);
-            return metres > 0.0 ? metres : throw Wrong(place, 0.0, maxDiameter / MetresPerKilometre);
+            const string more = ", above 0";
+            double limit = maxDiameter / MetresPerKilometre;
+            double kilometres = row.Number(place, 0.0, limit, more);
+            return kilometres > 0.0 ? MetresPerKilometre * kilometres : throw row.Wrong(place, 0.0, limit, more);
         }
 
-        CraterErrors? Errors(bool ofEllipse) => Array.TrueForAll(_errors[..3], place => place >= 0 && HasNumber(fields, place))
+        CraterErrors? Errors(bool ofEllipse) => Array.TrueForAll(_errors[..3], place => row.HasNumber(place))
             ? new CraterErrors(
                 Error(0, 180.0), Error(1, 360.0), MetresPerKilometre * Error(2, maxDiameter),
                 ofEllipse ? MetresPerKilometre * Error(3, maxDiameter) : 0.0, ofEllipse ? Error(4, 360.0) : 0.0)
             : null;
 
-        double Error(int which, double greatest) => _errors[which] < 0 ? 0.0 : Number(_errors[which], 0.0, greatest);
-
-        double Number(int place, double least, double greatest) =>
-            place < fields.Count && double.TryParse(fields[place], NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
-            && value >= least && value <= greatest
-                ? value
-                : throw Wrong(place, least, greatest);
-
-        BadInputException Wrong(int place, double least, double greatest) => new(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{_fileName}, line {line}, column '{_header[place]}': a number from {least:R} to {greatest:R} is needed"
-                + $"{(_diameter.Contains(place) || place == _minor ? ", above 0" : string.Empty)}. Correct or remove the line."));
+        double Error(int which, double greatest) => _errors[which] < 0 ? 0.0 : row.Number(_errors[which], 0.0, greatest);
     }
 
     /// <summary>Of columns for the same the one of the same form as the diameter's: Robbins's ellipses, or circles.</summary>
     private static int Of(int[] places, int column) => places[Math.Clamp(column, 0, places.Length - 1)];
-
-    private static bool HasNumber(List<string> fields, int place) => place < fields.Count
-        && double.TryParse(fields[place], NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value);
 
     private static double EastLongitude(double degrees)
     {
@@ -123,10 +107,10 @@ internal sealed class CraterColumns
     /// <summary>The places of all columns for something, in the order of the names.</summary>
     private int[] Required(string what, string[] names)
     {
-        int[] places = [.. names.Select(name => _header.IndexOf(name)).Where(place => place >= 0)];
+        int[] places = [.. names.Select(name => CsvRow.PlaceOf(_header, name)).Where(place => place >= 0)];
         return places.Length > 0 ? places : throw new BadInputException(
             $"{_fileName}, line 1: no column for the {what}; it may be called {string.Join(", ", names)}. Name the columns there.");
     }
 
-    private int Place(string[] names) => names.Select(name => _header.IndexOf(name)).FirstOrDefault(place => place >= 0, -1);
+    private int Place(string[] names) => CsvRow.PlaceOf(_header, names);
 }

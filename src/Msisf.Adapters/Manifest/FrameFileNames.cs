@@ -8,7 +8,7 @@ public static class FrameFileNames
     /// <summary>All endings, whatever a run was asked to write.</summary>
     private static readonly string[] Endings =
     [
-        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".craters.csv", ".craters.json",
+        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".craters.csv", ".craters.json", ".landmarks.csv",
         .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
     ];
 

@@ -19,7 +19,7 @@ internal static partial class MetaFileGrammar
     private const string NavigationStart = "\n<!ELEMENT CraterInformation";
 
     /// <summary>Those elements where they stand in the root.</summary>
-    private const string NavigationOfRoot = ",CraterInformation?";
+    private const string NavigationOfRoot = ",CraterInformation?,LandmarkInformation?";
 
     /// <summary>The declarations of a file without truth for navigation: lines that end with LF, without the last one's end.</summary>
     public static string Text => Plain.Value;

@@ -13,10 +13,16 @@ internal static class NavigationDrawing
 
     private const double FontSize = 11.0;
 
+    /// <summary>px.</summary>
+    private const double CrossArm = 6.0;
+
     /// <summary>px: diameter from which a crater's name is drawn; smaller ones would cover each other.</summary>
     private const double NamedFrom = 40.0;
 
-    /// <summary>Draws the outlines of craters, yellow, and the names of the larger ones; grey where most of a crater is hidden.</summary>
+    /// <summary>
+    /// Draws the outlines of craters, yellow, with the names of the larger ones, and landmarks as green crosses; grey where they are
+    /// hidden.
+    /// </summary>
     public static void Draw(CairoImage image, NavigationTruth navigation)
     {
         foreach (CraterView view in navigation.Craters?.Views ?? [])
@@ -32,6 +38,28 @@ internal static class NavigationDrawing
 
             Draw(image, view);
         }
+
+        foreach (LandmarkView view in navigation.Landmarks?.Views ?? [])
+        {
+            Draw(image, view);
+        }
+    }
+
+    private static void Draw(CairoImage image, LandmarkView view)
+    {
+        if (view.HiddenBy is null)
+        {
+            image.SetColor(0.2, 1.0, 0.3, 1.0);
+        }
+        else
+        {
+            image.SetColor(0.6, 0.6, 0.6, 1.0);
+        }
+
+        (double x, double y) = (view.X - 0.5, view.Y - 0.5);
+        image.DrawLine(x - CrossArm, y, x + CrossArm, y, LineWidth);
+        image.DrawLine(x, y - CrossArm, x, y + CrossArm, LineWidth);
+        image.DrawText(view.Landmark.Name ?? view.Landmark.Identity, x + CrossArm, y - (0.5 * CrossArm), FontSize);
     }
 
     private static void Draw(CairoImage image, CraterView view)

@@ -18,7 +18,29 @@ internal static class NavigationXml
             Append(text, craters, referenceRadius);
         }
 
+        if (navigation.Landmarks is { } landmarks)
+        {
+            Append(text, landmarks, referenceRadius);
+        }
+
         return text.ToString();
+    }
+
+    private static void Append(StringBuilder text, LandmarksOfFrame landmarks, double referenceRadius)
+    {
+        text.Append(CultureInfo.InvariantCulture, $"  <LandmarkInformation outside=\"{landmarks.Outside}\">\n");
+        foreach (LandmarkView view in landmarks.Views)
+        {
+            AppendIdentity(text.Append("    <Landmark"), view.Landmark.Number, view.Landmark.Identity, view.Landmark.Name);
+            foreach ((string name, string value) in LandmarkFields.Of(view, referenceRadius))
+            {
+                AppendAttribute(text, name, value.Length > 0 ? value : null);
+            }
+
+            text.Append(" />\n");
+        }
+
+        text.Append("  </LandmarkInformation>\n");
     }
 
     private static void Append(StringBuilder text, CratersOfFrame craters, double referenceRadius)
@@ -29,7 +51,7 @@ internal static class NavigationXml
                 + $"tooSmall=\"{craters.TooSmall}\">\n");
         foreach (CraterView view in craters.Views)
         {
-            AppendIdentity(text.Append("    <Crater"), view.Crater);
+            AppendIdentity(text.Append("    <Crater"), view.Crater.Number, view.Crater.Identity, view.Crater.Name);
             foreach ((string name, double? value) in CraterFields.Of(view, referenceRadius))
             {
                 AppendAttribute(text, name, value is null ? null : CraterFields.TextOf(value));
@@ -43,7 +65,7 @@ internal static class NavigationXml
 
         foreach (CraterLeftOut leftOut in craters.LeftOut)
         {
-            AppendIdentity(text.Append("    <CraterLeftOut"), leftOut.Crater);
+            AppendIdentity(text.Append("    <CraterLeftOut"), leftOut.Crater.Number, leftOut.Crater.Identity, leftOut.Crater.Name);
             AppendAttribute(text, "reason", CraterFields.WordOf(leftOut.Reason));
             text.Append(" />\n");
         }
@@ -51,11 +73,11 @@ internal static class NavigationXml
         text.Append("  </CraterInformation>\n");
     }
 
-    private static void AppendIdentity(StringBuilder text, Crater crater)
+    private static void AppendIdentity(StringBuilder text, int number, string identity, string? itsName)
     {
-        AppendAttribute(text, "number", crater.Number.ToString(CultureInfo.InvariantCulture));
-        AppendAttribute(text, "id", crater.Identity);
-        AppendAttribute(text, "name", crater.Name);
+        AppendAttribute(text, "number", number.ToString(CultureInfo.InvariantCulture));
+        AppendAttribute(text, "id", identity);
+        AppendAttribute(text, "name", itsName);
     }
 
     private static void AppendAttribute(StringBuilder text, string name, string? value)

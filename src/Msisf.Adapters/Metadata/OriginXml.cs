@@ -39,6 +39,7 @@ internal static class OriginXml
         InputKind.HapkeMap => "hapke-map",
         InputKind.Camera => "camera",
         InputKind.CraterCatalogue => "crater-catalogue",
+        InputKind.Landmarks => "landmarks",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
 

@@ -10,8 +10,9 @@ namespace Msisf.App.Preparation;
 
 /// <summary>What the truth for navigation of a run is made from.</summary>
 /// <param name="Craters">Finds the craters of a frame; null without a catalogue.</param>
+/// <param name="Landmarks">Finds the landmarks of a frame; null without a list.</param>
 /// <param name="Files">The files that were read.</param>
-internal sealed record NavigationInputs(CraterFinder? Craters, IReadOnlyList<InputFile> Files)
+internal sealed record NavigationInputs(CraterFinder? Craters, LandmarkFinder? Landmarks, IReadOnlyList<InputFile> Files)
 {
     /// <summary>Reads the files.</summary>
     /// <param name="settings">The settings; null for none.</param>
@@ -29,11 +30,19 @@ internal sealed record NavigationInputs(CraterFinder? Craters, IReadOnlyList<Inp
             ? NavigationOptions.Craters.NamedInErrors(() => new CraterFinder(
                 new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius)), settings.Rim, settings.LeastDiameter))
             : null;
-        return new NavigationInputs(craters, craters is null ? [] : [FileOf(settings.Craters!)]);
+        LandmarkFinder? landmarks = settings.Landmarks is { } list
+            ? NavigationOptions.Landmarks.NamedInErrors(() => new LandmarkFinder(LandmarkReader.Read(list, referenceRadius)))
+            : null;
+        return new NavigationInputs(
+            craters,
+            landmarks,
+            [
+                .. settings.Craters is { } catalogue ? [FileOf(InputKind.CraterCatalogue, catalogue)] : (InputFile[])[],
+                .. settings.Landmarks is { } points ? [FileOf(InputKind.Landmarks, points)] : (InputFile[])[],
+            ]);
     }
 
-    private static InputFile FileOf(string path) => FileErrors.ToBadInput(
+    private static InputFile FileOf(InputKind kind, string path) => FileErrors.ToBadInput(
         $"{path}: can't be read",
-        () => new InputFile(
-            InputKind.CraterCatalogue, Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path)));
+        () => new InputFile(kind, Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path)));
 }

@@ -23,6 +23,7 @@ internal sealed class FrameNavigation(NavigationInputs inputs)
             Craters = inputs.Craters is { } finder
                 ? CraterPixels.WithParts(finder.Find(frame.Camera, frame.Light, rendered.Terrain), frame)
                 : null,
+            Landmarks = inputs.Landmarks?.Find(frame.Camera, frame.Light, rendered.Terrain),
         };
     }
 
@@ -40,15 +41,22 @@ internal sealed class FrameNavigation(NavigationInputs inputs)
     /// <returns>The paths.</returns>
     public static IReadOnlyList<string> Write(AtomicFileSet files, string stem, int step, FrameMetadata metadata)
     {
-        if (metadata.Navigation?.Craters is not { } craters)
+        List<string> paths = [];
+        double referenceRadius = metadata.Globe.ReferenceRadius;
+        if (metadata.Navigation?.Craters is { } craters)
         {
-            return [];
+            files.WriteText($"{stem}.craters.csv", writer => CraterCsvWriter.Write(writer, craters, referenceRadius));
+            files.Write($"{stem}.craters.json", stream => CocoWriter.Write(
+                stream, craters, metadata.Camera, (step, $"{Path.GetFileName(stem)}.png"), referenceRadius));
+            paths.AddRange([$"{stem}.craters.csv", $"{stem}.craters.json"]);
         }
 
-        double referenceRadius = metadata.Globe.ReferenceRadius;
-        files.WriteText($"{stem}.craters.csv", writer => CraterCsvWriter.Write(writer, craters, referenceRadius));
-        files.Write($"{stem}.craters.json", stream => CocoWriter.Write(
-            stream, craters, metadata.Camera, (step, $"{Path.GetFileName(stem)}.png"), referenceRadius));
-        return [$"{stem}.craters.csv", $"{stem}.craters.json"];
+        if (metadata.Navigation?.Landmarks is { } landmarks)
+        {
+            files.WriteText($"{stem}.landmarks.csv", writer => LandmarkCsvWriter.Write(writer, landmarks, referenceRadius));
+            paths.Add($"{stem}.landmarks.csv");
+        }
+
+        return paths;
     }
 }

@@ -35,11 +35,16 @@ internal static class NavigationOptions
         Limits = new NumberRange(0.0, MaxCraterSize),
     };
 
+    /// <summary>List of landmarks.</summary>
+    public static PathSpec Landmarks { get; } = new(
+        "--landmarks", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Landmarks)), PathKind.File,
+        "Lists where each image shows the points of a list (CSV), with partial derivatives, in the meta file and as CSV");
+
     /// <summary>The options that are of use with a catalogue only.</summary>
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize])
+    public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks])
     {
         Note = "Only with --renderer native.",
     };

@@ -17,6 +17,9 @@ internal sealed record NavigationSettings
     /// <summary>px: least diameter of craters in the image.</summary>
     public double LeastDiameter { get; init; }
 
+    /// <summary>Path of the list of landmarks; null for none.</summary>
+    public string? Landmarks { get; init; }
+
     /// <summary>Reads the options.</summary>
     /// <returns>Null if no such truth is wanted.</returns>
     /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
@@ -29,11 +32,13 @@ internal sealed record NavigationSettings
                 $"{ofCraters.Name} is given, but no {NavigationOptions.Craters.Name}. Name a catalogue, or leave it out.").About(ofCraters);
         }
 
-        return craters is null
+        string? landmarks = NavigationOptions.Landmarks.ReadIfGiven(values);
+        return craters is null && landmarks is null
             ? null
             : new NavigationSettings
             {
                 Craters = craters,
+                Landmarks = landmarks,
                 Rim = NavigationOptions.Rim.Read(values),
                 LeastDiameter = NavigationOptions.CraterSize.Read(values),
             };

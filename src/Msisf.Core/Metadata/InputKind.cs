@@ -23,4 +23,7 @@ public enum InputKind
 
     /// <summary>A catalogue of craters.</summary>
     CraterCatalogue,
+
+    /// <summary>A list of landmarks.</summary>
+    Landmarks,
 }

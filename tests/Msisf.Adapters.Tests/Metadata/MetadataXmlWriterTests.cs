@@ -102,7 +102,7 @@ public class MetadataXmlWriterTests
             : 0)..]);
         return [.. string.Concat(parts).Split('\n', StringSplitOptions.RemoveEmptyEntries)
             .TakeWhile(line => !line.StartsWith("<!ELEMENT CraterInformation ", StringComparison.Ordinal))
-            .Select(line => line.Replace(",CraterInformation?", string.Empty, StringComparison.Ordinal))];
+            .Select(line => line.Replace(",CraterInformation?,LandmarkInformation?", string.Empty, StringComparison.Ordinal))];
     }
 
     /// <summary>K, R and t of the file lead from each pixel's coordinates in the file back to the pixel.</summary>

@@ -6,8 +6,8 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Run;
 
-/// <summary>Runs with a catalogue of craters: what stands in the meta file, the CSV, the JSON and the layer.</summary>
-public sealed class CraterRunTests : IDisposable
+/// <summary>Runs with craters and landmarks: what stands in the meta file, the CSV, the JSON and the layer.</summary>
+public sealed class NavigationRunTests : IDisposable
 {
     private const int Width = 120;
     private const int Height = 90;
@@ -20,7 +20,7 @@ public sealed class CraterRunTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    public CraterRunTests() => _folder.Write("c.csv", Catalogue);
+    public NavigationRunTests() => _folder.Write("c.csv", Catalogue);
 
     public void Dispose() => _folder.Dispose();
 
@@ -87,7 +87,44 @@ public sealed class CraterRunTests : IDisposable
             "Crater", File.ReadAllText(_folder["without/MoonSurfIllumSim_step_00001.xml"]), StringComparison.Ordinal);
     }
 
+    /// <summary>The projection of docs/camera-model.md, by the camera that the meta file has.</summary>
+    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    public void Run_Landmarks_AreWhereTheMetaFilesCameraProjectsThem()
+    {
+        _folder.Write("l.csv", "id,lat,lon,height\na,-48,-12,\nb,-51.5,-14,2500\nfar,-48,-12,2000000\n");
+        CommandLineRun run = Run("out", "--landmarks", _folder["l.csv"], "--rendering-annotation");
+        Assert.True(run.ExitCode == 0, run.Error);
+        string stem = Path.Combine(_folder["out"], "MoonSurfIllumSim_step_00001");
+        XDocument document = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml"));
+        XElement information = document.Descendants("LandmarkInformation").Single();
+        double[] k = Numbers(document.Descendants("K").Single());
+        double[] r = Numbers(document.Descendants("R").Single());
+        double[] t = Numbers(document.Descendants("t").Single());
+        string[][] lines = [.. File.ReadLines($"{stem}.landmarks.csv").Select(line => line.Split(','))];
+
+        Assert.Equal("1", information.Attribute("outside")!.Value);
+        Assert.Equal(["a", "b"], information.Elements("Landmark").Select(landmark => landmark.Attribute("id")!.Value));
+        foreach (XElement landmark in information.Elements("Landmark"))
+        {
+            double Value(string name) => Number(landmark.Attribute(name)!.Value);
+            double[] point = [Value("x"), Value("y"), Value("z")];
+            double[] inCamera =
+                [.. Enumerable.Range(0, 3).Select(row => t[row] + point.Select((part, i) => r[(3 * row) + i] * part).Sum())];
+            Assert.Equal(((k[0] * inCamera[0]) / inCamera[2]) + k[2] + 1.0, Value("h"), 1e-8);
+            Assert.Equal(((k[4] * inCamera[1]) / inCamera[2]) + k[5] + 1.0, Value("v"), 1e-8);
+            Assert.Equal("yes", landmark.Attribute("visible")!.Value);
+            string[] line = lines.Single(fields => fields[1] == landmark.Attribute("id")!.Value);
+            Assert.All(landmark.Attributes(), attribute =>
+                Assert.Equal(attribute.Value, line[Array.IndexOf(lines[0], attribute.Name.LocalName)]));
+        }
+
+        Assert.Equal(2500.0, Number(lines[2][Array.IndexOf(lines[0], "height")]), 1e-8);
+    }
+
     [Theory]
+    [InlineData("--landmarks FILE:c.csv --renderer povray", "--landmarks is for --renderer native only.")]
+    [InlineData("--landmarks FILE:bad.txt", "bad.txt, line 1: no columns lat and lon, nor x, y and z")]
+    [InlineData("--landmarks FILE:nan.txt", "nan.txt, line 2, column 'lat': a number from -90 to 90 is needed")]
     [InlineData("--crater-rim terrain", "--crater-rim is given, but no --craters. Name a catalogue, or leave it out.")]
     [InlineData("--layers crater", "--layers: crater needs a catalogue of craters. Name one by --craters.")]
     [InlineData("--craters FILE:none.csv", "there is no such file. A catalogue of craters in CSV is needed.")]
@@ -96,6 +133,8 @@ public sealed class CraterRunTests : IDisposable
     [InlineData("--craters FILE:bad.csv", "bad.csv, line 3: the crater 'a' is already in line 2. Remove one.")]
     public void Run_WrongOption_SaysSoAndLeavesNothing(string options, string message)
     {
+        _folder.Write("bad.txt", "a,b\n1,2\n");
+        _folder.Write("nan.txt", "lat,lon\nnan,2\n");
         _folder.Write("bad.csv", "id,lat,lon,diam_km\na,1,2,3\na,4,5,6\n");
 
         CommandLineRun run = Run(
@@ -114,6 +153,9 @@ public sealed class CraterRunTests : IDisposable
     ]);
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+    private static double[] Numbers(XElement element) =>
+        [.. element.Value.Split((char[])[' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(Number)];
 
     private static double Area(double[] polygon)
     {

@@ -1,0 +1,73 @@
+using System.Runtime.CompilerServices;
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.Core.Navigation;
+
+/// <summary>Finds where an image shows landmarks, and what hides them. Single rays are followed; the Sun is a point. Thread-safe.</summary>
+/// <param name="landmarks">The landmarks.</param>
+public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
+{
+    /// <summary>m: how far before a landmark a ray towards it may end; rounding on the way from the camera is less.</summary>
+    private const double SamePoint = 1e-3;
+
+    /// <summary>m above the highest ground, from where it is looked for.</summary>
+    private const double Above = 1e3;
+
+    private readonly ConditionalWeakTable<ITerrain, TerrainTracer> _tracers = [];
+
+    /// <summary>The landmarks of a frame.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="light">The light.</param>
+    /// <param name="terrain">The terrain that the frame shows.</param>
+    public LandmarksOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
+    {
+        TerrainTracer tracer = _tracers.GetValue(terrain, static shown => new TerrainTracer(shown));
+        List<LandmarkView> views = [];
+        foreach (Landmark landmark in landmarks)
+        {
+            double top = terrain.RadiusLimits.Max + Above;
+            bool hasGround = tracer.TryTrace(new Ray(top * landmark.Direction, -landmark.Direction), out SurfaceHit ground);
+            Vector3D point = landmark.Height is null && hasGround
+                ? ground.PointMoonMe
+                : (terrain.ReferenceRadius + (landmark.Height ?? 0.0)) * landmark.Direction;
+            if (camera.TryProjectPoint(point, out RenderingPoint seen) && IsInside(camera, seen))
+            {
+                SceneLight source = light.At(camera, seen.Y);
+                views.Add(View(camera, landmark, point, seen, tracer, source, hasGround ? ground : null));
+            }
+        }
+
+        return new LandmarksOfFrame(views, landmarks.Count - views.Count);
+    }
+
+    private static LandmarkView View(
+        ICamera camera, Landmark landmark, Vector3D point, RenderingPoint seen, TerrainTracer tracer, SceneLight light, SurfaceHit? ground)
+    {
+        (PixelRows rows, FrameCamera band) = camera.BandAt(seen.Y);
+        Vector3D way = point - band.PositionMoonMe;
+        Vector3D toLight = light.PositionMoonMe - point;
+        bool isOnGround = landmark.Height is null && ground is not null;
+        bool isDark = isOnGround
+            ? tracer.IsHidden(point, ground!.Value.Facet, light.PositionMoonMe)
+            : ground?.PointMoonMe.Length - SamePoint > point.Length || tracer.TryTrace(new Ray(point, toLight), out _);
+        bool isHidden = tracer.TryTrace(new Ray(band.PositionMoonMe, way), out SurfaceHit before)
+            && before.RayParameter * way.Length < way.Length - SamePoint;
+        Ray ray = band.RayThrough(seen.X, seen.Y - rows.First);
+        return new LandmarkView(landmark, point, seen.X, seen.Y)
+        {
+            HiddenBy = isHidden ? before.Facet : null,
+            IsLit = !light.IsSun || !isDark,
+            Incidence = ground is { } below ? Vector3D.AngleBetween(below.NormalMoonMe, toLight) : null,
+            Range = way.Length,
+            PixelScale = band.PixelSide(ray, way.Length / ray.Direction.Length),
+            Derivatives = PixelDerivatives.At(band, point),
+        };
+    }
+
+    private static bool IsInside(ICamera camera, RenderingPoint point) =>
+        point.X >= 0.5 && point.X <= camera.Width + 0.5 && point.Y >= 0.5 && point.Y <= camera.Height + 0.5;
+}

@@ -1,0 +1,39 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Navigation;
+
+/// <summary>Partial derivatives of the place at which a point is seen. Each vector holds those by three numbers.</summary>
+/// <param name="XByShift">px/m: of x by the camera's position along its own axes (-x forward, y right, z up).</param>
+/// <param name="XByTurn">px/rad: of x by turns of the camera about its own axes, right-handed.</param>
+/// <param name="XByPoint">px/m: of x by the point, MOON_ME.</param>
+/// <param name="YByShift">px/m: of y.</param>
+/// <param name="YByTurn">px/rad: of y.</param>
+/// <param name="YByPoint">px/m: of y.</param>
+public readonly record struct PixelDerivatives(
+    Vector3D XByShift, Vector3D XByTurn, Vector3D XByPoint, Vector3D YByShift, Vector3D YByTurn, Vector3D YByPoint)
+{
+    /// <summary>The derivatives at a point in front of a camera.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="pointMoonMe">m.</param>
+    /// <remarks>
+    /// The point is p = M^T (P - C) in camera axes, its tangents are -p.y / p.x to the right and p.z / p.x down. A shift of the camera
+    /// changes p by its opposite, a turn w by p x w.
+    /// </remarks>
+    public static PixelDerivatives At(FrameCamera camera, Vector3D pointMoonMe)
+    {
+        Vector3D p = camera.MoonFromCamera.Conjugate * (pointMoonMe - camera.PositionMoonMe);
+        (double Right, double Down) tangents = (-p.Y / p.X, p.Z / p.X);
+        (double xByRight, double yByRight) = camera.Model.DirectionInImage(tangents, 1.0, 0.0);
+        (double xByDown, double yByDown) = camera.Model.DirectionInImage(tangents, 0.0, 1.0);
+        Vector3D right = new(-tangents.Right / p.X, -1.0 / p.X, 0.0);
+        Vector3D down = new(-tangents.Down / p.X, 0.0, 1.0 / p.X);
+        Vector3D x = (xByRight * right) + (xByDown * down);
+        Vector3D y = (yByRight * right) + (yByDown * down);
+        UnitQuaternion toMoon = camera.MoonFromCamera;
+        return new PixelDerivatives(-x, ByTurn(x, p), toMoon * x, -y, ByTurn(y, p), toMoon * y);
+    }
+
+    /// <summary>The derivatives by w of g . (p x w), which are g x p.</summary>
+    private static Vector3D ByTurn(Vector3D gradient, Vector3D p) => Vector3D.Cross(gradient, p);
+}
