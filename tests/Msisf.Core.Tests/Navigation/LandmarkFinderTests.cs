@@ -97,7 +97,8 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
             for (int axis = 0; axis < axes.Length; axis++)
             {
                 Vector3D along = axes[axis];
-                Check(by => Seen(model, camera.PositionMoonMe + (by * (camera.MoonFromCamera * along)), camera.MoonFromCamera, point), 200.0,
+                Vector3D shift = camera.MoonFromCamera * along;
+                Check(by => Seen(model, camera.PositionMoonMe + (by * shift), camera.MoonFromCamera, point), 200.0,
                     Part(found.XByShift, axis), Part(found.YByShift, axis), lens);
                 Check(by => Seen(model, camera.PositionMoonMe, camera.MoonFromCamera * Turn(along, by), point), 0.01,
                     Part(found.XByTurn, axis), Part(found.YByTurn, axis), lens);
