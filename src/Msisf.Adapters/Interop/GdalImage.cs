@@ -28,6 +28,10 @@ internal sealed unsafe class GdalImage : IDisposable
         int type = gdal.GDALGetRasterDataType(_band);
         IsBytes = type == GdalNative.TypeByte;
         IsComplex = type is >= GdalNative.FirstComplexType and <= GdalNative.LastComplexType;
+        int across = 0;
+        int down = 0;
+        gdal.GDALGetBlockSize(_band, &across, &down);
+        HasWideBlocks = across > Width / 2;
         int isThere = 0;
         double value = gdal.GDALGetRasterNoDataValue(_band, &isThere);
         NoData = isThere != 0 ? value : null;
@@ -41,6 +45,9 @@ internal sealed unsafe class GdalImage : IDisposable
 
     /// <summary>The values are whole numbers from 0 to 255.</summary>
     public bool IsBytes { get; }
+
+    /// <summary>The file is stored in blocks as wide as the image, as rows are: a part of a row costs as much as all of it.</summary>
+    public bool HasWideBlocks { get; }
 
     /// <summary>The values are complex numbers.</summary>
     public bool IsComplex { get; }

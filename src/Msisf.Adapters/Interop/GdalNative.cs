@@ -45,6 +45,7 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterYSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, nint> GDALGetRasterBand;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterDataType;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int*, int*, void> GDALGetBlockSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterNoDataValue;
     internal readonly delegate* unmanaged[Cdecl]<nint, double*, int> GDALGetGeoTransform;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int> GDALRasterIO;
@@ -85,6 +86,7 @@ internal sealed unsafe class GdalNative
         GDALGetRasterYSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterYSize));
         GDALGetRasterBand = (delegate* unmanaged[Cdecl]<nint, int, nint>)Find(nameof(GDALGetRasterBand));
         GDALGetRasterDataType = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterDataType));
+        GDALGetBlockSize = (delegate* unmanaged[Cdecl]<nint, int*, int*, void>)Find(nameof(GDALGetBlockSize));
         GDALGetRasterNoDataValue = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterNoDataValue));
         GDALGetGeoTransform = (delegate* unmanaged[Cdecl]<nint, double*, int>)Find(nameof(GDALGetGeoTransform));
         GDALRasterIO = (delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int>)

@@ -136,6 +136,11 @@ internal static class ModelOpening
                 $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
         }
 
+        if (grid.Prepare(CacheFolder.Of(host), () => Display(grid.ProductId, host)) is { } warning)
+        {
+            host.Log.Warning(warning);
+        }
+
         if (grid.NoteOfGaps() is { } gaps)
         {
             host.Log.Note(gaps);
@@ -143,6 +148,14 @@ internal static class ModelOpening
 
         return new ElevationModel(grid, set, grid);
     });
+
+    /// <summary>A large raster is looked at once.</summary>
+    private static FractionDisplay Display(string productId, ProgramHost host)
+    {
+        host.Log.Note($"All pixels of {productId} are looked at once, which takes a while; the next runs know them.");
+        IRunProgress progress = host.Progress.Start(productId, FractionProgress.Steps, unattended: false);
+        return new FractionDisplay(new FractionProgress(progress, productId), progress);
+    }
 
     private static void Tell(LdemSet set, ILog log)
     {

@@ -166,22 +166,41 @@ public sealed class BlockReducer
         ArrayPool<bool>.Shared.Return(gaps);
     }
 
+    /// <summary>
+    /// The radius that stands for four: ((NW + SW) + (NE + SE)) / 4, of those that have data, its height rounded to a 32-bit float; NaN if
+    /// none has.
+    /// </summary>
+    public static double MeanOf(double northWest, double southWest, double northEast, double southEast, double reference)
+    {
+        double sum = northWest + southWest + (northEast + southEast);
+        if (!double.IsNaN(sum))
+        {
+            return reference + (float)((0.25 * sum) - reference);
+        }
+
+        return MeanOfRest([northWest, southWest, northEast, southEast], reference);
+    }
+
+    private static double MeanOfRest(ReadOnlySpan<double> radii, double reference)
+    {
+        (double sum, int count) = (0.0, 0);
+        foreach (double radius in radii)
+        {
+            if (!double.IsNaN(radius))
+            {
+                sum += radius;
+                count++;
+            }
+        }
+
+        return count == 0 ? double.NaN : reference + (float)((sum / count) - reference);
+    }
+
     private void HalveWithGaps(ReadOnlySpan<double> north, ReadOnlySpan<double> south, Span<double> radii)
     {
         for (int i = 0; i < radii.Length; i++)
         {
-            double sum = 0.0;
-            int count = 0;
-            foreach (double radius in (ReadOnlySpan<double>)[north[2 * i], south[2 * i], north[(2 * i) + 1], south[(2 * i) + 1]])
-            {
-                if (!double.IsNaN(radius))
-                {
-                    sum += radius;
-                    count++;
-                }
-            }
-
-            radii[i] = count == 0 ? double.NaN : _reference + (float)((sum / count) - _reference);
+            radii[i] = MeanOf(north[2 * i], south[2 * i], north[(2 * i) + 1], south[(2 * i) + 1], _reference);
         }
     }
 

@@ -10,12 +10,16 @@ namespace Msisf.Core.Lod;
 /// <summary>A level of detail whose samples are kept in blocks of heights. Safe for several threads if its blocks are.</summary>
 public abstract class BlockedGrid : ITerrainGrid
 {
+    private readonly ITerrainGrid _source;
+    private readonly int _halvings;
+
     /// <summary>Describes the level.</summary>
     /// <param name="source">The model: its name and limits are the level's.</param>
     /// <param name="halvings">How many times the model's resolution is halved.</param>
     /// <param name="keepsGaps">Whether it has no data where the model has none; without it such a place is an error.</param>
     protected BlockedGrid(ITerrainGrid source, int halvings, bool keepsGaps = false)
     {
+        (_source, _halvings) = (source, halvings);
         MayHaveGaps = keepsGaps && source.MayHaveGaps;
         ProductId = source.ProductId;
         ReferenceRadius = source.ReferenceRadius;
@@ -126,6 +130,33 @@ public abstract class BlockedGrid : ITerrainGrid
         }
 
         return (ReferenceRadius + min, ReferenceRadius + max);
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>Means of samples lie between them, and differ by no more than the samples that lie a coarse cell apart.</remarks>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
+    {
+        GridWindow all = _source.Window;
+        int line = Math.Max(firstLine << _halvings, all.FirstLine);
+        int sample = Math.Max(firstSample << _halvings, all.FirstSample);
+        return _source.BoundsOf(
+            line, Math.Min((firstLine + lines) << _halvings, all.EndLine) - line,
+            sample, Math.Min((firstSample + samples) << _halvings, all.EndSample) - sample) is { } known
+            ? new KnownBounds(
+                known.Min - Tolerances.VertexLattice, known.Max + Tolerances.VertexLattice,
+                (known.Step * (1 << _halvings)) + Tolerances.VertexLattice)
+            : null;
+    }
+
+    /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples)
+    {
+        GridWindow all = _source.Window;
+        int line = Math.Max(firstLine << _halvings, all.FirstLine);
+        int sample = Math.Max(firstSample << _halvings, all.FirstSample);
+        return MayHaveGaps && _source.MayHaveGapsIn(
+            line, Math.Min((firstLine + lines) << _halvings, all.EndLine) - line,
+            sample, Math.Min((firstSample + samples) << _halvings, all.EndSample) - sample);
     }
 
     /// <summary>The samples of a block.</summary>

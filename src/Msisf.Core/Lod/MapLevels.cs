@@ -29,13 +29,22 @@ public sealed class MapLevels : TerrainLevels
     /// </param>
     public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes, bool keepsGaps = false)
     {
+        // A map that has a level at hand has those above it from that one; without data a mean is another one if it must not be.
+        ITerrainGrid? stored = keepsGaps || !map.MayHaveGaps ? map.StoredLevel : null;
         // The lines of polar maps are long: each line of a block lies on pages of its own, and the system maps fifteen neighbours with it.
         const int SamplesBetweenReleases = SparingSamplesBetweenReleases;
         LodCache cache = new(cacheBytes);
         List<ITerrainGrid> levels = [map];
         while (HasNext(levels[^1]))
         {
-            levels.Add(new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps));
+            int above = stored is null ? 0 : levels.Count - map.Projection.Resolution.HalvingsTo(stored.Projection.Resolution);
+            levels.Add(above switch
+            {
+                _ when stored is null || above < 0 =>
+                    new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps),
+                0 => stored,
+                _ => new ReducedGrid(stored, above, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps),
+            });
         }
 
         return new MapLevels(levels);

@@ -72,6 +72,12 @@ internal sealed class BoundsTree
             return bounds;
         }
 
+        if (_reader?.Known(Layout.Cells(level, row, column)) is { } known)
+        {
+            _stores[level].Set(row, column, known);
+            return known;
+        }
+
         if (level > Layout.CoarsestReadLevel)
         {
             TryUnite(level, row, column, reads: true, out bounds);

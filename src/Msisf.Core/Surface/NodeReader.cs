@@ -17,6 +17,9 @@ internal sealed class NodeReader
     /// </summary>
     private const double SlopeMargin = 1.02;
 
+    /// <summary>Lines, and samples of a line, of a node from which on known bounds are worth more than exact ones.</summary>
+    private const int LeastKnown = 64;
+
     /// <summary>Maximum number of vertices of a line for which the buffer is on the stack.</summary>
     private const int StackSamples = 64;
 
@@ -67,6 +70,35 @@ internal sealed class NodeReader
         }
 
         return found.ToBounds();
+    }
+
+    /// <summary>The bounds of a node as far as the model knows them without being read; null if it knows none, or none worth it.</summary>
+    public NodeBounds? Known(CellRange cells)
+    {
+        if (_mesh.IsClosed || Math.Min(cells.Lines, cells.Samples) < LeastKnown
+            || _mesh.Grid.BoundsOf(cells.FirstLine, cells.Lines + 1, cells.FirstSample, cells.Samples + 1) is not { } known)
+        {
+            return null;
+        }
+
+        // The steps are the same everywhere; the angles between vertices are least in the first or the last line of a node, or of a map.
+        (double east, double north) = (0.0, 0.0);
+        foreach (int line in (int[])[cells.FirstLine, cells.EndLine])
+        {
+            (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line - _firstLine] : default;
+            if (_plane is not null)
+            {
+                perRadianEast = perRadianNorth = _plane.PerRadian(line, cells.FirstSample, cells.EndSample);
+            }
+
+            (east, north) = (Math.Max(east, perRadianEast), Math.Max(north, perRadianNorth));
+        }
+
+        double step = (known.Step + (2.0 * Tolerances.VertexLattice)) / known.Min;
+        return new NodeBounds(
+            MathF.BitDecrement((float)known.Min),
+            MathF.BitIncrement((float)known.Max),
+            MathF.BitIncrement((float)(SlopeMargin * double.Hypot(step * east, step * north))));
     }
 
     /// <summary>

@@ -29,6 +29,12 @@ public interface ITerrainGrid : ITerrain
     /// <summary>Whether samples may be without data (<see cref="ReadGaps"/>).</summary>
     bool MayHaveGaps => false;
 
+    /// <summary>
+    /// A coarser level of the model that was computed before, as levels of maps are computed that keep places without
+    /// data; null if there is none.
+    /// </summary>
+    ITerrainGrid? StoredLevel => null;
+
     /// <summary>Tells which of consecutive samples of one line have no data; parameters as of <see cref="ReadRadii"/>.</summary>
     /// <param name="line">The line.</param>
     /// <param name="firstSample">The first sample.</param>
@@ -43,6 +49,24 @@ public interface ITerrainGrid : ITerrain
     /// <param name="radii">Filled with m from the Moon's centre; 1 to <see cref="Samples"/> of them.</param>
     /// <exception cref="BadInputException">A sample has no data, or can't be right: the file is damaged.</exception>
     void ReadRadii(int line, int firstSample, Span<double> radii);
+
+    /// <summary>
+    /// Whether any sample of a block may be without data; a block that is told to have none need not be looked at sample by sample.
+    /// </summary>
+    /// <param name="firstLine">Top line.</param>
+    /// <param name="lines">How many lines.</param>
+    /// <param name="firstSample">Leftmost sample.</param>
+    /// <param name="samples">How many samples.</param>
+    bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => MayHaveGaps;
+
+    /// <summary>
+    /// Bounds of a block of samples that are known without reading it; null if none are. The samples may have less extreme values.
+    /// </summary>
+    /// <param name="firstLine">Top line.</param>
+    /// <param name="lines">How many lines.</param>
+    /// <param name="firstSample">Leftmost sample.</param>
+    /// <param name="samples">How many samples.</param>
+    KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => null;
 
     /// <summary>
     /// Tells that a block of samples is read next, so that a file which nobody has read yet is fetched there, and only there. It changes
@@ -76,3 +100,9 @@ public interface ITerrainGrid : ITerrain
         return (minimum, maximum);
     }
 }
+
+/// <summary>Bounds of a block of samples.</summary>
+/// <param name="Min">m: no radius is below.</param>
+/// <param name="Max">m: no radius is above.</param>
+/// <param name="Step">m: no two neighbouring samples of a line, or of two lines, differ by more.</param>
+public readonly record struct KnownBounds(double Min, double Max, double Step);

@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
@@ -20,6 +21,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private readonly Lock _gate = new();
     private UndeclaredGaps _gapsOfSource;
     private RasterScan? _scan;
+    private StoredLevel? _level;
 
     private GeoTiffGrid(string path, OpenedRaster raster, Func<OpenedRaster> open, HeightOptions given)
     {
@@ -117,11 +119,41 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         }
     }
 
-    /// <summary>Looks at all pixels, if that was not done yet.</summary>
-    /// <param name="progress">Receives the fraction that is done; null for nobody.</param>
+    /// <summary>Looks at all pixels, or at what was found in an earlier run; of a large raster it is kept for the next ones.</summary>
+    /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
+    /// <param name="start">Starts the display of a work that takes long; what it returns is disposed at its end.</param>
     /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>Why it could not be kept; null if it was, or need not be.</returns>
     /// <exception cref="BadInputException">The file is damaged.</exception>
-    internal RasterScan Scan(IProgress<double>? progress = null, CancellationToken cancellation = default)
+    public string? Prepare(string? cacheFolder, Func<FractionDisplay> start, CancellationToken cancellation = default)
+    {
+        if (_scan is not null || (long)_blocks.Height * _blocks.Width < RasterScanFile.LeastPixels)
+        {
+            Scan(cancellation: cancellation);
+            return null;
+        }
+
+        SidecarPlaces places = LdemSet.OfMap(ToLabel()).PlacesOf(RasterScanFile.Extension, cacheFolder);
+        try
+        {
+            byte[] fingerprint = RasterScanFile.Fingerprint(
+                Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}"));
+            _scan = places.Read(path => RasterScanFile.TryRead(path, fingerprint));
+            if (_scan is null)
+            {
+                using FractionDisplay display = start();
+                RasterScanFile.Write(places.ForWriting(), fingerprint, Scan(display.Progress, cancellation));
+            }
+
+            return null;
+        }
+        catch (Exception exception) when (exception is ExternalPartException || exception.IsFileError())
+        {
+            return $"{exception.Message} The next run looks at all pixels of {ProductId} again.";
+        }
+    }
+
+    private RasterScan Scan(IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
         if (Volatile.Read(ref _scan) is { } known)
         {
@@ -132,8 +164,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         {
             try
             {
-                return _scan ??= RasterScan.Of(
-                    _blocks.Height, _blocks.Width, _blocks.Block, () => _blocks.Undeclared, progress, cancellation);
+                return _scan ??= RasterScanner.Scan(_blocks, _placement.SphereRadius, _rule, HasLevel, progress, cancellation);
             }
             catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
             {
@@ -153,6 +184,31 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public bool MayHaveGaps => Scan().HasGaps;
 
     /// <inheritdoc/>
+    public ITerrainGrid? StoredLevel => Scan() is { Halvings: > 0 } scan
+        ? _level ??= new StoredLevel(this, scan.Halvings, scan.Level)
+        : null;
+
+    /// <summary>Whether the samples of coarser levels stand for whole squares of pixels, from the first on.</summary>
+    private bool HasLevel => Window is { FirstLine: 0, FirstSample: 0 } && _placement.Projection is PolarStereographic;
+
+    /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => Scan() is { HasGaps: true } scan
+        && (_isRing || scan.Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples).Gaps > 0);
+
+    /// <inheritdoc/>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
+    {
+        if (_isRing)
+        {
+            return null;
+        }
+
+        ScannedSquare all = Scan().Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples);
+        return all.Min > all.Max ? null : new KnownBounds(
+            _placement.SphereRadius + _rule.HeightOf(all.Min), _placement.SphereRadius + _rule.HeightOf(all.Max), _rule.Factor * all.Step);
+    }
+
+    /// <inheritdoc/>
     public void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
         RasterScan scan = Scan();
@@ -163,7 +219,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             int count = Math.Min(
                 isGap.Length - i, Math.Min(RasterScan.Side - (column & (RasterScan.Side - 1)), _blocks.Width - column));
             Span<bool> part = isGap.Slice(i, count);
-            if (scan.At(row, column).Gaps == 0)
+            if (scan.Of(row, 1, column, count).Gaps == 0)
             {
                 part.Clear();
             }

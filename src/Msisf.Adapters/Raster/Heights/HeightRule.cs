@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Runtime.Intrinsics;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
@@ -12,6 +13,29 @@ internal readonly record struct HeightRule(double Factor, double Offset)
 {
     /// <summary>Whether a stored value is a height: finite, and no farther from the sphere than the Moon's ground is.</summary>
     public bool IsHeight(float value) => Math.Abs(HeightOf(value)) <= MoonConstants.MaxRelief;
+
+    /// <summary>Whether all stored values are heights.</summary>
+    public bool AreHeights(ReadOnlySpan<float> values)
+    {
+        // Float arithmetic may be off by some ulps: what is near the limit is looked at one by one.
+        Vector256<float> limit = Vector256.Create((float)(0.999 * MoonConstants.MaxRelief));
+        (Vector256<float> offset, Vector256<float> factor) = (Vector256.Create((float)Offset), Vector256.Create((float)Factor));
+        int i = 0;
+        for (; i <= values.Length - Vector256<float>.Count; i += Vector256<float>.Count)
+        {
+            if (!Vector256.LessThanOrEqualAll(Vector256.Abs(offset + (factor * Vector256.Create(values[i..]))), limit))
+            {
+                break;
+            }
+        }
+
+        while (i < values.Length && IsHeight(values[i]))
+        {
+            i++;
+        }
+
+        return i == values.Length;
+    }
 
     /// <summary>Height of a stored value, m.</summary>
     public double HeightOf(float value) => Offset + (Factor * value);

@@ -18,7 +18,6 @@ internal sealed class RasterBlocks : IDisposable
     private readonly Func<OpenedRaster> _open;
     private readonly HeightRule _rule;
     private readonly ConcurrentBag<OpenedRaster> _idle = [];
-    private readonly ConcurrentDictionary<int, UndeclaredGaps> _undeclared = new();
     private readonly Lock _gate = new();
     private readonly int _blockColumns;
     private float[]?[]?[] _blocks;
@@ -33,6 +32,7 @@ internal sealed class RasterBlocks : IDisposable
     {
         (_open, _rule) = (open, rule);
         (Height, Width) = (first.Image.Height, first.Image.Width);
+        HasWideBlocks = first.Image.HasWideBlocks;
         _idle.Add(first);
         _blockColumns = (Width + BlockSide - 1) >> BlockShift;
         _blocks = new float[]?[]?[(Height + BlockSide - 1) >> BlockShift];
@@ -44,28 +44,17 @@ internal sealed class RasterBlocks : IDisposable
     /// <summary>Pixels of a row.</summary>
     public int Width { get; }
 
-    /// <summary>What can't be a height, in the blocks that were read so far.</summary>
-    public UndeclaredGaps Undeclared => _undeclared.Values.Aggregate(UndeclaredGaps.None, (all, next) => all.With(next));
+    /// <summary>Whether a part of a row costs as much as all of it.</summary>
+    public bool HasWideBlocks { get; }
 
     /// <summary>The value of a pixel; NaN without data.</summary>
     public float ValueAt(int row, int column) =>
         Block(row >> BlockShift, column >> BlockShift)[((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1))];
 
-    /// <summary>The values of a square, NaN without data; its rows are <see cref="RasterScan.Side"/> apart.</summary>
-    public float[] Block(int blockRow, int blockColumn) =>
+    private float[] Block(int blockRow, int blockColumn) =>
         Volatile.Read(ref Volatile.Read(ref _blocks)[blockRow]) is { } inRow && Volatile.Read(ref inRow[blockColumn]) is { } block
             ? block
             : Keep(blockRow, blockColumn, ReadBlock(blockRow, blockColumn));
-
-    /// <summary>Drops what was read.</summary>
-    public void Forget()
-    {
-        lock (_gate)
-        {
-            Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
-            _blockCount = 0;
-        }
-    }
 
     /// <summary>Closes the file.</summary>
     public void Dispose()
@@ -77,19 +66,22 @@ internal sealed class RasterBlocks : IDisposable
         }
     }
 
+    /// <summary>Reads a rectangle past the memory.</summary>
+    /// <param name="line">Top row.</param>
+    /// <param name="lines">How many rows.</param>
+    /// <param name="sample">Leftmost pixel.</param>
+    /// <param name="samples">How many pixels of a row.</param>
+    /// <param name="values">Receives the values, NaN without data.</param>
+    /// <param name="stride">Values from one row to the next.</param>
+    /// <returns>What can't be a height, and is not declared.</returns>
     /// <exception cref="BadInputException">The file is damaged.</exception>
-    private float[] ReadBlock(int blockRow, int blockColumn)
+    public UndeclaredGaps Read(int line, int lines, int sample, int samples, Span<float> values, int stride)
     {
-        int line = blockRow << BlockShift;
-        int sample = blockColumn << BlockShift;
-        int lines = Math.Min(BlockSide, Height - line);
-        int samples = Math.Min(BlockSide, Width - sample);
-        float[] values = new float[BlockSide * BlockSide];
         ObjectDisposedException.ThrowIf(_isClosed, this);
         OpenedRaster raster = _idle.TryTake(out OpenedRaster? known) ? known : _open();
         try
         {
-            raster.Image.Read(line, lines, sample, samples, values, BlockSide);
+            raster.Image.Read(line, lines, sample, samples, values, stride);
         }
         finally
         {
@@ -100,8 +92,8 @@ internal sealed class RasterBlocks : IDisposable
         UndeclaredGaps undeclared = UndeclaredGaps.None;
         for (int i = 0; i < lines; i++)
         {
-            Span<float> row = values.AsSpan(i * BlockSide, samples);
-            for (int j = 0; j < row.Length; j++)
+            Span<float> row = values.Slice(i * stride, samples);
+            for (int j = _rule.AreHeights(row) ? row.Length : 0; j < row.Length; j++)
             {
                 if (!_rule.IsHeight(row[j]))
                 {
@@ -111,11 +103,15 @@ internal sealed class RasterBlocks : IDisposable
             }
         }
 
-        if (undeclared.Count > 0)
-        {
-            _undeclared[(blockRow * _blockColumns) + blockColumn] = undeclared;
-        }
+        return undeclared;
+    }
 
+    private float[] ReadBlock(int blockRow, int blockColumn)
+    {
+        int line = blockRow << BlockShift;
+        int sample = blockColumn << BlockShift;
+        float[] values = new float[BlockSide * BlockSide];
+        Read(line, Math.Min(BlockSide, Height - line), sample, Math.Min(BlockSide, Width - sample), values, BlockSide);
         return values;
     }
 

@@ -91,6 +91,29 @@ internal sealed class BorderBlend : IBlendedGrid
     public void ReadGaps(int line, int firstSample, Span<bool> isGap) => _grid.ReadGaps(line, firstSample, isGap);
 
     /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        _grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
+
+    /// <inheritdoc/>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
+    {
+        int firstDown = firstLine - Window.FirstLine;
+        int firstRight = firstSample - Window.FirstSample;
+        for (int row = firstDown / Side; row <= (firstDown + lines - 1) / Side; row++)
+        {
+            for (int column = firstRight / Side; column <= (firstRight + samples - 1) / Side; column++)
+            {
+                if (column >= _columns || _isBlended[(row * _columns) + column])
+                {
+                    return null;
+                }
+            }
+        }
+
+        return _grid.BoundsOf(firstLine, lines, firstSample, samples);
+    }
+
+    /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         GridWindow window = Window;

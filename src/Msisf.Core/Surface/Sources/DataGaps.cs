@@ -30,6 +30,13 @@ internal sealed class DataGaps
         bool[] gaps = new bool[_window.Samples];
         for (int down = 0; down < _window.Lines; down++)
         {
+            if (down % Side == 0 && !grid.MayHaveGapsIn(
+                _window.FirstLine + down, Math.Min(Side, _window.Lines - down), _window.FirstSample, _window.Samples))
+            {
+                down += Side - 1;
+                continue;
+            }
+
             grid.ReadGaps(_window.FirstLine + down, _window.FirstSample, gaps);
             for (int right = Array.IndexOf(gaps, true); right >= 0; right = Array.IndexOf(gaps, true, right + 1))
             {

@@ -41,6 +41,11 @@ internal static class KeptCells
         bool[] gaps = new bool[window.Samples];
         for (int line = window.FirstLine; line < window.EndLine; line++)
         {
+            if (!part.Grid.MayHaveGapsIn(line, 1, window.FirstSample, window.Samples))
+            {
+                continue;
+            }
+
             part.Grid.ReadGaps(line, window.FirstSample, gaps);
             for (int at = Array.IndexOf(gaps, true); at >= 0; at = Array.IndexOf(gaps, true, at + 1))
             {

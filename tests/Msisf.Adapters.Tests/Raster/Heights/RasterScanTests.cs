@@ -1,0 +1,158 @@
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Core.Lod;
+using Msisf.Core.Terrain;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Raster.Heights;
+
+/// <summary>What is found by looking at all pixels once is what the samples say, and is kept for a large raster.</summary>
+public sealed class RasterScanTests : IDisposable
+{
+    /// <summary>4,600 x 3,700 pixels: more than 2^24, in tiles; a strip of 4,096 columns and one of 504.</summary>
+    private const string Large = "line, sample = np.mgrid[0:3700, 0:4600].astype(np.float32); "
+        + "a = 500 + 0.05 * line - 0.01 * sample + np.round(20 * np.sin(line / 90) * np.cos(sample / 70)); "
+        + "a[1000:1030, 2000:2050] = -9999; a[3699, 4599] = -9999; a[5, 4096] = 900; nodata = -9999; t[0] = 150000.0; "
+        + "options = ['TILED=YES', 'COMPRESS=DEFLATE', 'ZLEVEL=1']";
+
+    private readonly TemporaryFolder _folder = new();
+    private int _displays;
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Prepare_LargeRaster_IsKeptAndTrue()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", Large);
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(grid.Prepare(cacheFolder: null, Display));
+        Assert.True(File.Exists(_folder["site.scan"]));
+        Random random = new(1);
+        for (int i = 0; i < TestLength.Of(60, 5000); i++)
+        {
+            (int lines, int samples) = (random.Next(2, 400), random.Next(2, 600));
+            (int line, int sample) = i == 0 ? (0, 4000) : (random.Next(0, 3700 - lines), random.Next(0, 4600 - samples));
+            AssertBounds(grid, line, lines, sample, samples);
+        }
+
+        AssertLevels(grid);
+        using GeoTiffGrid again = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(again.Prepare(cacheFolder: null, Display));
+        Assert.Equal(1, _displays);
+        AssertLevels(again);
+        Assert.Equal(grid.BoundsOf(0, 3700, 0, 4600), again.BoundsOf(0, 3700, 0, 4600));
+
+        File.SetLastWriteTimeUtc(path, DateTime.UtcNow.AddSeconds(-100));
+        using GeoTiffGrid changed = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(changed.Prepare(cacheFolder: null, Display));
+        Assert.Equal(2, _displays);
+        using GeoTiffGrid moved = GeoTiffGrid.Open(path, libraryPath: null, new HeightOptions(Scale: null, Offset: 10.0));
+        Assert.Null(moved.Prepare(cacheFolder: null, Display));
+        Assert.Equal(3, _displays);
+        Assert.Equal(10.0, moved.BoundsOf(0, 99, 0, 99)!.Value.Min - changed.BoundsOf(0, 99, 0, 99)!.Value.Min);
+    }
+
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Prepare_FileOfScanThatIsDamaged_IsMadeAgain()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", Large);
+        using (GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null))
+        {
+            grid.Prepare(cacheFolder: null, Display);
+        }
+
+        byte[] bytes = File.ReadAllBytes(_folder["site.scan"]);
+        bytes[^7] ^= 1;
+        File.WriteAllBytes(_folder["site.scan"], bytes);
+        using GeoTiffGrid again = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(again.Prepare(cacheFolder: null, Display));
+        Assert.Equal(2, _displays);
+    }
+
+    private FractionDisplay Display()
+    {
+        _displays++;
+        return new FractionDisplay(new Progress<double>(), new MemoryStream());
+    }
+
+    private static void AssertBounds(GeoTiffGrid grid, int firstLine, int lines, int firstSample, int samples)
+    {
+        KnownBounds known = grid.BoundsOf(firstLine, lines, firstSample, samples)!.Value;
+        bool mayHaveGaps = grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
+        double[] above = new double[samples];
+        double[] radii = new double[samples];
+        bool[] gaps = new bool[samples];
+        Array.Fill(above, double.NaN);
+        for (int line = firstLine; line < firstLine + lines; line++)
+        {
+            grid.ReadGaps(line, firstSample, gaps);
+            for (int i = 0; i < samples; i++)
+            {
+                Assert.True(mayHaveGaps || !gaps[i]);
+                radii[i] = double.NaN;
+                if (!gaps[i])
+                {
+                    grid.ReadRadii(line, firstSample + i, radii.AsSpan(i, 1));
+                }
+
+                // A comparison with NaN is false.
+                bool isOutside = radii[i] < known.Min || radii[i] > known.Max || Math.Abs(radii[i] - above[i]) > known.Step + 1e-3
+                    || (i > 0 && Math.Abs(radii[i] - radii[i - 1]) > known.Step + 1e-3);
+                Assert.False(isOutside, $"{known}: line {line}, sample {firstSample + i}: {radii[i]}");
+            }
+
+            radii.CopyTo(above, 0);
+        }
+    }
+
+    /// <summary>Levels from the stored one have the bits of those that are computed from the samples.</summary>
+    private static void AssertLevels(GeoTiffGrid grid)
+    {
+        MapLevels stored = MapLevels.Open(grid, keepsGaps: true);
+        Assert.Contains(Enumerable.Range(0, stored.Count), level => stored.Grid(level) is StoredLevel);
+        MapLevels computed = MapLevels.Open(new Hidden(grid), keepsGaps: true);
+        Assert.Equal(computed.Count, stored.Count);
+        for (int level = 1; level < stored.Count; level++)
+        {
+            (ITerrainGrid one, ITerrainGrid other) = (stored.Grid(level), computed.Grid(level));
+            Assert.Equal(other.Window, one.Window);
+            bool[] gaps = new bool[one.Window.Samples];
+            bool[] otherGaps = new bool[gaps.Length];
+            double[] radii = new double[1];
+            double[] otherRadii = new double[1];
+            for (int line = 0; line < one.Window.EndLine; line += 13)
+            {
+                one.ReadGaps(line, 0, gaps);
+                other.ReadGaps(line, 0, otherGaps);
+                Assert.Equal(otherGaps, gaps);
+                for (int sample = line % 7; sample < gaps.Length; sample += 7)
+                {
+                    if (!gaps[sample])
+                    {
+                        one.ReadRadii(line, sample, radii);
+                        other.ReadRadii(line, sample, otherRadii);
+                        Assert.Equal(otherRadii[0], radii[0]);
+                    }
+                }
+            }
+        }
+    }
+
+    /// <summary>The same map without what it knows of itself.</summary>
+    private sealed class Hidden(ITerrainGrid grid) : ITerrainGrid
+    {
+        public string ProductId => grid.ProductId;
+
+        public MapProjection Projection => grid.Projection;
+
+        public int Lines => grid.Lines;
+
+        public int Samples => grid.Samples;
+
+        public bool MayHaveGaps => grid.MayHaveGaps;
+
+        public void ReadGaps(int line, int firstSample, Span<bool> isGap) => grid.ReadGaps(line, firstSample, isGap);
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii) => grid.ReadRadii(line, firstSample, radii);
+    }
+}
