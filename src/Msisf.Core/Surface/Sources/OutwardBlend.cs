@@ -81,6 +81,16 @@ internal class OutwardBlend : IBlendedGrid
     public void ReadGaps(int line, int firstSample, Span<bool> isGap) => _grid.ReadGaps(line, firstSample, isGap);
 
     /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        _grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
+
+    /// <inheritdoc/>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) =>
+        _field is null && !_grid.MayHaveGapsIn(firstLine, lines, firstSample, samples)
+            ? _grid.BoundsOf(firstLine, lines, firstSample, samples)
+            : null;
+
+    /// <inheritdoc/>
     public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
         _grid.Prefetch(firstLine, lines, firstSample, samples);
 
