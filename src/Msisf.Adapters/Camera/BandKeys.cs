@@ -8,8 +8,14 @@ internal static class BandKeys
 {
     private const int MaxPoints = 10_000;
 
-    /// <summary>nm: mirrors and lenses of cameras end there, and a band in micrometres is below it.</summary>
+    /// <summary>nm: mirrors and lenses of cameras end there, and a wavelength in micrometres is below it.</summary>
     private const double ShortestWavelength = 100.0;
+
+    /// <summary>nm: beyond it no camera sees the Sun's light on the Moon.</summary>
+    private const double LongestWavelength = 100_000.0;
+
+    private static readonly (string Name, double Nanometres)[] OtherUnits =
+        [("micrometres", 1e3), ("millimetres", 1e6), ("metres", 1e9), ("picometres", 1e-3)];
 
     /// <summary>Reads the keys.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
@@ -29,19 +35,33 @@ internal static class BandKeys
                 section.Has("band") ? "band" : "wavelengths", "the band needs two wavelengths above 0, the shorter one first");
         }
 
-        if (limits[0] < ShortestWavelength)
-        {
-            throw section.Wrong(section.Has("band") ? "band" : "wavelengths", FormattableString.Invariant(
-                $"the band begins at {limits[0]} nm; wavelengths are in nanometres (nm), from {ShortestWavelength} on. ")
-                    + "Micrometres are to be multiplied by 1000");
-        }
-
+        RequireNanometres(section, section.Has("band") ? "band" : "wavelengths", "the band begins at", limits[0]);
         return new Band(
             limits[0],
             limits[1],
             Curve(section, "transmission", wavelengths, 1.0),
             Curve(section, "quantum-efficiency", wavelengths, null));
     }
+
+    /// <summary>Refuses a wavelength that is so short or long that it is in another unit.</summary>
+    /// <param name="section">Has the key.</param>
+    /// <param name="key">The key.</param>
+    /// <param name="what">What the wavelength is, for the message, e.g. "the band begins at".</param>
+    /// <param name="wavelength">The wavelength, above 0.</param>
+    /// <exception cref="BadInputException">It is refused; the message guesses the unit.</exception>
+    public static void RequireNanometres(CameraSection section, string key, string what, double wavelength)
+    {
+        if (!IsInRange(wavelength))
+        {
+            (string unit, double nanometres) = OtherUnits.FirstOrDefault(other => IsInRange(wavelength * other.Nanometres));
+            string guess = unit is null ? string.Empty : FormattableString.Invariant(
+                $": did you mean {Math.Round(wavelength * nanometres, 3)} nm, from {unit}?");
+            throw section.Wrong(key, FormattableString.Invariant(
+                $"{what} {wavelength} nm; wavelengths are in nanometres (nm), from {ShortestWavelength} to {LongestWavelength}") + guess);
+        }
+    }
+
+    private static bool IsInRange(double nanometres) => nanometres is >= ShortestWavelength and <= LongestWavelength;
 
     private static double[]? Wavelengths(CameraSection section)
     {

@@ -113,10 +113,11 @@ internal sealed class PointSpreadKeys
                 : throw _section.Wrong("psf-scale", "'psf-wavelength' and 'psf-scale' exclude each other. Leave one out");
         }
 
-        double wavelength = MetresPerNanometre * (_section.Positive("psf-wavelength")
-            ?? throw _section.Missing("psf-wavelength", "the wavelength in nm; 'psf-scale' in px does as well"));
+        double wavelength = _section.Positive("psf-wavelength")
+            ?? throw _section.Missing("psf-wavelength", "the wavelength in nm; 'psf-scale' in px does as well");
+        BandKeys.RequireNanometres(_section, "psf-wavelength", "'psf-wavelength' is", wavelength);
         double scale = _fNumber is double fNumber && _geometry.PixelPitch is (double x, double y)
-            ? wavelength * fNumber / Math.Sqrt(x * y)
+            ? MetresPerNanometre * wavelength * fNumber / Math.Sqrt(x * y)
             : throw _section.Wrong("psf-wavelength", "'psf-wavelength' needs 'focal-length' and 'pixel-pitch' in mm. Give 'psf-scale'");
         return scale >= MinScale
             ? scale

@@ -70,6 +70,20 @@ public sealed class DetectorSectionTests : IDisposable
         Assert.Contains(expected, error.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("0.6", "line 12, column 3: 'psf-wavelength' is 0.6 nm; wavelengths are in nanometres (nm), from 100 to 100000: "
+        + "did you mean 600 nm, from micrometres?")]
+    [InlineData("99.9", "did you mean 99900 nm, from micrometres?")]
+    [InlineData("5.5e-7", "did you mean 550 nm, from metres?")]
+    [InlineData("600000", "did you mean 600 nm, from picometres?")]
+    [InlineData("1e30", "from 100 to 100000.")]
+    public void Read_WavelengthOfThePsfInAnotherUnit_IsRefusedWithAGuess(string wavelength, string expected)
+    {
+        BadInputException error = Assert.Throws<BadInputException>(
+            () => Parse(Text([.. Right, $"psf-wavelength: {wavelength}", "psf: airy", "psf-radius: 4"])));
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Read_UnusualButPossible_IsTaken()
     {
