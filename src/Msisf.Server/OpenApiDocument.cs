@@ -108,7 +108,7 @@ internal static class OpenApiDocument
                 ["description"] = "Elevation model, a name of /v1/models; a list of names draws them as one surface",
             },
         };
-        foreach (OptionSpec option in JsonOptions.OptionsOfFrame())
+        foreach (OptionSpec option in CommandTable.OptionsOfRequest)
         {
             properties[option.Key] = Option(option);
         }

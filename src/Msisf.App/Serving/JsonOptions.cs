@@ -20,7 +20,7 @@ internal sealed class JsonOptions
     /// <summary>Name of a camera that the request itself describes.</summary>
     private const string InlineCamera = "camera";
 
-    private static readonly Dictionary<string, OptionSpec> Allowed = OptionsOfFrame().ToDictionary(
+    private static readonly Dictionary<string, OptionSpec> Allowed = CommandTable.OptionsOfRequest.ToDictionary(
         option => option.Key, StringComparer.Ordinal);
 
     private static readonly string[] Ways =
@@ -40,20 +40,6 @@ internal sealed class JsonOptions
             _values[LightOptions.Kernels.Name] = new OptionValue(settings.Kernels);
         }
     }
-
-    /// <summary>The options that a request may have, in the order of the help text.</summary>
-    public static IEnumerable<OptionSpec> OptionsOfFrame() =>
-    [
-        .. CameraOptions.Group.Options.Except(
-            [CameraOptions.BatchFile, .. BatchOptions.All, .. MissionOptions.All, CameraOptions.Times, CameraOptions.TimeInterval]),
-        .. ImageOptions.Group.Options,
-        .. LightOptions.Group.Options.Except([LightOptions.Kernels]),
-        .. SurfaceOptions.Group.Options.Except([SurfaceOptions.Ldem, SurfaceOptions.Body]),
-        .. AlbedoOptions.Group.Options,
-        OutputOptions.Surface, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
-        RendererOptions.Renderer,
-        .. NativeOptions.Group.Options,
-    ];
 
     /// <summary>Reads the options.</summary>
     /// <param name="given">The members of the object with the options.</param>

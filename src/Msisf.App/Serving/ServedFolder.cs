@@ -19,7 +19,7 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
     private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
 
     private static readonly HashSet<string> Known =
-        [.. JsonOptions.OptionsOfFrame().Except([
+        [.. CommandTable.OptionsOfRequest.Except([
             RendererOptions.Renderer, NativeOptions.Layers, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
         ]).Select(option => option.Key)];
 

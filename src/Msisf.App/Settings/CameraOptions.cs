@@ -15,7 +15,7 @@ internal static class CameraOptions
 
     /// <summary>States in a file.</summary>
     public static PathSpec BatchFile { get; } = new(
-        "--batch-file", DecidesBytes.ByStates, PathKind.File,
+        "--batch-file", DecidesBytes.ByStatesOfRun, PathKind.File,
         "One image a line of the file: MJD rx ry rz qx qy qz q0, or the columns that its first line names (time,lat,lon,height,...); "
             + "# begins a comment; - reads standard input");
 
@@ -50,12 +50,12 @@ internal static class CameraOptions
 
     /// <summary>Several times.</summary>
     public static NumberListSpec Times { get; } = new(
-        "--times", DecidesBytes.ByStates, ["MJD"], "Times of several images (UTC)")
+        "--times", DecidesBytes.ByStatesOfRun, ["MJD"], "Times of several images (UTC)")
     { Aliases = ["-tt"] };
 
     /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
-        "--time-interval", DecidesBytes.ByStates, "[start:step:end]",
+        "--time-interval", DecidesBytes.ByStatesOfRun, "[start:step:end]",
         "Times of a series of images: from start to end (UTC) in steps of days, or as in 10s, 5min, 2h; the brackets may be left out");
 
     /// <summary>Orientation at the epoch.</summary>

@@ -9,14 +9,17 @@ namespace Msisf.App.Settings;
 /// <summary>The role of an option that decides bytes of the outputs, so that another value makes another frame.</summary>
 internal sealed class DecidesBytes : OptionRole
 {
-    /// <summary>The state of each frame stands for the option.</summary>
-    public static readonly DecidesBytes ByStates = new();
+    /// <summary>The state of the frame stands for the option.</summary>
+    public static readonly DecidesBytes ByStates = new() { IsOfRequests = true };
+
+    /// <summary>The states of a run's frames stand for the option, which says nothing about a single one.</summary>
+    public static readonly DecidesBytes ByStatesOfRun = new();
 
     /// <summary>The checksums of files, or the version of a program, stand for the option.</summary>
     public static readonly DecidesBytes ByFiles = new();
 
     /// <summary>Canonical arguments of other options stand for the option.</summary>
-    public static readonly DecidesBytes ByOthers = new();
+    public static readonly DecidesBytes ByOthers = new() { IsOfRequests = true };
 
     /// <summary>The option decides bytes of patterns, models or videos; frames do not know it.</summary>
     public static readonly DecidesBytes OfNoFrame = new();
@@ -24,6 +27,16 @@ internal sealed class DecidesBytes : OptionRole
     private DecidesBytes()
     {
     }
+
+    private DecidesBytes(DecidesBytes other) =>
+        (Value, LeavesOutDefault, IsOfRequests, DecidesTiles) =
+            (other.Value, other.LeavesOutDefault, other.IsOfRequests, other.DecidesTiles);
+
+    /// <summary>Whether a request to the server may have the option.</summary>
+    public bool IsOfRequests { get; private init; }
+
+    /// <summary>Whether the option decides which tiles of the surface a frame needs, and so the patterns of a run.</summary>
+    public bool DecidesTiles { get; private init; }
 
     /// <summary>The option's value among the canonical arguments of a frame; null where it stands for nothing.</summary>
     public Func<FrameContent, object?> Value { get; private init; } = _ => null;
@@ -33,11 +46,17 @@ internal sealed class DecidesBytes : OptionRole
 
     /// <summary>The option is one of the canonical arguments.</summary>
     /// <param name="value">Its value; null where the option has no meaning.</param>
-    public static DecidesBytes As(Func<FrameContent, object?> value) => new() { Value = value };
+    public static DecidesBytes As(Func<FrameContent, object?> value) => new() { Value = value, IsOfRequests = true };
 
     /// <summary>The option is one of the canonical arguments if it has another value than its default; for a new option.</summary>
     /// <inheritdoc cref="As"/>
-    public static DecidesBytes UnlessDefault(Func<FrameContent, object?> value) => new() { Value = value, LeavesOutDefault = true };
+    public static DecidesBytes UnlessDefault(Func<FrameContent, object?> value) => new(As(value)) { LeavesOutDefault = true };
+
+    /// <summary>The same role of an option that requests may not have: it names a file, or is of use for runs only.</summary>
+    public DecidesBytes OfRuns() => new(this) { IsOfRequests = false };
+
+    /// <summary>The same role of an option that decides which tiles a frame needs too.</summary>
+    public DecidesBytes AndTiles() => new(this) { DecidesTiles = true };
 }
 
 /// <summary>What decides the bytes of frames, except their states.</summary>

@@ -10,7 +10,7 @@ internal static class ImageOptions
 
     /// <summary>Horizontal field of view, degrees.</summary>
     public static NumberSpec FieldOfView { get; } = new(
-        "--fov", DecidesBytes.As(frame => frame.Settings.Camera is null ? frame.Settings.FieldOfViewDegrees : null),
+        "--fov", DecidesBytes.As(frame => frame.Settings.Camera is null ? frame.Settings.FieldOfViewDegrees : null).AndTiles(),
         "DEGREES", "Horizontal field of view")
     {
         Aliases = ["-f"],
@@ -20,19 +20,19 @@ internal static class ImageOptions
 
     /// <summary>Width, px.</summary>
     public static WholeNumberSpec Width { get; } = new(
-        "--width", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedWidth : frame.Settings.Width),
+        "--width", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedWidth : frame.Settings.Width).AndTiles(),
         "PX", 1, MaxSide, "Image width")
     { Aliases = ["-w"], Default = 1024 };
 
     /// <summary>Height, px.</summary>
     public static WholeNumberSpec Height { get; } = new(
-        "--height", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedHeight : frame.Settings.Height),
+        "--height", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedHeight : frame.Settings.Height).AndTiles(),
         "PX", 1, MaxSide, "Image height")
     { Aliases = ["-h"], Default = 1024 };
 
     /// <summary>A camera file, or a preset.</summary>
     public static TextSpec Camera { get; } = new(
-        "--camera", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? CameraChoice.TextOf(camera) : null),
+        "--camera", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? CameraChoice.TextOf(camera) : null).AndTiles(),
         "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "
             + "--width and --height. A file without width or height needs that option");
 

@@ -9,7 +9,8 @@ internal static class LightOptions
 {
     /// <summary>Whether the light comes from the camera instead of the Sun.</summary>
     public static FlagSpec IgnoreSun { get; } = new(
-        "--ignore-sun", DecidesBytes.As(frame => frame.Settings.IgnoreSun), "Light the scene from the camera instead of the Sun");
+        "--ignore-sun", DecidesBytes.As(frame => frame.Settings.IgnoreSun).AndTiles(),
+        "Light the scene from the camera instead of the Sun");
 
     /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
@@ -27,7 +28,7 @@ internal static class LightOptions
 
     /// <summary>Corrections of the Sun's position for light time and aberration.</summary>
     public static ChoiceSpec<Aberration> Aberration { get; } = new(
-        "--aberration", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Settings.Aberration),
+        "--aberration", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Settings.Aberration).AndTiles(),
         [
             new Choice("none", Core.Ephemeris.Aberration.None),
             new Choice("lt", Core.Ephemeris.Aberration.LightTime),
@@ -40,7 +41,7 @@ internal static class LightOptions
 
     /// <summary>SPICE meta-kernel to load.</summary>
     public static PathSpec Kernels { get; } = new(
-        "--kernels", DecidesBytes.ByFiles, PathKind.File,
+        "--kernels", DecidesBytes.ByFiles.AndTiles(), PathKind.File,
         "SPICE meta-kernel in place of the installed one, or another kernel on top of it (FK, IK, SCLK, ...); may be given several times")
     {
         TakesSeveral = true,

@@ -7,14 +7,15 @@ internal static class MissionOptions
 {
     /// <summary>Trajectories.</summary>
     public static PathSpec Spk { get; } = new(
-        "--spk", DecidesBytes.ByStates, PathKind.File, "Trajectory as a SPICE kernel (SPK); may be given several times: the later one wins")
+        "--spk", DecidesBytes.ByStatesOfRun, PathKind.File,
+        "Trajectory as a SPICE kernel (SPK); may be given several times: the later one wins")
     {
         TakesSeveral = true,
     };
 
     /// <summary>The spacecraft.</summary>
     public static TextSpec Spacecraft { get; } = new(
-        "--spacecraft", DecidesBytes.ByStates, "NAME|ID",
+        "--spacecraft", DecidesBytes.ByStatesOfRun, "NAME|ID",
         "The spacecraft whose trajectory in the kernels the camera follows, e.g. LRO or -85");
 
     /// <summary>A trajectory as a CCSDS file.</summary>
@@ -29,7 +30,7 @@ internal static class MissionOptions
 
     /// <summary>Steps of the cover.</summary>
     public static NumberSpec Every { get; } = new(
-        "--every", DecidesBytes.ByStates, "SECONDS",
+        "--every", DecidesBytes.ByStatesOfRun, "SECONDS",
         "With a mission's files, in place of times: an image each so many seconds of their cover")
     {
         Limits = new NumberRange(0.0, 1e9) { ExcludesMin = true },

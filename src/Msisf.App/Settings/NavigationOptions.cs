@@ -19,7 +19,7 @@ internal static class NavigationOptions
 
     /// <summary>Where rims lie.</summary>
     public static ChoiceSpec<CraterRim> Rim { get; } = new(
-        "--crater-rim", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.Rim),
+        "--crater-rim", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.Rim).OfRuns(),
         [new Choice("disc", CraterRim.Disc), new Choice("terrain", CraterRim.Terrain)],
         "The rim of a crater: the catalogue's circle or ellipse in the plane of its centre, or the highest ground about there")
     {
@@ -28,7 +28,7 @@ internal static class NavigationOptions
 
     /// <summary>Least diameter in the image.</summary>
     public static NumberSpec CraterSize { get; } = new(
-        "--crater-size", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.LeastDiameter), "PX",
+        "--crater-size", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.LeastDiameter).OfRuns(), "PX",
         "Least diameter in the image of craters that are listed; smaller ones are counted")
     {
         Default = DefaultCraterSize,

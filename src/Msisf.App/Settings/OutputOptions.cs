@@ -61,7 +61,7 @@ internal static class OutputOptions
 
     /// <summary>Whether to write a second image with annotations.</summary>
     public static FlagSpec Annotation { get; } = new(
-        "--rendering-annotation", DecidesBytes.As(frame => frame.Settings.Annotate),
+        "--rendering-annotation", DecidesBytes.As(frame => frame.Settings.Annotate).OfRuns(),
         "Make a second image with the illumination directions and the scene's data drawn on it");
 
     /// <summary>The options of this class as a group of the help text.</summary>

@@ -57,10 +57,7 @@ internal static class PatternsOptions
 
     /// <summary>Options of a run that determine its patterns, except for the camera, the ephemeris and the selection of frames.</summary>
     public static IReadOnlyList<OptionSpec> Deciding { get; } =
-    [
-        ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, ImageOptions.Camera, SurfaceOptions.LevelOfDetail,
-        SurfaceOptions.LevelOfDetailError, LightOptions.IgnoreSun, .. Model.Options, LightOptions.Aberration, LightOptions.Kernels,
-    ];
+        [.. CommandTable.OptionsOfRun.Where(option => option.Role is DecidesBytes { DecidesTiles: true }).Union(Model.Options)];
 
     /// <summary>Options that apply only to the patterns of a run.</summary>
     public static OptionGroup OfRun { get; } = new(

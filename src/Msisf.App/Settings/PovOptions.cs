@@ -26,7 +26,7 @@ internal static class PovOptions
 
     /// <summary>Further command-line options for POV-Ray.</summary>
     public static TextSpec MoreOptions { get; } = new(
-        "--pov-options", DecidesBytes.As(frame => frame.Native is null ? frame.Settings.PovOptions : null),
+        "--pov-options", DecidesBytes.As(frame => frame.Native is null ? frame.Settings.PovOptions : null).OfRuns(),
         "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
     {
         Separator = " ",

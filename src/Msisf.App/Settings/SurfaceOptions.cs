@@ -18,7 +18,7 @@ internal static class SurfaceOptions
 
     /// <summary>Resolution of the elevation model, px/deg.</summary>
     public static WholeNumberSpec Resolution { get; } = new(
-        "--res", DecidesBytes.As(frame => frame.NamesOfSeveralModels is null ? frame.Settings.Resolution.PixelsPerDegree : null),
+        "--res", DecidesBytes.As(frame => frame.NamesOfSeveralModels is null ? frame.Settings.Resolution.PixelsPerDegree : null).AndTiles(),
         "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
     {
         Aliases = ["-r"],
@@ -28,7 +28,7 @@ internal static class SurfaceOptions
 
     /// <summary>Path of the elevation model.</summary>
     public static PathSpec Ldem { get; } = new(
-        "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels),
+        "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels).AndTiles(),
         PathKind.Any,
         "Elevation model: its label, its image (of a split model any of them), any raster of a part of the Moon that GDAL reads, or a "
             + "folder of models; behind the path of a raster ,scale=METRES and ,offset=METRES say what its values mean; "
@@ -40,7 +40,7 @@ internal static class SurfaceOptions
 
     /// <summary>NAIF's number of the body that is drawn.</summary>
     public static ChoiceSpec<int> Body { get; } = new(
-        "--body", DecidesBytes.As(frame => frame.Settings.Body.IsMoon ? null : frame.Settings.Body.NaifNumber),
+        "--body", DecidesBytes.As(frame => frame.Settings.Body.IsMoon ? null : frame.Settings.Body.NaifNumber).OfRuns(),
         [.. CelestialBody.All.Select(body => new Choice(body.Name.ToLowerInvariant(), body.NaifNumber))],
         "Body that is drawn; another one than the Moon needs --ldem with a model of it, and --renderer native")
     {
@@ -60,7 +60,7 @@ internal static class SurfaceOptions
 
     /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
-        "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null),
+        "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null).AndTiles(),
         [new Choice("auto", false), new Choice("off", true)],
         "Coarser levels of the model where its cells are smaller than a pixel, or always the model itself")
     {
@@ -69,7 +69,8 @@ internal static class SurfaceOptions
 
     /// <summary>Allowed error of the levels, px.</summary>
     public static NumberSpec LevelOfDetailError { get; } = new(
-        "--lod-error", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError), "PX", "How far coarser levels may move what is seen")
+        "--lod-error", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError).AndTiles(),
+        "PX", "How far coarser levels may move what is seen")
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
         DefaultNote = string.Create(

@@ -40,6 +40,32 @@ public sealed class CommandTableTests
         Assert.Contains(ImageOptions.Width, wholeNumbers);
     }
 
+    /// <summary>A client names no file of the server's computer.</summary>
+    [Fact]
+    public void OptionsOfARequest_SayWhatOneImageIs_AndNameNoFileButMaps()
+    {
+        OptionSpec[] options = [.. CommandTable.OptionsOfRequest];
+
+        Assert.Equal([AlbedoOptions.Map, NativeOptions.HapkeMap], options.OfType<PathSpec>());
+        Assert.All(options, option => Assert.IsType<DecidesBytes>(option.Role));
+        OptionSpec[] some =
+            [CameraOptions.FixedState, PointingOptions.Position, ImageOptions.Camera, OutputOptions.Grid, NativeOptions.NoiseSeed];
+        Assert.Empty(some.Except(options));
+        Assert.Empty(options.Intersect(
+            [CameraOptions.Times, .. BatchOptions.All, SurfaceOptions.Body, OutputOptions.Annotation, PovOptions.MoreOptions,
+                OutputOptions.Folder, RunOptions.Jobs]));
+    }
+
+    /// <summary>An option that is left out would make other tiles than the run needs.</summary>
+    [Fact]
+    public void OptionsThatDecideTiles_AreThoseOfCameraSunAndLevels() => Assert.Equal(
+        [
+            ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height, ImageOptions.Camera, LightOptions.IgnoreSun,
+            LightOptions.Aberration, LightOptions.Kernels, SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.LevelOfDetail,
+            SurfaceOptions.LevelOfDetailError, PovOptions.PatternRepository,
+        ],
+        PatternsOptions.Deciding);
+
     private static OptionValues WithDefault(OptionSpec option) =>
         new([KeyValuePair.Create(option.Name, new OptionValue([option.DefaultValue!]))]);
 
