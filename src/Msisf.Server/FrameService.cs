@@ -57,7 +57,18 @@ internal sealed class FrameService : IDisposable
     public RequestedFrame Read(
         JsonElement json, IReadOnlyDictionary<string, JsonElement>? changes = null, bool needsPlace = true)
     {
-        RequestedFrame requested = JsonOptions.Read(JsonText.Members(json), changes, needsPlace, Names, Settings);
+        RequestedFrame requested;
+        try
+        {
+            requested = JsonOptions.Read(JsonText.Members(json), changes, needsPlace, Names, Settings);
+        }
+        catch (MsisfException wrong) when (wrong is UsageException or BadInputException && wrong.Message.Length > Problem.LongestQuote)
+        {
+            string message = (changes?.Values ?? []).Prepend(json).Aggregate(
+                wrong.Message, (text, given) => JsonText.WithoutLongTexts(text, given, Problem.LongestQuote));
+            throw new UsageException(message, wrong) { Options = wrong.Options };
+        }
+
         long pixels = (long)requested.Settings.Width * requested.Settings.Height;
         return pixels <= Settings.MaxPixels
             ? requested

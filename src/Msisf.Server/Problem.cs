@@ -13,7 +13,7 @@ namespace Msisf.Server;
 internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<string> Options)
 {
     /// <summary>Characters of a request that a problem repeats at most.</summary>
-    private const int LongestQuote = 200;
+    public const int LongestQuote = 200;
 
     /// <summary>Characters of a problem; more than the longest list of names in a message takes.</summary>
     private const int LongestDetail = 700;
@@ -82,6 +82,6 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
             : $"{shortened.AsSpan(0, LongestQuote)} ... {shortened.AsSpan(shortened.Length - LongestQuote)}";
     }
 
-    [GeneratedRegex("'[^']{200,}'|\\S{201,}")]
+    [GeneratedRegex(@"(?<!\w)'[^']{200,}'|\S{201,}")]
     private static partial Regex LongQuotes();
 }

@@ -3,7 +3,7 @@ using System.Diagnostics;
 using System.Net.Sockets;
 using System.Net.WebSockets;
 using System.Text;
-using Msisf.App.Serving;
+using Msisf.App.Settings;
 using Msisf.TestSupport;
 using Xunit;
 using Xunit.Abstractions;
@@ -107,15 +107,18 @@ public sealed class MalformedRequestTests(RunningServer server, ITestOutputHelpe
 
     /// <summary>Every option, as a text that is much too long: no answer repeats more than 200 characters of it.</summary>
     [RequiresTheory(Part.Ldem4)]
-    [InlineData("x")]
-    [InlineData("x y ")]
-    [InlineData("x'")]
-    [InlineData("1,")]
-    [InlineData("{[")]
-    public async Task LongValue_IsNotRepeated_AsAWhole(string piece)
+    [InlineData("x", 5000)]
+    [InlineData("x y ", 5000)]
+    [InlineData("x'", 5000)]
+    [InlineData("1,", 5000)]
+    [InlineData("{[", 5000)]
+    [InlineData("x y ", 60)]
+    [InlineData("x'", 150)]
+    [InlineData("x' 'y ", 70)]
+    public async Task LongValue_IsNotRepeated_AsAWhole(string piece, int pieces)
     {
-        string value = string.Concat(Enumerable.Repeat(piece, 5000));
-        foreach (string option in (string[])[.. JsonOptions.OptionsOfFrame().Select(option => option.Key), "model", value])
+        string value = string.Concat(Enumerable.Repeat(piece, pieces));
+        foreach (string option in (string[])[.. CommandTable.OptionsOfRequest.Select(option => option.Key), "model", value])
         {
             foreach (string json in (string[])[$"\"{value}\"", $"{{\"width\": 8, \"{value}\": 1}}", $"[\"{value}\"]"])
             {

@@ -53,6 +53,20 @@ internal static class JsonText
     public static string Joined(JsonElement array, string separator, string name) =>
         string.Join(separator, array.EnumerateArray().Select(value => Of(value, name)));
 
+    /// <summary>A message with each text of a request cut short that is too long for it.</summary>
+    /// <param name="message">The message.</param>
+    /// <param name="json">The request.</param>
+    /// <param name="longest">Characters of a text that are repeated at most.</param>
+    public static string WithoutLongTexts(string message, JsonElement json, int longest) => json.ValueKind switch
+    {
+        JsonValueKind.Object => json.EnumerateObject().Aggregate(
+            message, (text, member) => WithoutLongTexts(text, member.Value, longest)),
+        JsonValueKind.Array => json.EnumerateArray().Aggregate(message, (text, element) => WithoutLongTexts(text, element, longest)),
+        JsonValueKind.String when json.GetRawText().Length > longest && WellFormed(() => json.GetString()!).Trim() is var value
+            && value.Length > longest => message.Replace(value, $"{value.AsSpan(0, longest - 3)}...", StringComparison.Ordinal),
+        _ => message,
+    };
+
     /// <summary>The kind of a value in words.</summary>
     public static string Shown(JsonElement value) => value.ValueKind switch
     {
