@@ -142,6 +142,7 @@ internal sealed class FrameService : IDisposable
     {
         Sessions.Dispose();
         Names.Dispose();
+        Metrics.Dispose();
         _queue.Dispose();
     }
 }

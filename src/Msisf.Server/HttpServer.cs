@@ -189,7 +189,7 @@ internal sealed class HttpServer : IAsyncDisposable
         _web.MapGet(RequestGuard.HealthPath, context => context.Response.WriteAsync("ok\n"));
         _web.MapGet("/metrics", context =>
         {
-            context.Response.ContentType = ServerMetrics.ContentType;
+            context.Response.ContentType = PrometheusText.ContentType;
             return context.Response.WriteAsync(_frames.Metrics.Text());
         });
         byte[] description = OpenApiDocument.Write(host.Version);
