@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Net.Sockets;
-using System.Runtime.InteropServices;
 using System.Security.Cryptography.X509Certificates;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
@@ -104,24 +103,11 @@ internal sealed class HttpServer : IAsyncDisposable
     /// <param name="input">Its end ends the server.</param>
     public async Task RunAsync(TextReader input)
     {
-        TaskCompletionSource end = new(TaskCreationOptions.RunContinuationsAsynchronously);
         using CancellationTokenSource drop = new();
-        using PosixSignalRegistration term = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Stop);
-        using PosixSignalRegistration interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Stop);
-        using PosixSignalRegistration hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Stop);
-        await Task.WhenAny(end.Task, Starter.InputEndedAsync(input)).ConfigureAwait(false);
-        end.TrySetResult();
+        using EndOfServer end = new(drop.Cancel);
+        await end.WaitAsync(input).ConfigureAwait(false);
         drop.CancelAfter(_settings.EndsWithInput ? TimeWithoutClient : _settings.TimeLimit + TimeToStop);
         await _web.StopAsync(drop.Token).ConfigureAwait(false);
-
-        void Stop(PosixSignalContext context)
-        {
-            context.Cancel = true;
-            if (!end.TrySetResult())
-            {
-                drop.Cancel();
-            }
-        }
     }
 
     /// <summary>Ends the server.</summary>

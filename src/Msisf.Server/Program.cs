@@ -2,6 +2,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Server;
+using Msisf.Server.Basilisk;
 
 // msis serve starts this program and closes its standard input to end it.
 ConsoleLog log = new(Console.Error);
@@ -9,6 +10,14 @@ try
 {
     ProgramHost host = ServerHost.Create(Console.Out, log, TimeProvider.System, Environment.GetEnvironmentVariable);
     ServeSettings settings = ServeOptions.Read(ServeArguments.FromWords(args));
+    if (settings.Basilisk is not null)
+    {
+        await using BasiliskServer basilisk = BasiliskServer.Start(settings, host);
+        Console.Out.WriteLine(basilisk.Address);
+        await BasiliskServer.RunAsync(Console.In).ConfigureAwait(false);
+        return 0;
+    }
+
     await using HttpServer server = await HttpServer.StartAsync(settings, host).ConfigureAwait(false);
     Console.Out.WriteLine(server.Address);
     await server.RunAsync(Console.In).ConfigureAwait(false);

@@ -7,10 +7,10 @@ namespace Msisf.Adapters.Input;
 /// <summary>Writes batch files (thesis section 6.3.2). <see cref="BatchFileReader"/> reads the same states back, bit for bit.</summary>
 public static class BatchFileWriter
 {
-    /// <summary>Writes all states: as the thesis has them, or with named columns if they have noise seeds.</summary>
+    /// <summary>Writes all states: as the thesis has them, or with named columns if they have noise seeds or a Sun of their own.</summary>
     /// <param name="writer">Gets the text, about 160 bytes a state.</param>
     /// <param name="head">A comment of one line at the top, without control characters.</param>
-    /// <param name="states">In the order of their lines; all with noise seed, or none.</param>
+    /// <param name="states">In the order of their lines; all with noise seed, or none; so with the Sun.</param>
     public static void Write(TextWriter writer, string head, IReadOnlyList<SpacecraftState> states)
     {
         string[] names =
@@ -18,14 +18,19 @@ public static class BatchFileWriter
             .. SpacecraftState.NumberNames, .. states.Any(state => state.Motion is not null) ? CameraMotion.NumberNames : [],
         ];
         bool hasNoise = states.Any(state => state.Noise is not null);
+        bool hasSun = states.Any(state => state.SunPositionMoonMe is not null);
+        string[] named = [.. hasSun ? BatchNames.Sun : [], .. hasNoise ? (string[])[BatchNames.Noise] : []];
         writer.WriteLine($"# {head}");
-        writer.WriteLine(hasNoise ? $"{string.Join(',', names)},{BatchNames.Noise}" : $"# {string.Join(' ', names)}");
+        writer.WriteLine(named.Length > 0 ? string.Join(',', [.. names, .. named]) : $"# {string.Join(' ', names)}");
         foreach (SpacecraftState state in states)
         {
-            string[] numbers = [.. state.ToNumbers().Select(number => number.ToString("R", CultureInfo.InvariantCulture))];
-            writer.WriteLine(hasNoise
-                ? $"{string.Join(',', numbers)},{NoiseSeedText.Of(state.Noise.GetValueOrDefault())}"
-                : string.Join(' ', numbers));
+            IEnumerable<string> numbers =
+            [
+                .. state.ToNumbers().Concat(state.SunPositionMoonMe is { } sun ? [sun.X, sun.Y, sun.Z] : [])
+                    .Select(number => number.ToString("R", CultureInfo.InvariantCulture)),
+                .. state.Noise is { } noise ? (string[])[NoiseSeedText.Of(noise)] : [],
+            ];
+            writer.WriteLine(string.Join(named.Length > 0 ? ',' : ' ', numbers));
         }
     }
 }

@@ -49,11 +49,13 @@ internal static class BatchNames
 
     public static string[] Motion { get; } = [.. CameraMotion.NumberNames];
 
+    public static string[] Sun { get; } = ["sun_x", "sun_y", "sun_z"];
+
     /// <summary>All names, in the order in which messages list them.</summary>
     public static string[] All { get; } =
     [
         Time, Seconds, .. Place, .. Heights, .. Position, .. PositionKilometres, .. Quaternion, .. Matrix, .. Euler, .. Target, LookHeight,
-        OffNadir, Azimuth, Roll, Up, .. Motion, Noise,
+        OffNadir, Azimuth, Roll, Up, .. Motion, .. Sun, Noise,
     ];
 
     /// <summary>The name of a column, whatever its case, or whichever of its names is written; null if there is no such column.</summary>

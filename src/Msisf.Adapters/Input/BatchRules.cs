@@ -18,6 +18,7 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
             CheckAttitude();
             bool hasRates = BatchNames.Motion[3..].Any(Has);
             RequireAll(hasRates ? BatchNames.Motion : BatchNames.Motion[..3]);
+            RequireAll(BatchNames.Sun);
         }
 
         CheckConventions();
@@ -75,7 +76,8 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
     {
         bool hasEuler = Has(BatchNames.Euler[0]);
         bool hasRotation = columns is null || Has(BatchNames.Quaternion[0]) || Has(BatchNames.Matrix[0]);
-        bool hasVector = columns is null || Has(BatchNames.Position[0]) || Has(BatchNames.PositionKilometres[0]);
+        bool hasVector = columns is null || Has(BatchNames.Position[0]) || Has(BatchNames.PositionKilometres[0])
+            || Has(BatchNames.Sun[0]);
         RequireMeaning("frame", said.Frame is null || hasVector || hasRotation || hasEuler, "no column is of a frame");
         RequireMeaning(
             "axes", said.Axes is null || hasRotation || hasEuler, "no quaternion, matrix or Euler angle says how the camera points");

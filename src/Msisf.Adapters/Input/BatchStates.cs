@@ -46,6 +46,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         return new SpacecraftState(time, position, MoonFromCamera(row, time, position, lineNumber))
         {
             Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
+            SunPositionMoonMe = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null,
             Noise = row.Has(BatchNames.Noise) ? row.Read(BatchNames.Noise, text => NoiseSeedText.Parse(text, _step)) : null,
         };
     }
@@ -88,6 +89,14 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         double[] numbers = row.Numbers(isMetres ? BatchNames.Position : BatchNames.PositionKilometres);
         Vector3D position = new(numbers[0], numbers[1], numbers[2]);
         return frame.PositionMoonMe(time, isMetres ? position : MetresPerKilometre * position);
+    }
+
+    private Vector3D SunOf(BatchRow row, ModifiedJulianDate time)
+    {
+        double[] numbers = row.Numbers(BatchNames.Sun);
+        return row.Read(
+            BatchNames.Sun[0],
+            _ => frame.PositionMoonMe(time, SpacecraftState.CheckedSun(new Vector3D(numbers[0], numbers[1], numbers[2]))));
     }
 
     private static (double Height, bool IsOverTerrain) HeightOf(BatchRow row) =>

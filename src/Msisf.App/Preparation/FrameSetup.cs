@@ -30,7 +30,6 @@ internal static class FrameSetup
                 $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
         }
 
-        IEphemeris? ephemeris = settings.IgnoreSun ? null : sun();
         CameraModel model = settings.Camera?.Model
             ?? CameraModel.FromFieldOfView(settings.FieldOfViewDegrees * Math.PI / 180.0, settings.Width, settings.Height);
         List<Frame> frames = [];
@@ -40,9 +39,9 @@ internal static class FrameSetup
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
             ICamera camera = model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
-            SceneLight light = ephemeris is null
+            SceneLight light = settings.IgnoreSun
                 ? new SceneLight(state.PositionMoonMe, IsSun: false)
-                : new SceneLight(ephemeris.SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
+                : new SceneLight(state.SunPositionMoonMe ?? sun().SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
             frames.Add(new Frame(step, names[step - 1], state.Time, camera, light, state.Motion, state.Noise));
         }
 

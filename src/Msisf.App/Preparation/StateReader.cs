@@ -70,12 +70,26 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateNoise.Of(StateMotions.Of(states, trajectory, CameraWithShutter), trajectory, HasDetector)
+            ? StateNoise.Of(StateMotions.Of(WithSun(states, trajectory), trajectory, CameraWithShutter), trajectory, HasDetector)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
                 : "--time-interval: no time in it: the step leads away from the end. The order is start:step:end; swap start and end, "
                     + "or change the step's sign.");
+    }
+
+    private static IReadOnlyList<SpacecraftState> WithSun(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
+    {
+        if (trajectory.SunPositionMoonMe is not { } sun)
+        {
+            return states;
+        }
+
+        return states.All(state => state.SunPositionMoonMe is null)
+            ? [.. states.Select(state => state with { SunPositionMoonMe = sun })]
+            : throw new UsageException(
+                $"{LightOptions.SunPosition.Name} and the batch file both say where the Sun is. Leave one out.")
+                .About(LightOptions.SunPosition);
     }
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;

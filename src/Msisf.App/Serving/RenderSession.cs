@@ -44,6 +44,12 @@ internal sealed class RenderSession : IDisposable
     /// <summary>The elevation model.</summary>
     public ElevationModel Model => _model.Opened;
 
+    /// <summary>The canonical arguments of its frames, without their states.</summary>
+    public string Arguments => FrameArguments.OfSettings(
+        Settings,
+        Settings.IgnoreSun ? null : _ephemeris.Of(Settings).Opened?.Choice,
+        _maps.Value.Albedo?.Whole);
+
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
     /// <exception cref="MsisfException">There is no such frame.</exception>
     public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation)
@@ -99,12 +105,7 @@ internal sealed class RenderSession : IDisposable
 
     private IEphemeris Engine => _ephemeris.Of(Settings).Engine();
 
-    private string ArgumentsOf(PreparedFrame frame) => FrameArguments.Of(
-        frame.State,
-        FrameArguments.OfSettings(
-            Settings,
-            Settings.IgnoreSun ? null : _ephemeris.Of(Settings).Opened?.Choice,
-            _maps.Value.Albedo?.Whole));
+    private string ArgumentsOf(PreparedFrame frame) => FrameArguments.Of(frame.State, Arguments);
 
     private IReadOnlyList<InputFile> Inputs() =>
     [

@@ -16,7 +16,7 @@ namespace Msisf.App.Serving;
 internal sealed class ServedNames : IDisposable
 {
     private readonly Dictionary<string, string> _maps;
-    private readonly ConcurrentDictionary<string, CameraFile> _camerasOfFolders = new(StringComparer.Ordinal);
+    private readonly ConcurrentDictionary<string, CameraFile> _cameraFiles = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
     /// <param name="settings">The server's settings.</param>
@@ -69,13 +69,23 @@ internal sealed class ServedNames : IDisposable
     /// <param name="folders">Where its file may be.</param>
     /// <returns>The camera; null if there is no such preset and no such file.</returns>
     public CameraFile? FindCamera(string name, IEnumerable<string> folders) =>
-        KnownCamera(name) ?? (CameraChoice.Find(name, folders) is { } found ? _camerasOfFolders.GetOrAdd(name, found) : null);
+        KnownCamera(name) ?? (CameraChoice.Find(name, folders) is { } found ? _cameraFiles.GetOrAdd(name, found) : null);
+
+    /// <summary>Lets requests name a camera of the server's own.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <returns>Its name, with which no file of a folder begins.</returns>
+    public string Add(CameraFile camera)
+    {
+        string name = $"/{camera.Name}#{camera.Sha256}";
+        _cameraFiles[name] = camera;
+        return name;
+    }
 
     /// <summary>Closes the models.</summary>
     public void Dispose() => Models.Dispose();
 
     private CameraFile? KnownCamera(string name) =>
-        Cameras.FirstOrDefault(camera => IsSame(camera.Name, name)) ?? _camerasOfFolders.GetValueOrDefault(name);
+        Cameras.FirstOrDefault(camera => IsSame(camera.Name, name)) ?? _cameraFiles.GetValueOrDefault(name);
 
     private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
 

@@ -164,7 +164,7 @@ internal static class CommandTable
         MakeGroups = () =>
             [
                 ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), ViewOptions.OfServe,
-                ServeOptions.OfClients, General,
+                ServeOptions.OfBasilisk, ServeOptions.OfClients, General,
             ],
     };
 

@@ -53,6 +53,7 @@ internal static class FrameArguments
         [
             CameraOptions.FixedState.Name, List((state with { Motion = null }).ToNumbers()),
             .. state.Motion is { } motion ? (string[])[CameraOptions.Motion.Name, List(motion.ToNumbers())] : [],
+            .. state.SunPositionMoonMe is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             settings,
             .. state.Noise is { } noise ? (string[])[NativeOptions.NoiseSeed.Name, NoiseSeedText.Of(noise)] : [],
         ];

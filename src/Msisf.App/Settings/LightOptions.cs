@@ -12,6 +12,14 @@ internal static class LightOptions
         "--ignore-sun", DecidesBytes.As(frame => frame.Settings.IgnoreSun).AndTiles(),
         "Light the scene from the camera instead of the Sun");
 
+    /// <summary>Where the Sun is, whatever the time.</summary>
+    public static NumberListSpec SunPosition { get; } = new(
+        "--sun-position", DecidesBytes.ByStates, ["x", "y", "z"],
+        "Where the Sun is (m, ME/PA), whatever the time: of a simulator with a Sun of its own. A batch file has columns for it")
+    {
+        DefaultNote = "where the ephemeris has it",
+    };
+
     /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
         "--ephemeris", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Engine ?? EphemerisChoice.BuiltIn),
@@ -49,5 +57,5 @@ internal static class LightOptions
     };
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Light", [IgnoreSun, Aberration, Ephemeris, Kernels]);
+    public static OptionGroup Group { get; } = new("Light", [IgnoreSun, SunPosition, Aberration, Ephemeris, Kernels]);
 }

@@ -81,6 +81,46 @@ internal static partial class ServeOptions
         "End, without finishing images, when standard input ends or the program dies that started this one; for clients that start a "
             + "server");
 
+    /// <summary>Where Basilisk finds the server.</summary>
+    public static TextSpec Basilisk { get; } = new(
+        "--basilisk", OptionRole.HowItRuns, "tcp://ADDRESS:PORT",
+        "Answer Basilisk in Vizard's place at this address, and no HTTP; the usual one is tcp://127.0.0.1:5556")
+    {
+        ValueIfBare = "tcp://127.0.0.1:5556",
+        Form = (ZeroMqAddress(), "tcp://, an address and a port are needed, e.g. tcp://127.0.0.1:5556"),
+    };
+
+    /// <summary>Camera files for Basilisk's cameras.</summary>
+    public static TextSpec BasiliskCameras { get; } = new(
+        "--camera", OptionRole.HowItRuns, "ID=FILE,...",
+        "Camera files with lens, detector and exposure for cameras of Basilisk, by their cameraID, separated by commas")
+    {
+        Separator = ",",
+    };
+
+    /// <summary>Where the Moon's attitude in a simulation comes from.</summary>
+    public static ChoiceSpec<MoonAttitude> MoonAttitude { get; } = new(
+        "--moon-attitude", OptionRole.HowItRuns,
+        [new Choice("message", Settings.MoonAttitude.Message), new Choice("spice", Settings.MoonAttitude.Spice)],
+        "With --basilisk: take the Moon's rotation of the message as ME/PA, or ME/PA of the kernels at the simulation's time")
+    {
+        Default = Settings.MoonAttitude.Message,
+    };
+
+    /// <summary>Options of Basilisk's images.</summary>
+    public static PathSpec FrameOptions { get; } = new(
+        "--frame-options", OptionRole.HowItRuns, PathKind.File,
+        "With --basilisk: JSON with options of the images, as in a request, e.g. {\"model\": \"LDEM_64\", \"samples\": 4}");
+
+    /// <summary>Folder for the states of Basilisk's images.</summary>
+    public static PathSpec RecordFolder { get; } = new(
+        "--record", OptionRole.HowItRuns, PathKind.Folder,
+        "With --basilisk: write the state of each image to a batch file here, from which msis draws it again");
+
+    /// <summary>The options of a server for Basilisk.</summary>
+    public static OptionGroup OfBasilisk { get; } = new(
+        "Basilisk", [Basilisk, BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]);
+
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, MaxMegabytes, Queue, TimeLimit]);
@@ -114,6 +154,17 @@ internal static partial class ServeOptions
             throw new UsageException($"{Certificate.Name} has no meaning with a Unix socket. Leave it out.").About(Certificate, Listen);
         }
 
+        string? basilisk = Basilisk.ReadIfGiven(values);
+        OptionSpec[] others = basilisk is null
+            ? [BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]
+            : [Listen, TokenFile, Certificate, Hosts, MaxMegabytes, ViewOptions.Folders, ViewOptions.Catalogues];
+        if (others.FirstOrDefault(values.IsGiven) is { } wrong)
+        {
+            throw new UsageException(
+                $"{wrong.Name} has no meaning {(basilisk is null ? "without" : "with")} {Basilisk.Name}. Leave it out.")
+                .About(wrong, Basilisk);
+        }
+
         return new ServeSettings(
             address,
             token is null ? null : TokenFile.NamedInErrors(() => ReadToken(token)),
@@ -127,6 +178,11 @@ internal static partial class ServeOptions
         {
             MaxMegabytes = MaxMegabytes.Read(values),
             EndsWithInput = EndWithInput.Read(values),
+            Basilisk = basilisk,
+            BasiliskCameras = NamedPaths.Read(BasiliskCameras, values),
+            MoonAttitude = MoonAttitude.Read(values),
+            FrameOptions = FrameOptions.ReadIfGiven(values),
+            RecordFolder = RecordFolder.ReadIfGiven(values),
             Folders = NamedPaths.Read(ViewOptions.Folders, values),
             Catalogues = NamedPaths.Read(ViewOptions.Catalogues, values),
         };
@@ -142,6 +198,9 @@ internal static partial class ServeOptions
                 $"--token-file {path}: the first line is no token; at least {shortest} letters, digits or signs without blanks and colons "
                     + "are needed, e.g. from 'openssl rand -hex 16'.");
     });
+
+    [GeneratedRegex("^tcp://([0-9.]+|localhost|\\*|\\[[0-9a-fA-F:]+\\]):[0-9]{1,5}$")]
+    private static partial Regex ZeroMqAddress();
 
     [GeneratedRegex("^[A-Za-z0-9.-]+(,[A-Za-z0-9.-]+)*$")]
     private static partial Regex HostNames();

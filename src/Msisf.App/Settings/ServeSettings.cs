@@ -23,6 +23,31 @@ internal sealed record ServeSettings(
     /// <summary>Output folders and batch files of the viewer's time line, by name.</summary>
     public IReadOnlyDictionary<string, string> Folders { get; init; } = new Dictionary<string, string>();
 
+    /// <summary>Where Basilisk finds the server, "tcp://ADDRESS:PORT"; null for a server of HTTP.</summary>
+    public string? Basilisk { get; init; }
+
+    /// <summary>Camera files for Basilisk's cameras, by their numbers.</summary>
+    public IReadOnlyDictionary<string, string> BasiliskCameras { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>Where the Moon's attitude in a simulation of Basilisk comes from.</summary>
+    public MoonAttitude MoonAttitude { get; init; }
+
+    /// <summary>File with options of Basilisk's images; null for none.</summary>
+    public string? FrameOptions { get; init; }
+
+    /// <summary>Folder that receives the states of Basilisk's images; null for none.</summary>
+    public string? RecordFolder { get; init; }
+
     /// <summary>Catalogues of craters, by name.</summary>
     public IReadOnlyDictionary<string, string> Catalogues { get; init; } = new Dictionary<string, string>();
+}
+
+/// <summary>Where the Moon's attitude in a simulation of Basilisk comes from.</summary>
+internal enum MoonAttitude
+{
+    /// <summary>The message's rotation is taken as MOON_ME.</summary>
+    Message,
+
+    /// <summary>MOON_ME by the kernels at the time of the message.</summary>
+    Spice,
 }

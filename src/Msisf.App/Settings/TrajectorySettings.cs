@@ -2,6 +2,7 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
@@ -14,6 +15,9 @@ internal abstract record TrajectorySettings
 {
     /// <summary>How the camera moves during each exposure; null if the user does not say it.</summary>
     public CameraMotion? Motion { get; init; }
+
+    /// <summary>m, MOON_ME: where the Sun is in all frames; null if the ephemeris, or each state, says it.</summary>
+    public Vector3D? SunPositionMoonMe { get; init; }
 
     /// <summary>The noise of the first frame; each frame after it has the next step. Null if the user does not choose it.</summary>
     public NoiseSeed? Noise { get; init; }

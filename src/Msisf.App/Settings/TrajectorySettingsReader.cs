@@ -63,7 +63,9 @@ internal sealed class TrajectorySettingsReader
         ? NativeOptions.NoiseSeed.Named(() => NoiseSeedText.Parse(text, step: 1))
         : null;
 
-    private TrajectorySettings? ReadIfGiven() => ReadPlaces() is { } settings ? settings with { Noise = ReadNoise(_values) } : null;
+    private TrajectorySettings? ReadIfGiven() => ReadPlaces() is { } settings
+        ? settings with { Noise = ReadNoise(_values), SunPositionMoonMe = SunPosition() }
+        : null;
 
     private TrajectorySettings? ReadPlaces()
     {
@@ -144,6 +146,21 @@ internal sealed class TrajectorySettingsReader
     private CameraMotion? Motion() => CameraOptions.Motion.Read(_values) is { } numbers
         ? CameraOptions.Motion.Named(() => CameraMotion.FromNumbers(numbers))
         : null;
+
+    private Vector3D? SunPosition()
+    {
+        if (LightOptions.SunPosition.Read(_values) is not { } numbers)
+        {
+            return null;
+        }
+
+        return LightOptions.IgnoreSun.Read(_values)
+            ? throw new UsageException(
+                $"{LightOptions.SunPosition.Name} has no meaning with {LightOptions.IgnoreSun.Name}. Leave one out.")
+                .About(LightOptions.SunPosition, LightOptions.IgnoreSun)
+            : LightOptions.SunPosition.Named(
+                () => SpacecraftState.CheckedSun(new Vector3D(numbers[0], numbers[1], numbers[2])));
+    }
 
     private OrbitSettings Orbit(OptionSpec way, Func<KeplerElements> readElements)
     {

@@ -115,6 +115,7 @@ internal sealed class CommandTree
             { TakesSeveralWords: true } =>
                 new Option<string[]>(spec.Name, aliases) { Arity = ArgumentArity.OneOrMore, AllowMultipleArgumentsPerToken = true },
             { MayBeRepeated: true } => new Option<string[]>(spec.Name, aliases) { Arity = ArgumentArity.OneOrMore },
+            TextSpec { ValueIfBare: not null } => new Option<string?>(spec.Name, aliases) { Arity = ArgumentArity.ZeroOrOne },
             _ => new Option<string?>(spec.Name, aliases),
         };
     }

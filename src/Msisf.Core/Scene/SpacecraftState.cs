@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -18,6 +19,9 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// </summary>
     public static IReadOnlyList<string> NumberNames { get; } = ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"];
 
+    /// <summary>m: less than the nearest perihelion of a body with craters; a direction of length 1, or km, is found by it.</summary>
+    public const double NearestSun = 1e10;
+
     /// <summary>How the camera moves about this time; null if that is not known or not wanted.</summary>
     public CameraMotion? Motion { get; init; }
 
@@ -25,14 +29,30 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     public NoiseSeed? Noise { get; init; }
 
     /// <summary>
+    /// m, MOON_ME: where the light's Sun is, at least <see cref="NearestSun"/> away; null for the place that the ephemeris gives.
+    /// </summary>
+    public Vector3D? SunPositionMoonMe { get; init; }
+
+    /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
-    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/>.
+    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/> and
+    /// <see cref="SunPositionMoonMe"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [
         Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
         MoonFromCamera.W, .. Motion?.ToNumbers() ?? [],
     ];
+
+    /// <summary>Checks and takes a position of the Sun.</summary>
+    /// <param name="position">m, MOON_ME.</param>
+    /// <exception cref="BadInputException">It is not finite, or nearer than <see cref="NearestSun"/>.</exception>
+    public static Vector3D CheckedSun(Vector3D position) => position.Length is >= NearestSun and < double.PositiveInfinity
+        ? position
+        : throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"the Sun is {position.Length:G3} m from the body's centre; metres are needed, at least {NearestSun:G3}. The Sun is 1.5e11 m "
+                + $"from the Moon: multiply a direction by that."));
 
     /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>

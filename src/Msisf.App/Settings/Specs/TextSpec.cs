@@ -13,6 +13,9 @@ internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, 
     /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }
 
+    /// <summary>The value if the option is given without one; null if it needs one.</summary>
+    public string? ValueIfBare { get; init; }
+
     /// <summary>Values that shell completion offers.</summary>
     public IReadOnlyList<string> Words { get; init; } = [];
 
@@ -41,7 +44,7 @@ internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, 
     /// <exception cref="UsageException">The text does not match the required pattern.</exception>
     public string? ReadIfGiven(OptionValues values)
     {
-        string? text = values.Text(this);
+        string? text = values.Text(this) is { } given ? ValueIfBare is { } bare && given.Length == 0 ? bare : given : null;
         return text is null || Form is not { } form || form.Pattern.IsMatch(text)
             ? text
             : throw new UsageException($"{Name} is '{text}'; {form.Needed}.").About(this);
