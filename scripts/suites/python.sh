@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Suite: pytest on clients/python, with the program that test.sh built before. Started by test.sh in the repository root.
+# Suite: pytest on clients/python and clients/basilisk, with the program that test.sh built before. Started by test.sh in the repository root.
 set -euo pipefail
 . scripts/lib/common.sh
 . scripts/lib/packages.sh
@@ -23,17 +23,26 @@ fi
 
 # One thread: more of them only wait for each other on small arrays.
 export MSISF_PROGRAM=$PWD/msis OPENBLAS_NUM_THREADS=1
-report=$PWD/TestResults/python.xml
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-code=0
-mkdir -p "${report%/*}"
-rm -f "$report"
-(cd clients/python && within 900 /usr/bin/python3 -B -m pytest -q -p no:cacheprovider --junit-xml "$report") || code=$?
-record_report python "$report"
-if [ "$code" -ne 0 ] && [ "$(count failed python)" -eq 0 ]; then
-    record failed python "pytest ended with exit code $code"
+mkdir -p TestResults
+if part_is_here zmq; then
+    suites=(python basilisk)
+else
+    suites=(python)
+    record skipped python 'all tests of clients/basilisk (missing: zmq)'
 fi
+for suite in "${suites[@]}"; do
+    report=$PWD/TestResults/$suite.xml
+    code=0
+    failed=$(count failed python)
+    rm -f "$report"
+    (cd "clients/$suite" && within 900 /usr/bin/python3 -B -m pytest -q -p no:cacheprovider --junit-xml "$report") || code=$?
+    record_report python "$report"
+    if [ "$code" -ne 0 ] && [ "$(count failed python)" -eq "$failed" ]; then
+        record failed python "pytest on clients/$suite ended with exit code $code"
+    fi
+done
 
 # As on a computer without setuptools and wheel. Nothing is fetched, and nothing is written beside the sources.
 if part_is_here pip; then

@@ -59,6 +59,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--height", "", "--height 33" },
         { "--camera", "--camera FILE:a.yaml", "--camera FILE:b.yaml" },
         { "--ignore-sun", "", "--ignore-sun" },
+        { "--sun-position", "", "--sun-position {1.4E11,3E10,0}" },
         { "--aberration", "", "--aberration lt" },
         { "--ephemeris", "", "--ephemeris cspice" },
         { "--kernels", "", "--kernels FILE:other.tm" },

@@ -51,9 +51,9 @@ class Server:
         self.process.stdout.close()
 
 
-@pytest.fixture
-def server(tmp_path):
-    running = Server(tmp_path)
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    running = Server(tmp_path_factory.mktemp("server"))
     yield running
     running.end()
 

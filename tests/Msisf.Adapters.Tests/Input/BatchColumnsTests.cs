@@ -51,6 +51,38 @@ public class BatchColumnsTests
         }
     }
 
+    /// <summary>The Sun's columns stand anywhere, in the file's frame; what is written is read back, beside motion and noise too.</summary>
+    [Fact]
+    public void Read_Sun_IsThatOfTheState()
+    {
+        SpacecraftState[] states = [.. Read(
+            $"sun_z,time,x,y,z,sun_x,qx,qy,qz,qw,SUN_Y\n-3E9,60328.5,2E6,1,-3,1.4E11,{Quaternion},2.5E10\n"
+                + $"0,60328.5,2E6,1,-3,-1.5E11,{Quaternion},1")];
+
+        Assert.Equal(
+            [new Vector3D(1.4e11, 2.5e10, -3e9), new Vector3D(-1.5e11, 1.0, 0.0)], states.Select(state => state.SunPositionMoonMe!.Value));
+        foreach (bool hasNoise in (bool[])[false, true])
+        {
+            SpacecraftState[] written = [.. states.Select(state => state with { Noise = hasNoise ? new NoiseSeed(7, 3) : null })];
+            StringWriter writer = new();
+            BatchFileWriter.Write(writer, "head", written);
+            Assert.Equal(written, Read(writer.ToString()));
+        }
+    }
+
+    [Theory]
+    [InlineData("sun_x,sun_y,sun_z", "1,0,0", "metres are needed")]
+    [InlineData("sun_x,sun_y,sun_z", "1.5E8,0,0", "metres are needed")]
+    [InlineData("sun_x,sun_y,sun_z", "1.5E11,NaN,0", "sun_y")]
+    [InlineData("sun_x,sun_y", "1.5E11,0", "sun_z")]
+    public void Read_SunThatIsNone_IsRefused(string names, string values, string expected)
+    {
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => Read($"time,x,y,z,qx,qy,qz,qw,{names}\n60328.5,2E6,1,-3,{Quaternion},{values}"));
+
+        Assert.Contains(expected, exception.Message, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("-1")]
     [InlineData("1.5")]
