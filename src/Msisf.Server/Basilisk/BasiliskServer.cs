@@ -10,8 +10,8 @@ using NetMQ.Sockets;
 namespace Msisf.Server.Basilisk;
 
 /// <summary>
-/// Answers what Basilisk's vizInterface asks Vizard in lock-step (docs/basilisk.md). Each simulation is a peer of its own: several may run at
-/// once.
+/// Answers what Basilisk's vizInterface asks Vizard in lock-step (docs/basilisk.md). Each simulation is a peer of its own: several may
+/// run at once.
 /// </summary>
 internal sealed class BasiliskServer : IAsyncDisposable
 {
@@ -69,7 +69,8 @@ internal sealed class BasiliskServer : IAsyncDisposable
         }
 
         server._poller.RunAsync("Basilisk");
-        host.Log.Note($"Listening for Basilisk on {server.Address}. {(settings.EndsWithInput ? "It ends with its client." : "A signal ends it.")}");
+        string end = settings.EndsWithInput ? "It ends with its client." : "A signal ends it.";
+        host.Log.Note($"Listening for Basilisk on {server.Address}. {end}");
         return server;
     }
 
@@ -108,7 +109,8 @@ internal sealed class BasiliskServer : IAsyncDisposable
 
         byte[] peer = request[0].ToByteArray();
         BasiliskSimulation simulation = SimulationOf(Convert.ToHexString(peer));
-        byte[][] frames = [.. request.Skip(1).SkipWhile((frame, index) => index == 0 && frame.IsEmpty).Select(frame => frame.ToByteArray())];
+        int head = request[1].IsEmpty ? 2 : 1; // a REQ socket puts an empty frame before its own
+        byte[][] frames = [.. request.Skip(head).Select(frame => frame.ToByteArray())];
         _ = AnswerAsync(peer, simulation, frames);
     }
 
@@ -145,7 +147,8 @@ internal sealed class BasiliskServer : IAsyncDisposable
             return [Encoding.ASCII.GetBytes("UNKNOWN")];
         }
 
-        long? camera = long.TryParse(command.AsSpan(ImageRequest.Length).TrimStart('_'), CultureInfo.InvariantCulture, out long id) ? id : null;
+        ReadOnlySpan<char> number = command.AsSpan(ImageRequest.Length).TrimStart('_');
+        long? camera = long.TryParse(number, CultureInfo.InvariantCulture, out long id) ? id : null;
         byte[] image = await Task.Run(() => simulation.DrawAsync(camera, _end.Token), _end.Token).ConfigureAwait(false) ?? [];
         byte[] length = new byte[sizeof(int)];
         BinaryPrimitives.WriteInt32BigEndian(length, image.Length);

@@ -61,8 +61,8 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         {
             VizMessage message = _message ?? throw new BadInputException(
                 "an image is asked for, but no SIM_UPDATE with a VizMessage came before.");
-            VizCamera camera = (cameraId is null ? message.Cameras.FirstOrDefault() : message.Cameras.LastOrDefault(
-                camera => camera.Id == cameraId)) ?? throw new BadInputException(
+            VizCamera camera = message.Cameras.FirstOrDefault(camera => cameraId is null || camera.Id == cameraId)
+                ?? throw new BadInputException(
                     $"an image of camera {cameraId} is asked for; the message has "
                         + $"{(message.Cameras.Count == 0 ? "none" : string.Join(", ", message.Cameras.Select(camera => camera.Id)))}.");
             SpacecraftState state = StateOf(message, camera);
@@ -123,8 +123,8 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         }
         else
         {
-            note("the Moon's rotation of the message is taken as MOON_ME. If it is IAU_MOON, as Basilisk's default, the ground is up to 154 m "
-                + "off; --moon-attitude spice takes MOON_ME of the kernels.");
+            note("the Moon's rotation of the message is taken as MOON_ME. If it is IAU_MOON, as Basilisk's default, the ground is up to "
+                + "154 m off; --moon-attitude spice takes MOON_ME of the kernels.");
         }
 
         return VizGeometry.StateOf(camera, craft, moon, sun, moonFromInertial, time);
@@ -232,8 +232,8 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"camera {camera.Id} has {camera.Width} x {camera.Height} px and a vertical field of view of {camera.FieldOfViewDegrees:R} "
-                    + $"degrees in the simulation, {file.Model.Width} x {file.Model.Height} px and {vertical:R} degrees in {file.Path}. Mend "
-                    + $"one of them."));
+                    + $"degrees in the simulation, {file.Model.Width} x {file.Model.Height} px and {vertical:R} degrees in {file.Path}. "
+                    + $"Mend one of them."));
         }
     }
 }

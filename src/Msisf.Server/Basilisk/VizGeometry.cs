@@ -16,7 +16,7 @@ internal static class VizGeometry
     /// <summary>rad: of a rotation that is given with six digits at least.</summary>
     private const double RotationError = 1e-6;
 
-    /// <summary>rad: beyond it the message's Moon is turned otherwise than at its time; MOON_ME and IAU_MOON differ by half as much.</summary>
+    /// <summary>rad: beyond it the time of the message is wrong; MOON_ME and IAU_MOON differ by half as much.</summary>
     private static readonly double LargestTurn = double.DegreesToRadians(0.01);
 
     /// <summary>The matrix that turns N into the Moon's axes, as the message has it.</summary>
@@ -52,8 +52,8 @@ internal static class VizGeometry
             ? spice
             : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"at {time.ToIsoUtc()} the Moon of the message is turned by {double.RadiansToDegrees(angle):F3} degrees against MOON_ME. Link "
-                    + $"the epoch of the simulation (viz.epochInMsg), or leave out --moon-attitude spice."));
+                $"at {time.ToIsoUtc()} the Moon of the message is turned by {double.RadiansToDegrees(angle):F3} degrees against MOON_ME. "
+                    + $"Link the epoch of the simulation (viz.epochInMsg), or leave out --moon-attitude spice."));
     }
 
     /// <summary>The state.</summary>

@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Server.Basilisk;
 
-/// <summary>What Basilisk's vizInterface says of a moment: the fields of its VizMessage that an image depends on (docs/basilisk.md).</summary>
+/// <summary>What Basilisk's vizInterface says of a moment: the fields of its VizMessage that an image depends on.</summary>
 internal sealed record VizMessage
 {
     /// <summary>s since the epoch.</summary>

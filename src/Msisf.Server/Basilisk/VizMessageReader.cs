@@ -39,7 +39,7 @@ internal static class VizMessageReader
 
     private static VizCamera CameraOf(Fields camera)
     {
-        IReadOnlyList<long> resolution = camera.Wholes(4);
+        List<long> resolution = camera.Wholes(4);
         return new VizCamera(
             camera.Whole(1), camera.Text(2), camera.Real(3), resolution.ElementAtOrDefault(0), resolution.ElementAtOrDefault(1),
             camera.Vector(7), camera.Vector(8), (int)camera.Whole(16));
@@ -87,15 +87,15 @@ internal static class VizMessageReader
         public long Whole(int number) => All<long>(number).LastOrDefault();
 
         /// <summary>Repeated numbers, packed into one field or each in a field of its own.</summary>
-        public IReadOnlyList<double> Reals(int number) => Repeated(number, input => input.ReadDouble());
+        public List<double> Reals(int number) => Repeated(number, input => input.ReadDouble());
 
         /// <inheritdoc cref="Reals"/>
-        public IReadOnlyList<long> Wholes(int number) => Repeated(number, input => input.ReadInt64());
+        public List<long> Wholes(int number) => Repeated(number, input => input.ReadInt64());
 
         /// <summary>Three numbers; those that are missing are 0.</summary>
         public Vector3D Vector(int number)
         {
-            IReadOnlyList<double> numbers = Reals(number);
+            List<double> numbers = Reals(number);
             return new Vector3D(numbers.ElementAtOrDefault(0), numbers.ElementAtOrDefault(1), numbers.ElementAtOrDefault(2));
         }
 
