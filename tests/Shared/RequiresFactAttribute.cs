@@ -23,6 +23,7 @@ internal enum Part
     Chromium,
     PolarPieces,
     MariaDb,
+    LroNac,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -43,8 +44,8 @@ internal static class MissingParts
 {
     public static string? ReasonToSkip(Part[] parts)
     {
-        // The pieces are published by nobody who could be asked for them by a script.
-        if (Environment.GetEnvironmentVariable("CI") == "true" && !parts.Contains(Part.PolarPieces))
+        // These are published by nobody who could be asked for them by a script.
+        if (Environment.GetEnvironmentVariable("CI") == "true" && !parts.Contains(Part.PolarPieces) && !parts.Contains(Part.LroNac))
         {
             return null;
         }
@@ -73,6 +74,7 @@ internal static class MissingParts
         Part.Numpy => TestParts.PythonPackage("numpy") is not null,
         Part.Chromium => TestParts.Program("chromium") is not null,
         Part.MariaDb => TestParts.MariaDb is not null && TestParts.Program("mariadb-install-db") is not null,
+        Part.LroNac => LroNac.IsThere,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -1,4 +1,6 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -6,30 +8,51 @@ namespace Msisf.Adapters.Ephemeris;
 internal static class DafSegments
 {
     private const int J2000 = 1;
-    private const int ChebyshevPositions = 2;
-    private const int ChebyshevStates = 3;
     private const int ChebyshevAngles = 2;
 
     /// <summary>The segments of an SPK or PCK, in the order of the file.</summary>
-    public static IEnumerable<IEphemerisSegment> Of(DafFile file) =>
-        file.Summaries.Select(summary => file.IdWord == "DAF/SPK" ? Position(file, summary) : Orientation(file, summary));
+    /// <param name="file">The kernel; must outlive the segments.</param>
+    /// <param name="frameFromJ2000">The frame of a number at a time, for positions in other frames than J2000.</param>
+    public static IEnumerable<IEphemerisSegment> Of(DafFile file, Func<int, double, RotationMatrix> frameFromJ2000) =>
+        file.Summaries.Select(summary =>
+            file.IdWord == "DAF/SPK" ? Position(file, summary, frameFromJ2000) : Orientation(file, summary));
 
-    private static IEphemerisSegment Position(DafFile file, DafSummary summary)
+    /// <summary>The segments of a CK, in the order of the file.</summary>
+    public static IEnumerable<CkSegment> OfCk(DafFile file) => file.Summaries.Select<DafSummary, CkSegment>(summary =>
+        summary.Integers[2] switch
+        {
+            1 => new CkDiscrete(file, summary),
+            2 => new CkRates(file, summary),
+            3 => new CkLinear(file, summary),
+            4 => new CkChebyshev(file, summary),
+            5 => new CkInterpolated(file, summary),
+            6 => new CkPieces(file, summary),
+            int type => new CkUnknown(
+                file, summary, $"{file.FileName}: the attitude of {summary.Integers[0]} is given by CK type {type}; 1 to 6 are known"),
+        });
+
+    private static IEphemerisSegment Position(DafFile file, DafSummary summary, Func<int, double, RotationMatrix> frameFromJ2000)
     {
         (
             int target,
             int center,
             int frame,
             int type) = (summary.Integers[0], summary.Integers[1], summary.Integers[2], summary.Integers[3]);
-        if (frame != J2000 || type is not (ChebyshevPositions or ChebyshevStates))
+        IEphemerisSegment segment = type switch
         {
-            return new UnreadableSegment(target, center, summary.Interval,
-                $"{file.FileName}: body {target} is given by SPK type {type} in frame {frame}; "
-                    + $"the built-in reader knows the types 2 and 3 in J2000 (1)");
-        }
-
-        return new ChebyshevSegment(file, summary, target, center, seriesPerRecord: type == ChebyshevStates ? 6 : 3);
+            1 or 21 => new SpkDifferences(file, summary, type),
+            2 => new ChebyshevSegment(file, summary, target, center, seriesPerRecord: 3),
+            3 => new ChebyshevSegment(file, summary, target, center, seriesPerRecord: 6),
+            5 => new SpkTwoBody(file, summary),
+            8 or 9 or 12 or 13 or 18 => new SpkStates(file, summary, type),
+            _ => new UnreadableSegment(target, center, summary.Interval,
+                $"{file.FileName}: body {target} is given by SPK type {type}; the built-in reader knows {KnownTypes}"),
+        };
+        return frame == J2000 ? segment : new FramedSegment(segment, tdbSeconds => frameFromJ2000(frame, tdbSeconds));
     }
+
+    /// <summary>The SPK types that can be read, for messages.</summary>
+    private const string KnownTypes = "the types 1, 2, 3, 5, 8, 9, 12, 13, 18 and 21";
 
     private static IEphemerisSegment Orientation(DafFile file, DafSummary summary)
     {
@@ -42,5 +65,13 @@ internal static class DafSegments
         }
 
         return new ChebyshevSegment(file, summary, body, center: 0, seriesPerRecord: 3);
+    }
+
+    /// <summary>A segment of a type that is not known; only its use is an error.</summary>
+    private sealed class CkUnknown(DafFile file, DafSummary summary, string reason) : CkSegment(file, summary)
+    {
+        public override IReadOnlyList<TdbInterval> Intervals => [Ticks];
+
+        protected override RotationMatrix? Evaluate(double ticks) => throw new SpiceException($"{reason}. Use a kernel of another type.");
     }
 }

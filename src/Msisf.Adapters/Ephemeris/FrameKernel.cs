@@ -56,16 +56,18 @@ public static class FrameKernel
         }
     }
 
-    private static RotationMatrix ReadRelativeFromFrame(KernelPool pool, int id, string name)
+    /// <summary>The constant rotation of a TK frame: from it to the frame that it is relative to.</summary>
+    internal static RotationMatrix ReadRelativeFromFrame(KernelPool pool, int id, string name)
     {
         string specification = Variable(pool, "TKFRAME", id, name, "SPEC");
         return pool.Text(specification) switch
         {
             "MATRIX" => ReadMatrix(pool, Variable(pool, "TKFRAME", id, name, "MATRIX")),
             "ANGLES" => ReadAngles(pool, id, name),
+            "QUATERNION" => ReadQuaternion(pool, Variable(pool, "TKFRAME", id, name, "Q")),
             string other => throw new BadInputException(
                 $"{pool.Existing(specification).Source}: frame {name} is given as {other}; "
-                    + $"the built-in reader knows 'MATRIX' and 'ANGLES'. Use --ephemeris cspice."),
+                    + $"the built-in reader knows 'MATRIX', 'ANGLES' and 'QUATERNION'. Use --ephemeris cspice."),
         };
     }
 
@@ -86,6 +88,14 @@ public static class FrameKernel
                 $"{pool.Existing(matrixVariable).Source}: {matrixVariable} is not a rotation within "
                     + $"{Tolerances.FrameMatrix.ToString("R", CultureInfo.InvariantCulture)}. "
                     + $"Give it more digits, or use --ephemeris cspice.");
+    }
+
+    /// <summary>A quaternion of SPICE's, scalar first.</summary>
+    private static RotationMatrix ReadQuaternion(KernelPool pool, string variable)
+    {
+        IReadOnlyList<double> q = pool.Numbers(variable, 4);
+        UnitQuaternion turn = UnitQuaternion.FromComponents(q[1], q[2], q[3], q[0], isRounded: true);
+        return new RotationMatrix(turn * Vector3D.UnitX, turn * Vector3D.UnitY, turn * Vector3D.UnitZ).Transposed;
     }
 
     private static bool IsClose(Vector3D u, Vector3D v) => (u - v).Length <= Tolerances.FrameMatrix;
@@ -124,7 +134,7 @@ public static class FrameKernel
     };
 
     /// <summary>SPICE lets a frame's variables carry its number or its name.</summary>
-    private static string Variable(KernelPool pool, string prefix, int id, string name, string item)
+    internal static string Variable(KernelPool pool, string prefix, int id, string name, string item)
     {
         string byName = $"{prefix}_{name}_{item}";
         return pool.Find(byName) is null ? $"{prefix}_{id}_{item}" : byName;

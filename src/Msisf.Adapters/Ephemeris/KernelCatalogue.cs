@@ -30,6 +30,8 @@ public sealed class KernelCatalogue : IDisposable
         }
 
         Names = new BodyNames(Pool);
+        Attitudes = new SpacecraftAttitudes(Pool, _files);
+        Frames = new FrameSystem(Pool, () => SegmentsOf("DAF/PCK"), Attitudes);
     }
 
     /// <summary>What the text kernels assign.</summary>
@@ -41,10 +43,17 @@ public sealed class KernelCatalogue : IDisposable
     /// <summary>Names of bodies and instruments.</summary>
     public BodyNames Names { get; }
 
+    /// <summary>The frames, computed by the built-in reader.</summary>
+    internal FrameSystem Frames { get; }
+
+    /// <summary>The CKs.</summary>
+    internal SpacecraftAttitudes Attitudes { get; }
+
     /// <summary>The segments of a kind of kernel, in load order.</summary>
     /// <param name="idWord">"DAF/SPK" or "DAF/PCK".</param>
     public SegmentTable SegmentsOf(string idWord) =>
-        new(_files.Where(kernel => kernel.IdWord == idWord).SelectMany(DafSegments.Of));
+        new(_files.Where(kernel => kernel.IdWord == idWord).SelectMany(
+            kernel => DafSegments.Of(kernel, Frames.FrameFromJ2000)));
 
     /// <summary>The number of a spacecraft that the kernels have positions of.</summary>
     /// <param name="nameOrId">Its name or number.</param>

@@ -28,6 +28,9 @@ public sealed class OpenedEphemeris : IDisposable
     /// <exception cref="Core.Errors.BadInputException">A kernel can't be read.</exception>
     public KernelCatalogue Catalogue => _catalogue.Value;
 
+    /// <summary>Frames of spacecraft and instruments, by the same engine.</summary>
+    public ISpaceFrames Frames => Engine as ISpaceFrames ?? Catalogue.Frames;
+
     /// <summary>One line for the run's log: which engine, and why.</summary>
     public string Notice { get; }
 

@@ -7,7 +7,7 @@ using Msisf.Core.Time;
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>The engine that asks NAIF's CSPICE. Safe for several threads, which take turns.</summary>
-public sealed class SpiceEphemeris : IEphemeris, IDisposable
+public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
 {
     private readonly CSpice _cspice;
     private readonly KernelSet _kernels;
@@ -45,7 +45,11 @@ public sealed class SpiceEphemeris : IEphemeris, IDisposable
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
-        Ask((kernels, _) => _cspice.FrameFromJ2000(kernels, _body, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
+        Ask((kernels, _) => _cspice.FrameFromJ2000(kernels, _body.Frame, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
+
+    /// <inheritdoc/>
+    public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) =>
+        _cspice.FrameFromJ2000(_kernels.Paths, frame, tdbSeconds);
 
     /// <inheritdoc/>
     public StateVector StateOf(int naifNumber, double tdbSeconds) =>

@@ -119,22 +119,22 @@ internal sealed class CSpice
         lock (_gate)
         {
             _furnished.Use(kernels);
-            return FrameFromJ2000(kernels, body, EphemerisSeconds(time));
+            return FrameFromJ2000(kernels, body.Frame, EphemerisSeconds(time));
         }
     }
 
-    /// <summary>The rotation that turns J2000 components into those of a body's frame.</summary>
+    /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="body">The body.</param>
+    /// <param name="frame">Name of the frame.</param>
     /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, double ephemerisSeconds)
+    public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, string frame, double ephemerisSeconds)
     {
         Span<double> rows = stackalloc double[9];
         lock (_gate)
         {
             _furnished.Use(kernels);
-            CSpiceNative.pxform_c("J2000", body.Frame, ephemerisSeconds, ref rows[0]);
+            CSpiceNative.pxform_c("J2000", frame, ephemerisSeconds, ref rows[0]);
             CSpiceError.ThrowIfFailed("pxform_c", ephemerisSeconds);
         }
 

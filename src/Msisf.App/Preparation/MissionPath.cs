@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
@@ -40,6 +41,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         };
         IAttitudeSource attitude = settings.Attitude switch
         {
+            InstrumentChoice choice => MissionOptions.Instrument.NamedInErrors(() => Attitude(choice, kernels)),
             PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
             QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
             AemChoice aem => new SampledAttitude(
@@ -68,6 +70,12 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
                 $"{MissionOptions.Every.Name} {step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
                     + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."))
                 .About(MissionOptions.Every);
+    }
+
+    private static KernelAttitude Attitude(InstrumentChoice choice, OpenedEphemeris kernels)
+    {
+        InstrumentKernel instrument = new(kernels.Catalogue.Pool, choice.Instrument);
+        return new KernelAttitude(kernels, instrument.Frame, choice.Axes ?? instrument.Axes());
     }
 
     private static T OpenFile<T>(PathSpec option, string path, Func<Stream, T> read)

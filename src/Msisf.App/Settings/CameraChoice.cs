@@ -1,4 +1,5 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.App.Settings.Specs;
@@ -28,7 +29,7 @@ internal static class CameraChoice
     {
         if (ImageOptions.Camera.ReadIfGiven(values) is not { } given)
         {
-            return null;
+            return OfInstrument(values);
         }
 
         Refuse(values, [ImageOptions.FieldOfView]);
@@ -41,11 +42,31 @@ internal static class CameraChoice
                 .. camera.AddedWidth is null ? (OptionSpec[])[ImageOptions.Width] : [],
                 .. camera.AddedHeight is null ? (OptionSpec[])[ImageOptions.Height] : [],
             ]);
-        return camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
+        return Drawable(camera, $"{ImageOptions.Camera.Name} {given}", ImageOptions.Camera, values);
+    }
+
+    private static CameraFile Drawable(CameraFile camera, string given, OptionSpec option, OptionValues values) =>
+        camera.Model.Distortion is null || RendererOptions.Renderer.Read(values) == RendererKind.Native
             ? camera
             : throw new UsageException(
-                $"--camera {given} has a lens with distortion, which POV-Ray can't draw. Add --renderer native, or remove it.")
-                .About(ImageOptions.Camera, RendererOptions.Renderer);
+                $"{given} has a lens with distortion, which POV-Ray can't draw. Add --renderer native, or remove it.")
+                .About(option, RendererOptions.Renderer);
+
+    /// <summary>The camera of an instrument kernel; null if none is asked for, or other options say what the camera is.</summary>
+    private static CameraFile? OfInstrument(OptionValues values)
+    {
+        OptionSpec[] others = [ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height];
+        if (MissionOptions.Instrument.ReadIfGiven(values) is not { } instrument || others.Any(values.IsGiven))
+        {
+            return null;
+        }
+
+        Installation installation = Installation.Above(AppContext.BaseDirectory);
+        KernelPool pool = LightOptions.Kernels.NamedInErrors(() => KernelPool.Of(KernelList.Expand(
+            KernelList.OnTop(installation.MetaKernel, LightOptions.Kernels.ReadAll(values), []))));
+        return Drawable(
+            MissionOptions.Instrument.NamedInErrors(() => new InstrumentKernel(pool, instrument).Camera()),
+            $"{MissionOptions.Instrument.Name} {instrument}", MissionOptions.Instrument, values);
     }
 
     /// <summary>The presets of the installation, by name.</summary>

@@ -18,6 +18,28 @@ internal static class MissionOptions
         "--spacecraft", DecidesBytes.ByStatesOfRun, "NAME|ID",
         "The spacecraft whose trajectory in the kernels the camera follows, e.g. LRO or -85");
 
+    /// <summary>Attitudes.</summary>
+    public static PathSpec Ck { get; } = new(
+        "--ck", DecidesBytes.ByStates, PathKind.File,
+        "Attitude as a SPICE kernel (CK), with --instrument; may be given several times: the later one wins")
+    {
+        TakesSeveral = true,
+    };
+
+    /// <summary>The instrument.</summary>
+    public static TextSpec Instrument { get; } = new(
+        "--instrument", DecidesBytes.ByStates, "NAME|ID",
+        "The instrument whose attitude by CK and frame kernel the camera has, e.g. LRO_LROCNACL or -85600; its instrument kernel also "
+            + "gives the camera, if neither --camera nor a size or field of view is given");
+
+    /// <summary>How the image lies in the instrument's axes.</summary>
+    public static TextSpec InstrumentAxes { get; } = new(
+        "--instrument-axes", DecidesBytes.ByStates, "RIGHT,DOWN",
+        "How the image lies in the instrument's axes, e.g. +x,+y; the camera looks along right x down")
+    {
+        DefaultNote = "ITRANSS and ITRANSL of the instrument kernel",
+    };
+
     /// <summary>A trajectory as a CCSDS file.</summary>
     public static PathSpec Oem { get; } = new(
         "--oem", DecidesBytes.ByStates, PathKind.File,
@@ -40,5 +62,5 @@ internal static class MissionOptions
     public static OptionSpec[] Ways { get; } = [Spacecraft, Oem];
 
     /// <summary>The options that have a meaning with a mission's files only.</summary>
-    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Oem, Aem, Every];
+    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Oem, Ck, Instrument, InstrumentAxes, Aem, Every];
 }

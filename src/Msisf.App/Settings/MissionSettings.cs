@@ -34,6 +34,11 @@ internal sealed record PointedChoice(CameraPointing Pointing) : AttitudeChoice;
 /// <param name="IsRounded">Whether its quaternions may be rounded to a few decimals.</param>
 internal sealed record AemChoice(string Path, bool IsRounded) : AttitudeChoice;
 
+/// <summary>The CKs and frame kernels of an instrument.</summary>
+/// <param name="Instrument">Its name or number.</param>
+/// <param name="Axes">How the image lies in its axes; null for what its instrument kernel says.</param>
+internal sealed record InstrumentChoice(string Instrument, InstrumentAxes? Axes) : AttitudeChoice;
+
 /// <summary>A quaternion.</summary>
 /// <param name="Attitude">From the epoch on.</param>
 /// <param name="Frame">Its frame.</param>

@@ -52,6 +52,25 @@ internal sealed class MissionSettingsReader(
         }
 
         bool isPointed = PointingOptions.OfPosition.Any(values.IsGiven);
+        bool isGiven = isPointed || values.IsGiven(CameraOptions.Attitude);
+        if (isGiven)
+        {
+            Refuse(
+                [MissionOptions.Ck, MissionOptions.InstrumentAxes],
+                "has no meaning where --attitude, --look-at, --off-nadir, --up or --roll says how the camera points. Leave one out.");
+        }
+        else if (MissionOptions.Instrument.ReadIfGiven(values) is { } instrument)
+        {
+            return new InstrumentChoice(
+                instrument,
+                MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
+                    ? MissionOptions.InstrumentAxes.Named(() => InstrumentAxes.Parse(axes))
+                    : null);
+        }
+
+        Refuse(
+            values.IsGiven(MissionOptions.Instrument) ? [] : [MissionOptions.Ck, MissionOptions.InstrumentAxes],
+            $"needs {MissionOptions.Instrument.Name}: whose attitude the camera has. Add it.");
         if (readAttitude() is not { } attitude)
         {
             Refuse(

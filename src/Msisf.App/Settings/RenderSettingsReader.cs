@@ -57,7 +57,7 @@ internal static class RenderSettingsReader
             Ephemeris = LightOptions.Ephemeris.Read(values),
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadAll(values),
-            TrajectoryKernels = MissionOptions.Spk.ReadAll(values),
+            TrajectoryKernels = [.. MissionOptions.Spk.ReadAll(values), .. MissionOptions.Ck.ReadAll(values)],
             IsMission = MissionOptions.Ways.Any(values.IsGiven),
             PovPath = PovOptions.Program.ReadIfGiven(values),
             PovOptions = PovOptions.MoreOptions.NamedInErrors(

@@ -55,6 +55,19 @@ public sealed class TdbScale
     /// <param name="ttSeconds">Terrestrial time: seconds past 2000-01-01T12:00:00 TT.</param>
     public double FromTt(double ttSeconds) => ttSeconds + TdbMinusTt(ttSeconds);
 
+    /// <summary>Terrestrial time: seconds past 2000-01-01T12:00:00 TT.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    public double ToTt(double tdbSeconds)
+    {
+        double ttSeconds = tdbSeconds;
+        for (int pass = 0; pass < InversionPasses; pass++)
+        {
+            ttSeconds = tdbSeconds - TdbMinusTt(ttSeconds);
+        }
+
+        return ttSeconds;
+    }
+
     /// <summary>Seconds past 2000-01-01T12:00:00 UTC, each day counted with 86 400 s; within a leap second up to 1 s off.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public double ToUtcSeconds(double tdbSeconds)

@@ -152,14 +152,14 @@ public sealed class BuiltInKernelsTests : IDisposable
     public void SunPositionMoonMe_SpkTypeUnknown_FailsOnlyWhenNeeded()
     {
         byte[] spk = new DafBuilder("DAF/SPK")
-            .AddRaw(-Day, Day, [10, 0, 1, 13], [0.0])
-            .AddRaw(-Day, Day, [-85, 301, 1, 9], [0.0])
+            .AddRaw(-Day, Day, [10, 0, 1, 20], [0.0])
+            .AddRaw(-Day, Day, [-85, 301, 1, 17], [0.0])
             .AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray();
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
         SpiceException failure = Assert.Throws<SpiceException>(() => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
 
-        Assert.Contains("body 10 is given by SPK type 13", failure.Message, StringComparison.Ordinal);
+        Assert.Contains("body 10 is given by SPK type 20", failure.Message, StringComparison.Ordinal);
         Assert.True(kernels.Ephemeris.MoonMeFromJ2000(new ModifiedJulianDate(51544.5)).Row0.IsFinite);
     }
 

@@ -75,7 +75,7 @@ public class FrameKernelTests
     [InlineData("TKFRAME_8_SPEC = 'MATRIX'\nTKFRAME_8_MATRIX = ( 1 0 0 0 1 0 0 0 )", "has 8 numbers, 9 expected")]
     [InlineData("TKFRAME_8_SPEC = 'MATRIX'\nTKFRAME_8_MATRIX = ( 1 0 0 0 1 0 0 0 1.0001 )", "is not a rotation")]
     [InlineData("TKFRAME_8_SPEC = 'MATRIX'\nTKFRAME_8_MATRIX = ( 1 0 0 0 1 0 0 0 -1 )", "is not a rotation")]
-    [InlineData("TKFRAME_8_SPEC = 'QUATERNION'", "given as QUATERNION")]
+    [InlineData("TKFRAME_8_SPEC = 'AXIS'", "given as AXIS")]
     [InlineData(
         "TKFRAME_8_SPEC = 'ANGLES'\nTKFRAME_8_ANGLES = ( 1 2 3 )\nTKFRAME_8_AXES = ( 3 2 4 )\nTKFRAME_8_UNITS = 'DEGREES'",
         "three of the axes 1, 2 and 3")]

@@ -1,0 +1,59 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>A segment of a CK: how an instrument or a spacecraft is turned. Safe for several threads.</summary>
+/// <param name="file">The kernel; must outlive the segment.</param>
+/// <param name="summary">The segment.</param>
+internal abstract class CkSegment(DafFile file, DafSummary summary)
+{
+    /// <summary>NAIF's number of the instrument, which is the class ID of its frame.</summary>
+    public int Instrument => summary.Integers[0];
+
+    /// <summary>NAIF's number of the frame relative to which it is turned.</summary>
+    public int Reference => summary.Integers[1];
+
+    /// <summary>Ticks of the spacecraft's clock between which the segment holds; within it there may be gaps.</summary>
+    public TdbInterval Ticks => summary.Interval;
+
+    /// <summary>The intervals of ticks without gaps, rising; not cut to <see cref="Ticks"/>.</summary>
+    /// <exception cref="Core.Errors.BadInputException">The kernel is damaged.</exception>
+    public abstract IReadOnlyList<TdbInterval> Intervals { get; }
+
+    /// <summary>The segment's numbers.</summary>
+    protected DafWords Words { get; } = new(file, summary);
+
+    /// <summary>Turns components in the reference frame into those in the instrument's: SPICE's C-matrix.</summary>
+    /// <param name="ticks">Of the spacecraft's clock.</param>
+    /// <returns>Null in a gap.</returns>
+    /// <exception cref="Core.Errors.BadInputException">The kernel is damaged, or of a type that is not known.</exception>
+    public RotationMatrix? InstrumentFromReference(double ticks) => Ticks.Contains(ticks) ? Evaluate(ticks) : null;
+
+    /// <inheritdoc cref="InstrumentFromReference"/>
+    protected abstract RotationMatrix? Evaluate(double ticks);
+
+    /// <summary>The C-matrix of a quaternion of SPICE's, scalar first, of any length but 0.</summary>
+    /// <exception cref="Core.Errors.BadInputException">Its length is 0.</exception>
+    protected RotationMatrix Matrix(ReadOnlySpan<double> q)
+    {
+        double length = double.Hypot(double.Hypot(q[0], q[1]), double.Hypot(q[2], q[3]));
+        if (!(length > 0.0 && double.IsFinite(length)))
+        {
+            throw Words.Damaged("a quaternion has no length");
+        }
+
+        (double w, double x, double y, double z) = (q[0] / length, q[1] / length, q[2] / length, q[3] / length);
+        return new RotationMatrix(
+            new Vector3D(1.0 - (2.0 * ((y * y) + (z * z))), 2.0 * ((x * y) - (w * z)), 2.0 * ((x * z) + (w * y))),
+            new Vector3D(2.0 * ((x * y) + (w * z)), 1.0 - (2.0 * ((x * x) + (z * z))), 2.0 * ((y * z) - (w * x))),
+            new Vector3D(2.0 * ((x * z) - (w * y)), 2.0 * ((y * z) + (w * x)), 1.0 - (2.0 * ((x * x) + (y * y)))));
+    }
+
+    /// <summary>The last of some rising times that is not after a time; -1 if all are.</summary>
+    protected static int LastAtOrBefore(double[] times, double time)
+    {
+        int found = Array.BinarySearch(times, time);
+        return found < 0 ? ~found - 1 : found;
+    }
+}

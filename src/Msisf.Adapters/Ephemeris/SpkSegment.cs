@@ -1,0 +1,31 @@
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.Ephemeris;
+
+/// <summary>A segment of an SPK whose data give positions and velocities together.</summary>
+/// <param name="file">The kernel; must outlive the segment.</param>
+/// <param name="summary">The segment.</param>
+internal abstract class SpkSegment(DafFile file, DafSummary summary) : IEphemerisSegment
+{
+    /// <inheritdoc/>
+    public int Body => summary.Integers[0];
+
+    /// <inheritdoc/>
+    public int Center => summary.Integers[1];
+
+    /// <inheritdoc/>
+    public TdbInterval Interval => summary.Interval;
+
+    /// <summary>The segment's numbers.</summary>
+    protected DafWords Words { get; } = new(file, summary);
+
+    /// <inheritdoc/>
+    public Vector3D ValueAt(double tdbSeconds) => StateAt(tdbSeconds).Position;
+
+    /// <inheritdoc/>
+    public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
+
+    /// <inheritdoc/>
+    public abstract StateVector StateAt(double tdbSeconds);
+}

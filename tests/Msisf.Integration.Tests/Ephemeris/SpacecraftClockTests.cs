@@ -1,0 +1,48 @@
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Ephemeris;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Ephemeris;
+
+/// <summary>Clocks of spacecraft against CSPICE.</summary>
+[Collection(SpiceItself.Name)]
+public sealed class SpacecraftClockTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresFact(Part.CSpice)]
+    public void Ticks_ClockOfThreeRates_AreThoseOfCSpice() =>
+        Compare(_folder.Write("test.tsc", TestClock.Sclk), TestClock.Clock, 2.995e8, 3.05e8);
+
+    /// <summary>LRO's clock has an entry that leads back by 200 s, on 2009-07-18.</summary>
+    [RequiresFact(Part.CSpice, Part.LroNac)]
+    public void Ticks_ClockOfLro_AreThoseOfCSpice()
+    {
+        Compare(LroNac.Clock, -85, 3.005e8, 6.2e8);
+        Compare(LroNac.Clock, -85, 3.011e8, 3.0145e8);
+    }
+
+    private static void Compare(string clock, int number, double first, double last)
+    {
+        using OpenedEphemeris cspice = Engines.CSpice(Engines.MetaKernel, clock);
+        KernelPool pool = KernelPool.Of([Path.Combine(TestParts.Kernels, "naif0012.tls"), clock]);
+        TdbScale scale = LeapSecondsKernel.ReadScale(pool);
+        SpacecraftClock own = SpacecraftClock.Read(pool, number, scale);
+        Random random = new(5);
+        for (int i = 0; i < TestLength.Of(1000, 100_000); i++)
+        {
+            double time = first + ((last - first) * random.NextDouble());
+            SpiceItself.sce2c_c(number, time, out double ticks);
+            SpiceItself.ThrowIfFailed();
+
+            // One step of a time is 6e-8 s, 0.004 ticks of 1/65536 s; of ticks since 2001 it is 0.008.
+            Assert.Equal(ticks, own.TicksAt(time), 0.03);
+            SpiceItself.sct2e_c(number, ticks, out double back);
+            SpiceItself.ThrowIfFailed();
+            Assert.Equal(back, own.TimeOf(ticks), 2e-7);
+        }
+    }
+}
