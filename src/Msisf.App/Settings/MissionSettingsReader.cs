@@ -15,6 +15,10 @@ internal sealed class MissionSettingsReader(
     private static readonly OptionSpec[] TimeOptions =
         [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval, MissionOptions.Every];
 
+    /// <summary>What only a quaternion needs.</summary>
+    private static readonly OptionSpec[] OfQuaternion =
+        [CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame];
+
     /// <summary>Reads the settings.</summary>
     /// <param name="way">The option that says where the camera is.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option is missing or not allowed.</exception>
@@ -44,7 +48,7 @@ internal sealed class MissionSettingsReader(
         {
             Refuse(
                 [
-                    CameraOptions.Attitude, CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame,
+                    CameraOptions.Attitude, .. OfQuaternion, MissionOptions.Ck, MissionOptions.InstrumentAxes,
                     .. PointingOptions.OfPosition,
                 ],
                 $"and {MissionOptions.Aem.Name} exclude each other: both say how the camera points. Leave one out.");
@@ -61,6 +65,7 @@ internal sealed class MissionSettingsReader(
         }
         else if (MissionOptions.Instrument.ReadIfGiven(values) is { } instrument)
         {
+            Refuse(OfQuaternion, $"has no meaning with {MissionOptions.Instrument.Name}, whose kernels say the attitude. Remove it.");
             return new InstrumentChoice(
                 instrument,
                 MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
@@ -73,9 +78,7 @@ internal sealed class MissionSettingsReader(
             $"needs {MissionOptions.Instrument.Name}: whose attitude the camera has. Add it.");
         if (readAttitude() is not { } attitude)
         {
-            Refuse(
-                [CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame],
-                $"has no meaning with {way.Name} without {CameraOptions.Attitude.Name}. Remove it.");
+            Refuse(OfQuaternion, $"has no meaning with {way.Name} without {CameraOptions.Attitude.Name}. Remove it.");
             return new PointedChoice(PointingOptions.ReadPointing(values));
         }
 

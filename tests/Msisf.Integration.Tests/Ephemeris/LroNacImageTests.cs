@@ -104,7 +104,7 @@ public sealed class LroNacImageTests
             RotationMatrix moonFromJ2000 = opened.Engine.MoonMeFromJ2000(times[line]);
             StateVector state = trajectory.StateJ2000(times[line]);
             TrajectoryPoint point = new(times[line], opened.Engine.TimeScale.ToUtc(times[line]), state, moonFromJ2000);
-            ICamera camera = model.At(new CameraState(point.PositionMoonMe, attitude.MoonFromCamera(point)));
+            FrameCamera camera = model.At(new CameraState(point.PositionMoonMe, attitude.MoonFromCamera(point)));
             double[] q = Numbers(pointing.GetProperty("quaternions")[line]);
             UnitQuaternion j2000FromSensor = UnitQuaternion.FromComponents(-q[1], -q[2], -q[3], q[0], isRounded: true);
             foreach (double sample in (double[])[0.5, 1.5, 1000.25, 2547.5, 2548.0, 4000.75, 5063.5])
