@@ -124,6 +124,7 @@ public sealed class WrongValueTests : IDisposable
         string needed = path switch
         {
             "batchconvert" => "--format slurm --pieces 2",
+            "states" => $"--to {Path.Combine(Path.GetTempPath(), "msis-states")}",
             "submit" => "--pieces 2",
             "ldem synthesize" => "--res 4 --seed 1",
             "status" or "verify" or "merge" => "a-folder",

@@ -23,17 +23,9 @@ internal static class FrameSetup
         IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun,
         CancellationToken cancellation)
     {
-        if (settings.Frames is { } chosen && chosen.Last > states.Count)
-        {
-            throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {states.Count} only. Name steps that it has."));
-        }
-
-        CameraModel model = settings.Camera?.Model
-            ?? CameraModel.FromFieldOfView(settings.FieldOfViewDegrees * Math.PI / 180.0, settings.Width, settings.Height);
+        CameraModel model = settings.CameraModel;
         List<Frame> frames = [];
-        foreach (int step in settings.Frames?.Steps ?? Enumerable.Range(1, states.Count))
+        foreach (int step in settings.StepsOf(states.Count))
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[step - 1];

@@ -46,7 +46,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
             AemChoice aem => new SampledAttitude(
                 OpenFile(MissionOptions.Aem, aem.Path, stream => new CcsdsFile(kernels, note).ReadAem(stream, aem.Path, aem.IsRounded)),
-                UnitQuaternion.Identity, aem.Path, kernels.Engine.TimeScale),
+                aem.Axes?.InstrumentFromCamera ?? UnitQuaternion.Identity, aem.Path, kernels.Engine.TimeScale),
             _ => throw new ArgumentException($"no attitude is known of {settings.Attitude.GetType().Name}", nameof(settings)),
         };
         return new MissionPath(new SpacecraftPath(trajectory, attitude, kernels.Engine), kernels.Engine.TimeScale);

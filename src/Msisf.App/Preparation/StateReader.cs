@@ -38,6 +38,9 @@ internal sealed class StateReader
     /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
     public string? CameraWithShutter { get; init; }
 
+    /// <summary>Whether the states are to say how the camera moves wherever that is known, without a shutter too.</summary>
+    public bool FindsMotions { get; init; }
+
     /// <summary>Whether a detector needs to know its noise.</summary>
     public bool HasDetector { get; init; }
 
@@ -70,7 +73,7 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateNoise.Of(StateMotions.Of(WithSun(states, trajectory), trajectory, CameraWithShutter), trajectory, HasDetector)
+            ? StateNoise.Of(Moving(WithSun(states, trajectory), trajectory), trajectory, HasDetector)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -91,6 +94,13 @@ internal sealed class StateReader
                 $"{LightOptions.SunPosition.Name} and the batch file both say where the Sun is. Leave one out.")
                 .About(LightOptions.SunPosition);
     }
+
+    private bool NeedsMotion => FindsMotions || CameraWithShutter is not null;
+
+    private IReadOnlyList<SpacecraftState> Moving(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
+        !FindsMotions ? StateMotions.Of(states, trajectory, CameraWithShutter)
+        : trajectory.Motion is { } motion ? [.. states.Select(state => state with { Motion = motion })]
+        : states;
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
 
@@ -168,7 +178,7 @@ internal sealed class StateReader
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = StateAt(time);
-            return CameraWithShutter is null ? state : state with { Motion = StateMotions.About(time, StateAt, settings) };
+            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
         })];
 
         SpacecraftState StateAt(ModifiedJulianDate time)
@@ -187,9 +197,10 @@ internal sealed class StateReader
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = mission.Path.At(time);
-            return CameraWithShutter is null
-                ? state
-                : state with { Motion = StateMotions.About(mission.Scale.FromUtc(time), mission.Path) };
+            bool isMoving = CameraWithShutter is not null || mission.Path.Cover.Intervals.Any(interval => interval.End > interval.Start);
+            return NeedsMotion && isMoving
+                ? state with { Motion = StateMotions.About(mission.Scale.FromUtc(time), mission.Path) }
+                : state;
         })];
     }
 }

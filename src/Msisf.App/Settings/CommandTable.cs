@@ -91,6 +91,20 @@ internal static class CommandTable
             "Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, OnlyHelp],
     };
 
+    /// <summary>msis states.</summary>
+    public static CommandSpec States { get; } = new("states", "Write the states of a run for other programs, without drawing.")
+    {
+        Details =
+            "Takes all options of a run. A table goes to a file or is printed; formats of several files go into a folder, whose files are "
+                + "printed. Each file names its frame, its units and the order of its quaternion. docs/missions.md says what each holds.",
+        Examples =
+        [
+            ("A trajectory as SPICE kernels:", "msis states --format spice --to kernels --batch-file approach.tab"),
+            ("Ground truth for odometry:", "msis states --format tum --to truth.txt --oem orbit.oem --every 10"),
+        ],
+        MakeGroups = () => [new OptionGroup("States", [StatesOptions.Format, StatesOptions.To]), .. OfRender, OnlyHelp],
+    };
+
     /// <summary>msis ldem synthesize.</summary>
     public static CommandSpec Synthesize { get; } = new(
         "synthesize", "Write a synthetic elevation model, with craters and roughness like the Moon's.")
@@ -236,7 +250,8 @@ internal static class CommandTable
                 Options = [.. RunOptions.Group.Options, DryRunOptions.DryRun, DryRunOptions.Format, RunOptions.Help, RunOptions.Version],
             }
         ],
-        Commands = [Patterns, BatchConvert, Submit, Status, Verify, Merge, Ldem, Serve, View, Cameras, Config, Completion, Man, Help],
+        Commands =
+            [Patterns, BatchConvert, Submit, States, Status, Verify, Merge, Ldem, Serve, View, Cameras, Config, Completion, Man, Help],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>

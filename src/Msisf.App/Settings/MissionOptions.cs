@@ -35,19 +35,19 @@ internal static class MissionOptions
     /// <summary>How the image lies in the instrument's axes.</summary>
     public static TextSpec InstrumentAxes { get; } = new(
         "--instrument-axes", DecidesBytes.ByStates, "RIGHT,DOWN",
-        "How the image lies in the instrument's axes, e.g. +x,+y; the camera looks along right x down")
+        "How the image lies in the instrument's axes, or with --aem in the spacecraft's, e.g. +x,+y; the camera looks along right x down")
     {
         DefaultNote = "ITRANSS and ITRANSL of the instrument kernel",
     };
 
     /// <summary>A trajectory as a CCSDS file.</summary>
     public static PathSpec Oem { get; } = new(
-        "--oem", DecidesBytes.ByStates, PathKind.File,
+        "--oem", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Trajectory as a CCSDS orbit ephemeris message (OEM 1.0, 2.0 or 3.0; lines or XML; .gz too)");
 
     /// <summary>Attitudes as a CCSDS file.</summary>
     public static PathSpec Aem { get; } = new(
-        "--aem", DecidesBytes.ByStates, PathKind.File,
+        "--aem", DecidesBytes.ByStatesOfRun, PathKind.File,
         "With a mission's trajectory: attitudes as a CCSDS attitude ephemeris message (AEM 1.0 or 2.0; lines or XML; .gz too)");
 
     /// <summary>Steps of the cover.</summary>

@@ -32,7 +32,8 @@ internal sealed record PointedChoice(CameraPointing Pointing) : AttitudeChoice;
 /// <summary>An attitude ephemeris message.</summary>
 /// <param name="Path">The file.</param>
 /// <param name="IsRounded">Whether its quaternions may be rounded to a few decimals.</param>
-internal sealed record AemChoice(string Path, bool IsRounded) : AttitudeChoice;
+/// <param name="Axes">How the image lies in the spacecraft's axes; null for those of the camera itself.</param>
+internal sealed record AemChoice(string Path, bool IsRounded, InstrumentAxes? Axes) : AttitudeChoice;
 
 /// <summary>The CKs and frame kernels of an instrument.</summary>
 /// <param name="Instrument">Its name or number.</param>

@@ -47,12 +47,9 @@ internal sealed class MissionSettingsReader(
         if (MissionOptions.Aem.ReadIfGiven(values) is { } path)
         {
             Refuse(
-                [
-                    CameraOptions.Attitude, .. OfQuaternion, MissionOptions.Ck, MissionOptions.InstrumentAxes,
-                    .. PointingOptions.OfPosition,
-                ],
+                [CameraOptions.Attitude, .. OfQuaternion, MissionOptions.Ck, .. PointingOptions.OfPosition],
                 $"and {MissionOptions.Aem.Name} exclude each other: both say how the camera points. Leave one out.");
-            return new AemChoice(path, CameraOptions.Normalize.Read(values));
+            return new AemChoice(path, CameraOptions.Normalize.Read(values), ReadAxes());
         }
 
         bool isPointed = PointingOptions.OfPosition.Any(values.IsGiven);
@@ -66,11 +63,7 @@ internal sealed class MissionSettingsReader(
         else if (MissionOptions.Instrument.ReadIfGiven(values) is { } instrument)
         {
             Refuse(OfQuaternion, $"has no meaning with {MissionOptions.Instrument.Name}, whose kernels say the attitude. Remove it.");
-            return new InstrumentChoice(
-                instrument,
-                MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
-                    ? MissionOptions.InstrumentAxes.Named(() => InstrumentAxes.Parse(axes))
-                    : null);
+            return new InstrumentChoice(instrument, ReadAxes());
         }
 
         Refuse(
@@ -102,6 +95,10 @@ internal sealed class MissionSettingsReader(
 
         return new QuaternionChoice(attitude, frame, hasEpoch ? CameraOptions.Epoch.Read(values) : null);
     }
+
+    private InstrumentAxes? ReadAxes() => MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
+        ? MissionOptions.InstrumentAxes.Named(() => InstrumentAxes.Parse(axes))
+        : null;
 
     private void Refuse(IEnumerable<OptionSpec> options, string why)
     {

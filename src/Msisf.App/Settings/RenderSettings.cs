@@ -1,7 +1,10 @@
+using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
@@ -21,6 +24,10 @@ internal sealed record RenderSettings
     public required int Width { get; init; }
 
     public required int Height { get; init; }
+
+    /// <summary>The geometry of the camera file, or of the thesis's camera.</summary>
+    public CameraModel CameraModel => Camera?.Model
+        ?? CameraModel.FromFieldOfView(FieldOfViewDegrees * Math.PI / 180.0, Width, Height);
 
     public required int GridHorizontal { get; init; }
 
@@ -99,6 +106,18 @@ internal sealed record RenderSettings
 
     /// <summary>The steps to make; null for all.</summary>
     public required StepRanges? Frames { get; init; }
+
+    /// <summary>The steps to make of a run.</summary>
+    /// <param name="count">How many the run has.</param>
+    /// <exception cref="UsageException">One of them is not part of the run.</exception>
+    public IEnumerable<int> StepsOf(int count) => Frames switch
+    {
+        null => Enumerable.Range(1, count),
+        { } chosen when chosen.Last > count => throw new UsageException(string.Create(
+            CultureInfo.InvariantCulture,
+            $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {count} only. Name steps that it has.")),
+        { } chosen => chosen.Steps,
+    };
 
     public required bool Overwrite { get; init; }
 

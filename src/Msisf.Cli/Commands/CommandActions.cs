@@ -15,6 +15,7 @@ internal static class CommandActions
         [CommandTable.Patterns] = PatternsCommand.RunAsync,
         [CommandTable.BatchConvert] = InBackground(BatchConvertCommand.Run),
         [CommandTable.Submit] = (call, cancellation) => Task.Run(() => SubmitCommand.RunAsync(call, cancellation), cancellation),
+        [CommandTable.States] = InBackground(StatesCommand.Run),
         [CommandTable.Status] = InBackground(CheckCommand.Status),
         [CommandTable.Verify] = InBackground(CheckCommand.Verify),
         [CommandTable.Merge] = (call, cancellation) => Task.Run(() => MergeCommand.RunAsync(call, cancellation), cancellation),

@@ -7,9 +7,6 @@ namespace Msisf.Core.Orbit;
 /// <summary>A trajectory from a file of states. As thread-safe as its ephemeris.</summary>
 public sealed class SampledTrajectory : ITrajectory
 {
-    /// <summary>s: the turning of a frame is a difference of its axes this long before and after.</summary>
-    private const double HalfStep = 1.0;
-
     private readonly IReadOnlyList<TrajectoryBlock> _blocks;
     private readonly BlockTimes _times;
     private readonly IEphemeris _ephemeris;
@@ -34,11 +31,7 @@ public sealed class SampledTrajectory : ITrajectory
         StateVector state = block.Samples.At(tdbSeconds);
         if (block.MoonMeFromFrame is { } moonMeFromFrame)
         {
-            RotationMatrix j2000FromFrame = J2000FromMoonMe(tdbSeconds) * moonMeFromFrame;
-            Vector3D later = J2000FromMoonMe(tdbSeconds + HalfStep) * moonMeFromFrame * state.Position;
-            Vector3D earlier = J2000FromMoonMe(tdbSeconds - HalfStep) * moonMeFromFrame * state.Position;
-            state = new StateVector(
-                j2000FromFrame * state.Position, (j2000FromFrame * state.Velocity) + ((later - earlier) / (2.0 * HalfStep)));
+            state = TurningMoon.ToJ2000(state, moonMeFromFrame, tdbSeconds, _ephemeris);
         }
 
         if (block.Center == CelestialBody.Moon.NaifNumber)
@@ -49,8 +42,6 @@ public sealed class SampledTrajectory : ITrajectory
         StateVector center = _ephemeris.StateOf(block.Center, tdbSeconds);
         return new StateVector(center.Position + state.Position, center.Velocity + state.Velocity);
     }
-
-    private RotationMatrix J2000FromMoonMe(double tdbSeconds) => _ephemeris.MoonMeFromJ2000(tdbSeconds).Transposed;
 }
 
 /// <summary>A part of a trajectory, whose states are of one frame and centre.</summary>

@@ -1,0 +1,92 @@
+using System.Globalization;
+using Msisf.Core.Camera;
+using Msisf.Core.Camera.Lenses;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+
+namespace Msisf.Adapters.States;
+
+/// <summary>Writes a camera and its poses as other programs have them: COLMAP's text model, EuRoC's sensor.</summary>
+public static class CameraTables
+{
+    /// <summary>px: COLMAP counts from the upper left corner of the first pixel, whose centre is 1 here.</summary>
+    private const double ColmapCenter = 0.5;
+
+    /// <summary>px: EuRoC has the centre of the first pixel at 0, as OpenCV.</summary>
+    private const double OpenCvCenter = 1.0;
+
+    /// <summary>COLMAP's cameras.txt.</summary>
+    /// <exception cref="BadInputException">COLMAP has no model of such a camera.</exception>
+    public static void WriteColmapCamera(TextWriter writer, CameraModel camera)
+    {
+        (string model, double[] lens) = OfLens(camera, "COLMAP", isFullAllowed: true);
+        writer.WriteLine("# Camera list with one line of data per camera: CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]");
+        writer.WriteLine("# f and c in px; the centre of the first pixel is (0.5, 0.5)");
+        writer.WriteLine(
+            $"1 {model} {camera.Width} {camera.Height} "
+                + StateTables.Line(
+                    ' ', [camera.FocalX, camera.FocalY, camera.PrincipalX - ColmapCenter, camera.PrincipalY - ColmapCenter, .. lens]));
+    }
+
+    /// <summary>COLMAP's images.txt.</summary>
+    public static void WriteColmapImages(TextWriter writer, IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names)
+    {
+        writer.WriteLine("# Image list with two lines of data per image: IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME");
+        writer.WriteLine("# The quaternion (scalar first) turns the world into the camera (x right, y down, z along the line of sight).");
+        writer.WriteLine("# The world is MOON_ME, m from the Moon's centre; T is the Moon's centre in the camera, m. No points.");
+        for (int i = 0; i < states.Count; i++)
+        {
+            UnitQuaternion q = StateTables.OpenCv(states[i]).Conjugate;
+            Vector3D t = default(Vector3D) - (q * states[i].PositionMoonMe);
+            string pose = StateTables.Line(' ', i + 1, q.W, q.X, q.Y, q.Z, t.X, t.Y, t.Z);
+            writer.WriteLine($"{pose} 1 {names[i]}.png");
+            writer.WriteLine();
+        }
+    }
+
+    /// <summary>COLMAP's points3D.txt, without a point.</summary>
+    public static void WriteColmapPoints(TextWriter writer) =>
+        writer.WriteLine("# 3D point list with one line of data per point: none");
+
+    /// <summary>EuRoC's sensor.yaml of the camera.</summary>
+    /// <exception cref="BadInputException">EuRoC has no model of such a camera.</exception>
+    public static void WriteEurocSensor(TextWriter writer, CameraModel camera)
+    {
+        (_, double[] lens) = OfLens(camera, "EuRoC", isFullAllowed: false);
+        double[] distortion = lens.Length == 0 ? [0.0, 0.0, 0.0, 0.0] : lens;
+        writer.WriteLine("# The camera is the body: x right, y down, z along the line of sight. Pixel centres are whole numbers from 0.");
+        writer.WriteLine("sensor_type: camera");
+        writer.WriteLine($"T_BS:\n  cols: 4\n  rows: 4\n  data: [{StateTables.Identity}]");
+        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"resolution: [{camera.Width}, {camera.Height}]"));
+        writer.WriteLine("camera_model: pinhole");
+        writer.WriteLine(
+            "intrinsics: [" + Listed(
+                camera.FocalX, camera.FocalY, camera.PrincipalX - OpenCvCenter, camera.PrincipalY - OpenCvCenter) + "] # fu, fv, cu, cv");
+        writer.WriteLine("distortion_model: radial-tangential");
+        writer.WriteLine($"distortion_coefficients: [{Listed(distortion)}] # k1, k2, p1, p2");
+    }
+
+    private static string Listed(params double[] numbers) => StateTables.Line(',', numbers).Replace(",", ", ", StringComparison.Ordinal);
+
+    private static (string Model, double[] Lens) OfLens(CameraModel camera, string format, bool isFullAllowed)
+    {
+        if (camera.Skew != 0.0)
+        {
+            throw new BadInputException($"{format} has no camera with skew pixels. Set 'skew' of the camera file to 0.");
+        }
+
+        if (camera.Distortion is null or { IsNone: true })
+        {
+            return ("PINHOLE", []);
+        }
+
+        double[] all = [.. camera.Distortion.Coefficients]; // k1, k2, p1, p2, k3, k4, k5, k6, s1, ...
+        bool isOpenCv = camera.Distortion is OpenCvDistortion && all[8..].All(s => s == 0.0);
+        return isOpenCv && all[4..].All(k => k == 0.0) ? ("OPENCV", all[..4])
+            : isOpenCv && isFullAllowed ? ("FULL_OPENCV", all[..8])
+            : throw new BadInputException(
+                $"{format} has no camera with the distortion '{camera.Distortion.Name}' of this camera file"
+                    + $"{(isOpenCv ? " beyond k1, k2, p1, p2" : string.Empty)}. Remove it, or choose another --format.");
+    }
+}

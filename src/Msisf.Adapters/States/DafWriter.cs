@@ -1,0 +1,98 @@
+using System.Buffers.Binary;
+using System.Text;
+
+namespace Msisf.Adapters.States;
+
+/// <summary>Writes a binary kernel (double precision array file) with one segment, little-endian.</summary>
+/// <remarks>NAIF, DAF Required Reading.</remarks>
+internal static class DafWriter
+{
+    private const int RecordBytes = 1024;
+    private const int RecordWords = RecordBytes / sizeof(double);
+    private const int CommentBytes = 1000; // of a record
+    private const int Integers = 6;
+    private const int NameBytes = 40;
+
+    /// <summary>What NAIF's programs look for to find damage by transfers of text.</summary>
+    private static readonly byte[] TransferMark =
+        [.. "FTPSTR:\r:\n:\r\n:\r\0:"u8, 0x81, .. ":"u8, 0x10, 0xCE, .. ":ENDFTP"u8];
+
+    /// <summary>Writes the file.</summary>
+    /// <param name="stream">Gets it.</param>
+    /// <param name="idWord">"DAF/SPK" or "DAF/CK".</param>
+    /// <param name="name">Name of file and segment, at most 40 characters of ASCII.</param>
+    /// <param name="comments">Lines of the comment area, ASCII.</param>
+    /// <param name="first">The first double of the summary.</param>
+    /// <param name="last">The second one.</param>
+    /// <param name="integers">The summary's first four integers; the addresses are put behind them.</param>
+    /// <param name="data">The segment.</param>
+    public static void Write(
+        Stream stream, string idWord, string name, IReadOnlyList<string> comments, double first, double last, int[] integers,
+        IReadOnlyList<double> data)
+    {
+        byte[] comment = Encoding.ASCII.GetBytes(string.Join('\0', comments) + "\0\u0004");
+        int commentRecords = (comment.Length + CommentBytes - 1) / CommentBytes;
+        int summaryRecord = 2 + commentRecords;
+        int firstAddress = ((summaryRecord + 1) * RecordWords) + 1; // behind the records of summaries and names
+        int lastAddress = firstAddress + data.Count - 1;
+        stream.Write(FileRecord(idWord, name, summaryRecord, lastAddress + 1));
+        Span<byte> record = stackalloc byte[RecordBytes];
+        for (int i = 0; i < commentRecords; i++)
+        {
+            record.Clear();
+            comment.AsSpan(i * CommentBytes, Math.Min(CommentBytes, comment.Length - (i * CommentBytes))).CopyTo(record);
+            stream.Write(record);
+        }
+
+        stream.Write(SummaryRecord(first, last, [.. integers, firstAddress, lastAddress]));
+        byte[] names = new byte[RecordBytes];
+        names.AsSpan().Fill((byte)' ');
+        Encoding.ASCII.GetBytes(name.PadRight(NameBytes).AsSpan(0, NameBytes), names);
+        stream.Write(names);
+        WriteData(stream, data);
+    }
+
+    private static byte[] FileRecord(string idWord, string name, int summaryRecord, int free)
+    {
+        byte[] record = new byte[RecordBytes];
+        Encoding.ASCII.GetBytes(idWord.PadRight(8), record);
+        BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(8), 2);
+        BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(12), Integers);
+        Encoding.ASCII.GetBytes(name.PadRight(60), record.AsSpan(16));
+        BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(76), summaryRecord);
+        BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(80), summaryRecord);
+        BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(84), free);
+        "LTL-IEEE"u8.CopyTo(record.AsSpan(88));
+        TransferMark.CopyTo(record.AsSpan(699));
+        return record;
+    }
+
+    private static byte[] SummaryRecord(double first, double last, int[] integers)
+    {
+        byte[] record = new byte[RecordBytes]; // no record before it, none after it
+        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(16), 1.0);
+        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(24), first);
+        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(32), last);
+        for (int i = 0; i < integers.Length; i++)
+        {
+            BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(40 + (sizeof(int) * i)), integers[i]);
+        }
+
+        return record;
+    }
+
+    private static void WriteData(Stream stream, IReadOnlyList<double> data)
+    {
+        byte[] record = new byte[RecordBytes];
+        for (int start = 0; start < data.Count; start += RecordWords)
+        {
+            record.AsSpan().Clear();
+            for (int i = start; i < Math.Min(data.Count, start + RecordWords); i++)
+            {
+                BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(sizeof(double) * (i - start)), data[i]);
+            }
+
+            stream.Write(record);
+        }
+    }
+}

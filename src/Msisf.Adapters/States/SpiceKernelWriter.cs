@@ -1,0 +1,167 @@
+using System.Globalization;
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.States;
+
+/// <summary>
+/// Writes states as SPICE kernels: an SPK of type 13, a CK of type 3, and the text kernels that they need: clock (SCLK), frame (FK) and
+/// instrument (IK).
+/// </summary>
+/// <remarks>NAIF, SPK, CK, SCLK and Frames Required Reading.</remarks>
+/// <param name="head">One line about the files, ASCII.</param>
+/// <param name="states">In the order of time, at least one.</param>
+public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> states)
+{
+    /// <summary>The spacecraft's number, which no mission has.</summary>
+    public const int Spacecraft = -999;
+
+    /// <summary>The number of the camera and of its frame.</summary>
+    public const int Instrument = -999001;
+
+    /// <summary>Name of the camera and of its frame.</summary>
+    public const string CameraName = "MSISF_CAMERA";
+
+    /// <summary>Name of the spacecraft.</summary>
+    public const string SpacecraftName = "MSISF";
+
+    private const int Moon = 301;
+    private const int J2000 = 1;
+    private const int SpkType = 13;
+    private const int CkType = 3;
+    private const int DirectoryStep = 100;
+    private const int WindowSize = 4; // Hermite of degree 7
+    private const double TicksPerSecond = 1e6;
+    private const double Padding = 1.0; // s: beside one state alone
+    private const double TickPadding = 1.0; // so that rounding of a clock's time never leads out of the CK
+    private const double KilometresPerMetre = 1e-3;
+    private const double PitchMillimetres = 0.01; // any: the camera is known in pixels, and only the quotient counts
+
+    /// <summary>TDB: the clock's zero, a whole second before the first state.</summary>
+    private readonly double _clockZero = Math.Floor(states[0].TdbSeconds) - 10.0;
+
+    /// <summary>The SPK.</summary>
+    public void WriteSpk(Stream stream)
+    {
+        InertialState[] all = Padded();
+        List<double> data = [];
+        foreach (InertialState state in all)
+        {
+            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Position));
+            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Velocity));
+        }
+
+        double[] epochs = [.. all.Select(state => state.TdbSeconds)];
+        data.AddRange([.. epochs, .. Directory(epochs), Math.Min(WindowSize, all.Length) - 1.0, all.Length]);
+        DafWriter.Write(
+            stream, "DAF/SPK", "msis states", Comments("J2000, about the Moon (301); km, km/s; TDB"), epochs[0], epochs[^1],
+            [Spacecraft, Moon, J2000, SpkType], data);
+    }
+
+    /// <summary>The CK.</summary>
+    public void WriteCk(Stream stream)
+    {
+        InertialState[] all = Padded();
+        List<double> ticks = [.. all.Select(state => (state.TdbSeconds - _clockZero) * TicksPerSecond)];
+        List<UnitQuaternion> turns = [.. all.Select(state => (state.J2000FromCamera * StateTables.CameraFromOpenCv).Conjugate)];
+        ticks.Insert(0, ticks[0] - TickPadding);
+        ticks.Add(ticks[^1] + TickPadding);
+        turns.Insert(0, turns[0]);
+        turns.Add(turns[^1]);
+        List<double> data = [.. turns.SelectMany(q => (double[])[q.W, q.X, q.Y, q.Z])];
+        data.AddRange([.. ticks, .. Directory(ticks), ticks[0], 1.0, ticks.Count]); // one interval, that begins with the first record
+        DafWriter.Write(
+            stream, "DAF/CK", "msis states",
+            Comments($"J2000 to {CameraName}; quaternions scalar first, as SPICE has them (M2Q); no angular velocities"),
+            ticks[0], ticks[^1], [Instrument, J2000, CkType, 0], data);
+    }
+
+    /// <summary>The clock: microseconds since <see cref="_clockZero"/>, in TDB.</summary>
+    public void WriteClock(TextWriter writer) => Write(writer, "SCLK", FormattableString.Invariant($$"""
+        SCLK_KERNEL_ID             = ( @2024-01-01 )
+        SCLK_DATA_TYPE_999         = ( 1 )
+        SCLK01_TIME_SYSTEM_999     = ( 1 )
+        SCLK01_N_FIELDS_999        = ( 2 )
+        SCLK01_MODULI_999          = ( 10000000000 1000000 )
+        SCLK01_OFFSETS_999         = ( 0 0 )
+        SCLK01_OUTPUT_DELIM_999    = ( 1 )
+        SCLK_PARTITION_START_999   = ( 0.0 )
+        SCLK_PARTITION_END_999     = ( 1.0E15 )
+        SCLK01_COEFFICIENTS_999    = ( 0.0 {{_clockZero:R}} 1.0 )
+        """));
+
+    /// <summary>The frame of the camera, whose orientation the CK has.</summary>
+    public void WriteFrame(TextWriter writer) => Write(writer, "FK", FormattableString.Invariant($$"""
+        NAIF_BODY_NAME            += ( '{{SpacecraftName}}' '{{CameraName}}' )
+        NAIF_BODY_CODE            += ( {{Spacecraft}} {{Instrument}} )
+        FRAME_{{CameraName}}         = {{Instrument}}
+        FRAME_{{Instrument}}_NAME     = '{{CameraName}}'
+        FRAME_{{Instrument}}_CLASS    = 3
+        FRAME_{{Instrument}}_CLASS_ID = {{Instrument}}
+        FRAME_{{Instrument}}_CENTER   = {{Spacecraft}}
+        CK_{{Instrument}}_SCLK        = {{Spacecraft}}
+        CK_{{Instrument}}_SPK         = {{Spacecraft}}
+        """));
+
+    /// <summary>The camera: its field of view, and the numbers of its pixels. A lens is not described.</summary>
+    public void WriteInstrument(TextWriter writer, CameraModel camera)
+    {
+        double focal = camera.FocalX * PitchMillimetres;
+        double pitchY = focal / camera.FocalY;
+        (double left, double top) = (0.5 - camera.PrincipalX, 0.5 - camera.PrincipalY);
+        string[] corners =
+        [
+            .. new[] { (0, 0), (1, 0), (1, 1), (0, 1) }.Select(corner => StateTables.Line(
+                ' ', (left + (corner.Item1 * camera.Width)) * PitchMillimetres, (top + (corner.Item2 * camera.Height)) * pitchY, focal)),
+        ];
+        Write(writer, "IK", FormattableString.Invariant($$"""
+            INS{{Instrument}}_FOV_FRAME            = '{{CameraName}}'
+            INS{{Instrument}}_FOV_SHAPE            = 'POLYGON'
+            INS{{Instrument}}_BORESIGHT            = ( 0.0 0.0 {{focal:R}} )
+            INS{{Instrument}}_FOV_CLASS_SPEC       = 'CORNERS'
+            INS{{Instrument}}_FOV_BOUNDARY_CORNERS = ( {{string.Join("\n    ", corners)}} )
+            INS{{Instrument}}_FOCAL_LENGTH         = ( {{focal:R}} )
+            INS{{Instrument}}_PIXEL_PITCH          = ( {{PitchMillimetres:R}} )
+            INS{{Instrument}}_PIXEL_SAMPLES        = ( {{camera.Width}} )
+            INS{{Instrument}}_PIXEL_LINES          = ( {{camera.Height}} )
+            INS{{Instrument}}_CCD_CENTER           = ( {{camera.PrincipalX:R}} {{camera.PrincipalY:R}} )
+            INS{{Instrument}}_ITRANSS              = ( 0.0 {{1.0 / PitchMillimetres:R}} 0.0 )
+            INS{{Instrument}}_ITRANSL              = ( 0.0 0.0 {{1.0 / pitchY:R}} )
+            """));
+    }
+
+    private static double[] Directory(IReadOnlyList<double> values) =>
+        [.. Enumerable.Range(1, (values.Count - 1) / DirectoryStep).Select(i => values[(i * DirectoryStep) - 1])];
+
+    /// <summary>The states; one alone with others beside it, at rest or on its straight line.</summary>
+    private InertialState[] Padded() => states.Count > 1
+        ? [.. states]
+        : [.. new[] { -Padding, 0.0, Padding }.Select(seconds => states[0] with
+        {
+            TdbSeconds = states[0].TdbSeconds + seconds,
+            State = states[0].State with { Position = states[0].State.Position + (seconds * states[0].State.Velocity) },
+        })];
+
+    private string[] Comments(string content) =>
+    [
+        head, content, $"{CameraName}: x right in the image, y down, z along the line of sight",
+        .. states.Count > 1 ? (string[])[] : ["one state alone: padded by 1 s on either side, on a straight line with its velocity"],
+    ];
+
+    private void Write(TextWriter writer, string kind, string assignments)
+    {
+        writer.WriteLine($"KPL/{kind}");
+        writer.WriteLine();
+        foreach (string line in Comments(kind == "SCLK" ? "ticks of a microsecond, in TDB" : "lengths in mm, counted with a pitch of 0.01"))
+        {
+            writer.WriteLine(line);
+        }
+
+        writer.WriteLine();
+        writer.WriteLine("\\begindata");
+        writer.WriteLine();
+        writer.WriteLine(assignments);
+        writer.WriteLine();
+        writer.WriteLine("\\begintext");
+    }
+}

@@ -1,0 +1,66 @@
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of <c>msis states</c>.</summary>
+internal static class StatesOptions
+{
+    private static readonly StatesFormat[] Tables = [StatesFormat.Batch, StatesFormat.Csv, StatesFormat.Tum];
+
+    /// <summary>Form of the states.</summary>
+    public static ChoiceSpec<StatesFormat> Format { get; } = new(
+        "--format", OptionRole.HowItRuns,
+        [
+            ("batch", StatesFormat.Batch), ("csv", StatesFormat.Csv), ("oem", StatesFormat.Oem), ("spice", StatesFormat.Spice),
+            ("tum", StatesFormat.Tum), ("euroc", StatesFormat.Euroc), ("colmap", StatesFormat.Colmap),
+        ],
+        "Batch file, CSV with named columns, CCSDS OEM and AEM, SPICE kernels (SPK, CK, SCLK, FK, IK), TUM, EuRoC, or COLMAP")
+    {
+        Default = StatesFormat.Batch,
+    };
+
+    /// <summary>Where they go.</summary>
+    public static PathSpec To { get; } = new(
+        "--to", OptionRole.HowItRuns, PathKind.Any, "The file of batch, csv or tum; the folder of the others")
+    {
+        IsOfOneCall = true,
+        DefaultNote = "batch, csv and tum are printed",
+    };
+
+    /// <summary>Reads where the states go; null to print them.</summary>
+    /// <exception cref="UsageException">The form needs a folder, and none is given.</exception>
+    public static string? ReadPath(OptionValues values)
+    {
+        StatesFormat format = Format.Read(values);
+        return To.ReadIfGiven(values) ?? (Tables.Contains(format)
+            ? null
+            : throw new UsageException($"--format {Format.WordOf(format)} writes several files. Give the folder for them: --to DIR.")
+                .About(To));
+    }
+}
+
+/// <summary>The forms in which <c>msis states</c> writes.</summary>
+internal enum StatesFormat
+{
+    /// <summary>The thesis's batch file.</summary>
+    Batch,
+
+    /// <summary>A batch file with named columns.</summary>
+    Csv,
+
+    /// <summary>CCSDS orbit and attitude ephemeris messages.</summary>
+    Oem,
+
+    /// <summary>SPICE kernels.</summary>
+    Spice,
+
+    /// <summary>A trajectory as TUM's benchmark has it.</summary>
+    Tum,
+
+    /// <summary>A folder as EuRoC's benchmark has it.</summary>
+    Euroc,
+
+    /// <summary>COLMAP's text model.</summary>
+    Colmap,
+}

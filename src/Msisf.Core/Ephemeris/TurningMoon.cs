@@ -1,0 +1,26 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Ephemeris;
+
+/// <summary>Turns states that turn with the Moon into those along J2000's axes.</summary>
+public static class TurningMoon
+{
+    /// <summary>s: the turning of a frame is a difference of its axes this long before and after.</summary>
+    private const double HalfStep = 1.0;
+
+    /// <summary>A state along J2000's axes.</summary>
+    /// <param name="state">Position (m) and velocity (m/s) along the axes of a frame that turns with the Moon, and over it.</param>
+    /// <param name="moonMeFromFrame">The constant rotation of that frame.</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <param name="ephemeris">How the Moon turns.</param>
+    public static StateVector ToJ2000(StateVector state, RotationMatrix moonMeFromFrame, double tdbSeconds, IEphemeris ephemeris)
+    {
+        RotationMatrix j2000FromFrame = J2000FromMoonMe(tdbSeconds) * moonMeFromFrame;
+        Vector3D later = J2000FromMoonMe(tdbSeconds + HalfStep) * moonMeFromFrame * state.Position;
+        Vector3D earlier = J2000FromMoonMe(tdbSeconds - HalfStep) * moonMeFromFrame * state.Position;
+        return new StateVector(
+            j2000FromFrame * state.Position, (j2000FromFrame * state.Velocity) + ((later - earlier) / (2.0 * HalfStep)));
+
+        RotationMatrix J2000FromMoonMe(double seconds) => ephemeris.MoonMeFromJ2000(seconds).Transposed;
+    }
+}

@@ -1,0 +1,129 @@
+using System.Globalization;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Run;
+
+/// <summary><c>msis states</c>: what it writes is read back, by CSPICE and by msis itself.</summary>
+public sealed class StatesTests : IDisposable
+{
+    private const string Orbit =
+        "--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.0005:55289.11] --orbit-frame j2000 "
+            + "--attitude {0.1,0.2,0.3,0.9273618495495704} --attitude-transition {1e-3,2e-3,-1e-3}";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>
+    /// More than 100 states have directories in the kernels; one alone is padded; times need not be in order. Of a camera off its axis the
+    /// corners are those of its image: (0.5 - cx) / f, ...
+    /// </summary>
+    [RequiresTheory(Part.CSpice, Part.Python)]
+    [InlineData(Orbit)]
+    [InlineData("--fixed-state {55289,1.9E6,0,0,0.5,0.5,0.5,0.5}")]
+    [InlineData("--position 10,20,50000 --look-at 12,21 --times {60000.5,60000,60001}")]
+    public void Spice_ReadByCSpice_IsTheSamePose(string run)
+    {
+        Succeed(["states", "--format", "csv", "--to", _folder["states.csv"], .. run.Split(' ')]);
+        Succeed(["states", "--format", "spice", "--to", _folder["kernels"], "--fov", "40", "--width", "200", "--height", "100",
+            .. run.Split(' ')]);
+
+        string[] lines = ChildRun.Of(
+            TestParts.Python!,
+            [
+                "-B", Path.Combine(TestParts.RepositoryRoot, "tests", "reference", "states_kernels.py"), TestParts.CSpiceLibrary!,
+                TestParts.Kernels, _folder["kernels"], _folder["states.csv"],
+            ],
+            _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
+
+        Assert.All(lines[0].Split(' '), error => Assert.InRange(double.Parse(error, CultureInfo.InvariantCulture), 0.0, 1e-14));
+        string[] words = lines[1].Split(' ');
+        Assert.Equal(["POLYGON", "MSISF_CAMERA"], words[..2]);
+        double[] corners = [.. words[2..].Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+        double right = Math.Tan(20.0 * Math.PI / 180.0);
+        double[] expected =
+            [-right, -right / 2.0, 1.0, right, -right / 2.0, 1.0, right, right / 2.0, 1.0, -right, right / 2.0, 1.0];
+        Assert.All(corners.Zip(expected), pair => Assert.Equal(pair.Second, pair.First, 1e-11));
+    }
+
+    /// <summary>Files of CCSDS that msis wrote give msis the same states again; those printed as CSV and batch file too.</summary>
+    [Fact]
+    public void CcsdsCsvAndBatch_ReadBack_AreTheSameStates()
+    {
+        Succeed(["states", "--format", "csv", "--to", _folder["states.csv"], .. Orbit.Split(' ')]);
+        Succeed(["states", "--format", "oem", "--to", _folder["ccsds"], .. Orbit.Split(' ')]);
+        string printed = Succeed(["states", .. Orbit.Split(' ')]);
+        File.WriteAllText(_folder["states.tab"], printed);
+        double[][] first = Rows(File.ReadAllText(_folder["states.csv"]));
+
+        double[][] again = Rows(Succeed(["states", "--format", "csv", "--batch-file", _folder["states.csv"]]));
+        double[][] batch = Rows(Succeed(["states", "--format", "csv", "--batch-file", _folder["states.tab"]]));
+        double[][] ccsds = Rows(Succeed(
+        [
+            "states", "--format", "csv", "--oem", _folder["ccsds/states.oem"], "--aem", _folder["ccsds/states.aem"], "--time-interval",
+            "[55289:0.0005:55289.11]",
+        ]));
+
+        Assert.Equal(221, first.Length);
+        Assert.Equal(first, again);
+        Assert.Equal(first, batch);
+        Assert.Equal(first.Length, ccsds.Length);
+        foreach ((double[] a, double[] b) in first.Zip(ccsds))
+        {
+            Assert.Equal(a[0], b[0]);
+            Assert.All(Enumerable.Range(1, 3), i => Assert.Equal(a[i], b[i], 2e-3)); // 1e-9 of the distance
+            double sign = Math.Sign((a[4] * b[4]) + (a[5] * b[5]) + (a[6] * b[6]) + (a[7] * b[7]));
+            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], 1e-9));
+            Assert.All(Enumerable.Range(8, 3), i => Assert.Equal(a[i], b[i], 5e-3)); // m/s: at the ends, of one side
+        }
+    }
+
+    [Theory]
+    [InlineData("--format tum", "timestamp tx ty tz qx qy qz qw (scalar last)", 1)]
+    [InlineData("--format euroc", "q_RS_w [],q_RS_x []", 4)]
+    [InlineData("--format colmap", "PINHOLE 512 512", 3)]
+    [InlineData("--format oem", "QUATERNION_TYPE = LAST", 2)]
+    [InlineData("--format csv --frames 2:3", "qx, qy, qz, qw (scalar last)", 1)]
+    public void EachFormat_NamesItsQuaternion(string options, string expected, int files)
+    {
+        string output = Succeed(
+            ["states", .. options.Split(' '), "--to", _folder["out"], "--width", "512", "--height", "512", .. Orbit.Split(' ')]);
+
+        string[] paths = output.TrimEnd().Split('\n');
+        Assert.Equal(files, paths.Length);
+        Assert.Contains(expected, string.Concat(paths.Select(File.ReadAllText)));
+        Assert.All(paths, path => Assert.DoesNotContain("NaN", File.ReadAllText(path)));
+    }
+
+    [Theory]
+    [InlineData(
+        "--format spice --fixed-state {55289,1.9E6,0,0,0,0,0,1}", 1,
+        "--format spice writes several files. Give the folder for them: --to DIR.")]
+    [InlineData(
+        "--format oem --to OUT --position 10,20,50000 --times {60000,60000}", 2, "two states of the run are of 2023-02-25T00:00:00Z")]
+    [InlineData("--format obj --fixed-state {55289,1.9E6,0,0,0,0,0,1}", 1, "--format")]
+    public void Wrong_IsOneLine(string words, int exitCode, string expected)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["states", .. words.Split(' ').Select(word => word == "OUT" ? _folder["out"] : word)]);
+
+        Assert.True(exitCode == run.ExitCode, run.Error);
+        Assert.Contains(expected, run.Error);
+        Assert.DoesNotContain("   at ", run.Error);
+        Assert.False(File.Exists(_folder["out/states.oem"]));
+    }
+
+    private static double[][] Rows(string csv) =>
+    [
+        .. csv.TrimEnd().Split('\n').Where(line => line[0] is >= '0' and <= '9')
+            .Select(line => line.Split(',').Select(word => double.Parse(word, CultureInfo.InvariantCulture)).ToArray()),
+    ];
+
+    private static string Succeed(string[] arguments)
+    {
+        CommandLineRun run = CommandLineRun.Of([.. arguments, .. TestParts.Ldem4Label is { } label ? ["--ldem", label] : (string[])[]]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        return run.Output;
+    }
+}
