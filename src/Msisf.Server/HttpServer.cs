@@ -70,6 +70,7 @@ internal sealed class HttpServer : IAsyncDisposable
             new WebApplicationOptions { ContentRootPath = AppContext.BaseDirectory });
         builder.WebHost.UseKestrel(options => Configure(options, settings, socket));
         builder.Services.AddRouting();
+        OpenApiEndpoint.AddServices(builder.Services, host.Version);
         builder.Services.Configure<HostOptions>(options => options.ShutdownTimeout = Timeout.InfiniteTimeSpan);
         WebApplication web = builder.Build();
         HttpServer server = new(web, frames, settings, socket);
@@ -172,29 +173,36 @@ internal sealed class HttpServer : IAsyncDisposable
         _web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(30) });
         AddFiles();
         _web.UseRouting();
-        _web.MapGet(RequestGuard.HealthPath, context => context.Response.WriteAsync("ok\n"));
-        _web.MapGet("/metrics", context =>
-        {
-            context.Response.ContentType = PrometheusText.ContentType;
-            return context.Response.WriteAsync(_frames.Metrics.Text());
-        });
-        byte[] description = OpenApiDocument.Write(host.Version);
-        _web.MapGet("/openapi.json", context =>
-        {
-            context.Response.ContentType = AnswerForm.Json;
-            return context.Response.Body.WriteAsync(description).AsTask();
-        });
-        _web.MapGet("/v1/models", new ModelsEndpoint(_frames).AnswerAsync);
-        _web.MapGet("/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync);
+        Get(RequestGuard.HealthPath, context => context.Response.WriteAsync("ok\n"), new("Says that the server is there.", "text/plain"));
+        Get(
+            "/metrics",
+            context =>
+            {
+                context.Response.ContentType = PrometheusText.ContentType;
+                return context.Response.WriteAsync(_frames.Metrics.Text());
+            },
+            new("Counts of what the server did, as Prometheus reads them.", "text/plain"));
+        Get("/openapi.json", new OpenApiEndpoint().AnswerAsync, new("This document.", AnswerForm.Json));
+        Get("/v1/models", new ModelsEndpoint(_frames).AnswerAsync, new("Lists the names that requests may use.", AnswerForm.Json));
+        Get(
+            "/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync,
+            new("Lists the craters of a catalogue, the largest first.", AnswerForm.Json));
         FoldersEndpoint folders = new(_frames, host);
-        _web.MapGet("/v1/folders", folders.ListAsync);
-        _web.MapGet("/v1/folders/{name}", folders.ListFramesAsync);
-        _web.MapGet("/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync);
-        _web.MapGet("/v1/sun", new SunEndpoint(_frames).AnswerAsync);
-        _web.MapPost("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync);
-        _web.MapPost("/v1/points", new PointsEndpoint(_frames).AnswerAsync);
-        _web.MapPost("/v1/render", new RenderEndpoint(_frames).AnswerAsync);
-        _web.MapGet("/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync);
+        Get("/v1/folders", folders.ListAsync, new("Lists the output folders and batch files of --folders.", AnswerForm.Json));
+        Get("/v1/folders/{name}", folders.ListFramesAsync, new("Lists the frames of one.", AnswerForm.Json));
+        Get(
+            "/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync,
+            new("Sends a file of a frame: image, annotated or meta.", AnswerForm.Png));
+        Get("/v1/sun", new SunEndpoint(_frames).AnswerAsync, SunEndpoint.About);
+        Post("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync, PixelsEndpoint.About);
+        Post("/v1/points", new PointsEndpoint(_frames).AnswerAsync, PointsEndpoint.About);
+        Post("/v1/render", new RenderEndpoint(_frames).AnswerAsync, RenderEndpoint.About);
+        Get(
+            "/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync,
+            new("A WebSocket on which states go in and images come out.", AnswerForm.Json));
+
+        void Get(string path, RequestDelegate answer, RouteText text) => _web.MapGet(path, answer).WithMetadata(answer.Method, text);
+        void Post(string path, RequestDelegate answer, RouteText text) => _web.MapPost(path, answer).WithMetadata(answer.Method, text);
     }
 
     /// <summary>The viewer.</summary>

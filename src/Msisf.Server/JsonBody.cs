@@ -14,7 +14,8 @@ internal static class JsonBody
     /// <summary>Apostrophes stay as they are: no answer is part of a page.</summary>
     public static JsonWriterOptions Writing { get; } = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    private static readonly JsonSerializerOptions Names = new()
+    /// <summary>Properties are in small letters with underscores.</summary>
+    public static readonly JsonSerializerOptions Names = new()
     {
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
         PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower,

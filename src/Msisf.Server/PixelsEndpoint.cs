@@ -8,6 +8,13 @@ namespace Msisf.Server;
 /// <param name="frames">Does the work.</param>
 internal sealed class PixelsEndpoint(FrameService frames)
 {
+    /// <summary>Describes the route.</summary>
+    public static RouteText About { get; } = new("Says what points of an image show.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints("pixels", "[x, y]: pixels from 1 for the middle of the first one, x right, y down", least: 2, most: 2),
+        Answer = ApiSchemas.OfList("points", ApiSchemas.SurfacePoint, isNullable: true),
+    };
+
     /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {

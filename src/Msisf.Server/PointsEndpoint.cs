@@ -8,6 +8,17 @@ namespace Msisf.Server;
 /// <param name="frames">Does the work.</param>
 internal sealed class PointsEndpoint(FrameService frames)
 {
+    /// <summary>Describes the route.</summary>
+    public static RouteText About { get; } = new("Says where places of the Moon are seen in an image.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints(
+            "points",
+            "[latitude, longitude] or [latitude, longitude, height]: degrees, m over the sphere of 1737400 m",
+            least: 2,
+            most: 3),
+        Answer = ApiSchemas.OfList("pixels", ApiSchemas.ImagePoint, isNullable: false),
+    };
+
     /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {

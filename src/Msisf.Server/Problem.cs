@@ -47,28 +47,9 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
     }
 
     /// <summary>The problem as JSON.</summary>
-    public byte[] ToJson()
-    {
-        using MemoryStream stream = new();
-        using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
-        {
-            json.WriteStartObject();
-            json.WriteString("type", "about:blank");
-            json.WriteString("title", ReasonPhrases.GetReasonPhrase(Status));
-            json.WriteNumber("status", Status);
-            json.WriteString("detail", Shortened(Detail));
-            json.WriteStartArray("options");
-            foreach (string option in Options.Distinct())
-            {
-                json.WriteStringValue(option);
-            }
-
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
-
-        return stream.ToArray();
-    }
+    public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(
+        new ProblemText("about:blank", ReasonPhrases.GetReasonPhrase(Status), Status, Shortened(Detail), [.. Options.Distinct()]),
+        JsonBody.Names);
 
     /// <summary>
     /// The text with quotations and words cut short that are too long; of one that still is too long the middle is left out.
@@ -85,3 +66,11 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
     [GeneratedRegex(@"(?<!\w)'[^']{200,}'|\S{201,}")]
     private static partial Regex LongQuotes();
 }
+
+/// <summary>A problem as clients get it.</summary>
+/// <param name="Type">Always about:blank: the status says all.</param>
+/// <param name="Title">The status in words.</param>
+/// <param name="Status">HTTP status.</param>
+/// <param name="Detail">What is wrong, where, and what to do.</param>
+/// <param name="Options">Options that it is about, e.g. "--fov".</param>
+internal sealed record ProblemText(string Type, string Title, int Status, string Detail, string[] Options);

@@ -8,6 +8,12 @@ namespace Msisf.Server;
 /// <param name="frames">Does the work.</param>
 internal sealed class RenderEndpoint(FrameService frames)
 {
+    /// <summary>Describes the route.</summary>
+    public static RouteText About { get; } = new("Draws a frame.", AnswerForm.All)
+    {
+        Body = document => new Microsoft.OpenApi.OpenApiSchemaReference(ApiSchemas.Frame, document),
+    };
+
     /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {

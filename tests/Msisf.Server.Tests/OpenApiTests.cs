@@ -2,6 +2,7 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using Microsoft.OpenApi;
 using Microsoft.OpenApi.Reader;
+using Msisf.App.Settings;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -89,6 +90,70 @@ public sealed class OpenApiTests(RunningServer server) : IClassFixture<RunningSe
         Assert.NotEmpty(references);
         Assert.All(references, reference => Assert.Contains(reference.Split('/')[^1], schemas));
     }
+
+    /// <summary>Programs that are generated from the document read answers by these schemas.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("/v1/pixels", "\"pixels\": [[32, 24]]", "points", "SurfacePoint")]
+    [InlineData("/v1/points", "\"points\": [[0, 0], [0, 180]]", "pixels", "ImagePoint")]
+    public async Task Answers_HaveTheMembersOfTheirSchemas(string path, string list, string name, string schemaName)
+    {
+        JsonElement schema = (await ReadAsync()).GetProperty("components").GetProperty("schemas").GetProperty(schemaName);
+        using HttpResponseMessage answer = await server.PostAsync(path, $"{{\"frame\": {{{RunningServer.SmallFrame}}}, {list}}}");
+        JsonElement points = (await RunningServer.JsonOf(answer)).GetProperty(name);
+
+        Assert.NotEqual(0, points.GetArrayLength());
+        Assert.All(points.EnumerateArray(), point => RequireSchema(schema, point));
+    }
+
+    /// <summary>An option that a JSON number gives is a number in the document; one of the table's is not forgotten.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task OptionsOfAFrame_AreThoseOfTheTable_WithTheirKinds()
+    {
+        JsonElement options = (await ReadAsync()).GetProperty("components").GetProperty("schemas").GetProperty("Frame").GetProperty(
+            "properties");
+
+        Assert.Equal(
+            CommandTable.OptionsOfRequest.Select(option => option.Key).Prepend("model"),
+            options.EnumerateObject().Select(option => option.Name));
+        Assert.Contains("number", TypesOf(options.GetProperty("fov")));
+        Assert.Contains("integer", TypesOf(options.GetProperty("width")));
+        Assert.Contains("array", TypesOf(options.GetProperty("fixed-state")));
+        Assert.Equal(["boolean"], TypesOf(options.GetProperty("ignore-sun")));
+        Assert.Equal(
+            ["none", "lt", "lt+s"],
+            options.GetProperty("aberration").GetProperty("enum").EnumerateArray().Select(word => word.GetString()));
+        Assert.Equal(
+            "Horizontal field of view (above 0, below 180; default: 40)",
+            options.GetProperty("fov").GetProperty("description").GetString());
+    }
+
+    private static void RequireSchema(JsonElement schema, JsonElement value)
+    {
+        Assert.Contains(
+            value.ValueKind switch
+            {
+                JsonValueKind.Object => "object",
+                JsonValueKind.Array => "array",
+                JsonValueKind.String => "string",
+                JsonValueKind.Null => "null",
+                JsonValueKind.Number => TypesOf(schema).Contains("integer") ? "integer" : "number",
+                _ => "boolean",
+            },
+            TypesOf(schema));
+        if (value.ValueKind == JsonValueKind.Object)
+        {
+            string[] names = [.. value.EnumerateObject().Select(member => member.Name)];
+            Assert.Empty(schema.GetProperty("required").EnumerateArray().Select(name => name.GetString()!).Except(names));
+            Assert.All(
+                value.EnumerateObject(),
+                member => RequireSchema(schema.GetProperty("properties").GetProperty(member.Name), member.Value));
+        }
+    }
+
+    private static IEnumerable<string> TypesOf(JsonElement schema) =>
+        schema.GetProperty("type") is { ValueKind: JsonValueKind.Array } several
+            ? several.EnumerateArray().Select(type => type.GetString()!)
+            : [schema.GetProperty("type").GetString()!];
 
     private static IEnumerable<string> ParametersOf(string route) =>
         Regex.Matches(route, @"\{(\w+)\}").Select(match => match.Groups[1].Value);

@@ -11,4 +11,5 @@ namespace Msisf.App.Serving;
 /// </param>
 /// <param name="Invented">Whether it is of invented detail; null, and left out, of frames without.</param>
 internal sealed record FacetReading(
-    int Line, int Sample, int Half, int Part, [property: JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)] bool? Invented);
+    int Line, int Sample, int Half, int Part,
+    [property: JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)] bool? Invented = null);

@@ -15,7 +15,8 @@ namespace Msisf.App.Serving;
 /// </summary>
 internal sealed class JsonOptions
 {
-    private const string ModelKey = "model";
+    /// <summary>Key of the elevation model, which is a name of the server's.</summary>
+    public const string ModelKey = "model";
 
     /// <summary>Name of a camera that the request itself describes.</summary>
     private const string InlineCamera = "camera";

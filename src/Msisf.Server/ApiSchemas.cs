@@ -1,0 +1,103 @@
+using System.Text.Json.Nodes;
+using Microsoft.OpenApi;
+using Msisf.App.Serving;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+
+namespace Msisf.Server;
+
+/// <summary>Schemas of what requests and answers hold; those of a frame's options are made from the table of options.</summary>
+internal static class ApiSchemas
+{
+    public const string Frame = "Frame";
+    public const string SurfacePoint = "SurfacePoint";
+    public const string ImagePoint = "ImagePoint";
+
+    /// <summary>The schemas that types of the program have.</summary>
+    public static IReadOnlyList<(string Name, Type Type)> Types { get; } =
+        [(SurfacePoint, typeof(SurfaceReading)), (ImagePoint, typeof(PixelReading)), (nameof(Problem), typeof(ProblemText))];
+
+    /// <summary>The options of a frame.</summary>
+    public static OpenApiSchema OfFrame()
+    {
+        Dictionary<string, IOpenApiSchema> properties = new()
+        {
+            [JsonOptions.ModelKey] = new OpenApiSchema
+            {
+                AnyOf = [Of(JsonSchemaType.String), ListOf(Of(JsonSchemaType.String))],
+                Description = "Elevation model, a name of /v1/models; a list of names draws them as one surface",
+            },
+        };
+        foreach (OptionSpec option in CommandTable.OptionsOfRequest)
+        {
+            properties[option.Key] = OfOption(option);
+        }
+
+        return Closed(properties);
+    }
+
+    /// <summary>A frame and a list of points.</summary>
+    /// <param name="name">Name of the list.</param>
+    /// <param name="description">What a point is.</param>
+    /// <param name="least">Least count of its numbers.</param>
+    /// <param name="most">Their largest count.</param>
+    public static Func<OpenApiDocument, IOpenApiSchema> OfPoints(string name, string description, int least, int most) => document =>
+    {
+        OpenApiSchema point = ListOf(Of(JsonSchemaType.Number));
+        (point.MinItems, point.MaxItems) = (least, most);
+        OpenApiSchema points = ListOf(point);
+        points.Description = description;
+        OpenApiSchema schema = Closed(new() { ["frame"] = new OpenApiSchemaReference(Frame, document), [name] = points });
+        schema.Required = new HashSet<string> { "frame", name };
+        return schema;
+    };
+
+    /// <summary>An object with a list.</summary>
+    /// <param name="name">Name of the list.</param>
+    /// <param name="item">Name of the schema of its elements.</param>
+    /// <param name="isNullable">Whether an element may be null.</param>
+    public static Func<OpenApiDocument, IOpenApiSchema> OfList(string name, string item, bool isNullable) => document =>
+    {
+        OpenApiSchemaReference reference = new(item, document);
+        return new OpenApiSchema
+        {
+            Type = JsonSchemaType.Object,
+            Required = new HashSet<string> { name },
+            Properties = new Dictionary<string, IOpenApiSchema>
+            {
+                [name] = ListOf(isNullable ? new OpenApiSchema { AnyOf = [reference, Of(JsonSchemaType.Null)] } : reference),
+            },
+        };
+    };
+
+    /// <summary>A value of a type.</summary>
+    public static OpenApiSchema Of(JsonSchemaType type) => new() { Type = type };
+
+    private static OpenApiSchema OfOption(OptionSpec option)
+    {
+        OpenApiSchema schema = Of(option switch
+        {
+            FlagSpec => JsonSchemaType.Boolean,
+            ChoiceSpec => JsonSchemaType.String,
+            NumberSpec => JsonSchemaType.Number | JsonSchemaType.String,
+            WholeNumberSpec => JsonSchemaType.Integer | JsonSchemaType.String,
+            NumberListSpec => JsonSchemaType.Array | JsonSchemaType.String,
+            _ when option == ImageOptions.Camera => JsonSchemaType.String | JsonSchemaType.Object,
+            _ => JsonSchemaType.String | JsonSchemaType.Number | JsonSchemaType.Array,
+        });
+        schema.Description = $"{option.Help}{(option.Notes.Length > 0 ? $" ({option.Notes})" : string.Empty)}";
+        schema.Enum = option is ChoiceSpec choice
+            ? [.. choice.Suggestions.Select(word => JsonValue.Create(word))]
+            : null;
+        return schema;
+    }
+
+    private static OpenApiSchema ListOf(IOpenApiSchema items) => new() { Type = JsonSchemaType.Array, Items = items };
+
+    private static OpenApiSchema Closed(Dictionary<string, IOpenApiSchema> properties) => new()
+    {
+        Type = JsonSchemaType.Object,
+        AdditionalPropertiesAllowed = false,
+        Properties = properties,
+    };
+}
