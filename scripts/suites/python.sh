@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Suite: pytest on clients/python and clients/basilisk, with the program that test.sh built before. Started by test.sh in the repository root.
+# Suite: pytest on the clients, with the program that test.sh built before. Started by test.sh in the repository root.
 set -euo pipefail
 . scripts/lib/common.sh
 . scripts/lib/packages.sh
@@ -27,9 +27,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p TestResults
 if part_is_here zmq; then
-    suites=(python basilisk)
+    suites=(python cpp basilisk)
 else
-    suites=(python)
+    suites=(python cpp)
     record skipped python 'all tests of clients/basilisk (missing: zmq)'
 fi
 for suite in "${suites[@]}"; do
