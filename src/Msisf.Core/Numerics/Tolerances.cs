@@ -115,8 +115,8 @@ public static class Tolerances
     public const double LevelSlope = 1e-14;
 
     /// <summary>
-    /// Cosine of incidence, by which a part of a pixel must differ from a right angle to the Sun so that all of its samples have the same
-    /// sign: at 1.5e11 m the direction of the Sun turns by 1e-6 over 150 km, and no pixel's part within a bin is that wide.
+    /// Cosine of incidence, by which a facet must differ from a right angle to the Sun so that each point of it has the same sign: far above
+    /// rounding.
     /// </summary>
-    public const double FacingOfPart = 1e-6;
+    public const double FacingOfFacet = 1e-6;
 }

@@ -76,9 +76,8 @@ internal sealed class FramePass : IDrawnFrame
             _radianceFactors = new double[pixels];
         }
 
-        if (LightPass.CanMerge(camera, light, options))
+        if (options.SubsamplesPerAxis > 1 && TryDrawGrid(threads, cancellation))
         {
-            DrawGrid(threads, cancellation);
             return;
         }
 
@@ -160,18 +159,21 @@ internal sealed class FramePass : IDrawnFrame
         _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
     }
 
-    private void DrawGrid(int threads, CancellationToken cancellation)
+    private bool TryDrawGrid(int threads, CancellationToken cancellation)
     {
+        int blocks = _visibility.Prepare(Camera, threads, cancellation).Count;
+        if (!GridPass.Suits(Camera, Light, _options!, blocks))
+        {
+            return false;
+        }
+
         if (_options!.KeepGroundTruth)
         {
             DrawSample(0.0, 0.0, weight: 0.0, isFirst: true, threads, cancellation);
         }
-        else
-        {
-            _visibility.Prepare(Camera, threads, cancellation);
-        }
 
-        _grid.Run(_visibility, Light, _light, _options, _radianceFactors, threads, cancellation);
+        _grid.Run(Shown, _visibility, Light, _light, _options, _radianceFactors, threads, cancellation);
+        return true;
     }
 
     private VisibleSurface KeptSurface() => _options is { KeepGroundTruth: true } && _visible is not null

@@ -16,8 +16,8 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
 {
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
-    /// <summary>Far below a sample's share of a pixel, so that no sample may be lit otherwise; 1e-12 was found.</summary>
-    private const double OfMerged = 1e-9;
+    /// <summary>1: the samples on a facet may share its brightness, though the angle to the Sun is not quite the same all over it.</summary>
+    private const double OfShared = 1e-6;
 
     private readonly NativeRenderer _renderer = new(rugged.Grid);
 
@@ -133,7 +133,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
                    from column in Enumerable.Range(across * (x - 1), across)
                    select single.RadianceFactors[(row * fine.Width) + column],
             ];
-            Assert.Equal(samples.Average(), frame.RadianceFactors[pixel], 1e-12);
+            Assert.InRange(frame.RadianceFactors[pixel], (1.0 - OfShared) * samples.Average(), (1.0 + OfShared) * samples.Average());
             mixed += samples.Min() == 0.0 && samples.Max() > 0.0 ? 1 : 0;
         });
         Assert.True(mixed > 100, $"{mixed} pixels with both light and shadow say little");
@@ -184,7 +184,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
                 mean += single.RadianceFactors[(row * fine.Width) + (across * (x - 1)) + (sample % across)] / (across * across);
             }
 
-            Assert.Equal(mean, frame.RadianceFactors[pixel], OfMerged);
+            Assert.InRange(frame.RadianceFactors[pixel], (1.0 - OfShared) * mean, (1.0 + OfShared) * mean);
         });
     }
 

@@ -2,31 +2,48 @@ using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
-using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Sampling;
 
 /// <summary>
-/// Draws frames with the same samples in each pixel, on a regular grid, where light and brightness follow from facet and Sun alone
-/// (<see cref="LightPass.CanMerge"/>). The samples share the blocks of terrain and their projection, and where that is sure the light of
-/// a facet. One object serves many frames, one at a time.
+/// Draws frames with the same samples in each pixel, on a regular grid, where the brightness of lit ground follows from facet and Sun
+/// alone. The samples share the blocks of terrain and their projection, the brightness of a facet and, where that is sure, its light. One
+/// object serves many frames, one at a time.
 /// </summary>
-/// <param name="pass">Finds the parts of pixels, their light and their brightness.</param>
+/// <param name="pass">Finds the light and brightness of the other samples.</param>
 internal sealed class GridPass(PartPass pass)
 {
-    /// <summary>Parts of pixels, or samples, that are lit and shaded together; bounds the memory.</summary>
-    private const int PartsAtOnce = 1 << 18;
+    /// <summary>Samples that are lit and shaded together; bounds the memory.</summary>
+    private const int SamplesAtOnce = 1 << 17;
 
-    /// <summary>Bands that are drawn between two looks at the number of parts.</summary>
+    /// <summary>Samples of the rows that are drawn together: their depth buffer has 1.5 MB.</summary>
+    private const int SamplesOfBand = 1 << 17;
+
+    /// <summary>Bands that each thread draws between two looks at the number of samples.</summary>
     private const int BandsAtOnce = 2;
 
-    private readonly SampledPixels _pixels = new();
-    private readonly List<PixelParts> _parts = [];
-    private readonly List<PixelParts> _samples = [];
+    private readonly List<GridWorker> _workers = [];
+    private readonly List<PixelParts> _others = []; // of each worker
+
+    /// <summary>Facets for each pixel above which two samples along its edge have too little to share.</summary>
+    private const double FewFacets = 2.0;
+
+    /// <summary>Whether frames are drawn so: by a pinhole, with several samples that have something to share.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="options">The settings.</param>
+    /// <param name="blocks">Number of blocks that the frame may show.</param>
+    public static bool Suits(FrameCamera camera, SceneLight light, NativeRenderOptions options, int blocks) =>
+        options.SubsamplesPerAxis is > 1 and <= GridWorker.MaxAcross && camera.Model.Lens is null
+        && LightPass.IsOfFacets(light, options)
+        && (options.SubsamplesPerAxis > 2
+            || 2.0 * blocks * CellBlock.Size * CellBlock.Size < FewFacets * camera.Width * camera.Height);
 
     /// <summary>Draws a frame.</summary>
+    /// <param name="surface">The surface.</param>
     /// <param name="frame">The frame, prepared or drawn with one sample a pixel at the pixels' centres.</param>
     /// <param name="light">The Sun.</param>
     /// <param name="lights">Finds light and brightness.</param>
@@ -35,58 +52,41 @@ internal sealed class GridPass(PartPass pass)
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Run(
-        VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options, double[] radianceFactors, int threads,
-        CancellationToken cancellation)
+        SurfaceModel surface, VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options,
+        double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         FrameCamera camera = frame.View.Camera;
-        Array.Clear(radianceFactors, 0, camera.Width * camera.Height);
-        _pixels.TakeAll(camera.Width, camera.Height, SamplePattern.OfGrid(options.SubsamplesPerAxis));
-        SampledFrame sampled = new(frame, _pixels, light, lights, options, radianceFactors, threads, cancellation);
-        int bands = _pixels.Bands.Count;
-        for (int first = 0, end; first < bands; first = end)
+        int across = options.SubsamplesPerAxis;
+        int bins = Math.Clamp((int)Math.Sqrt((double)camera.Width * camera.Height), 1, 2048);
+        GridFrame grid = new(
+            surface, frame.Blocks, new ImageView(camera, 0.0, 0.0, perAxis: across),
+            lights.FindCasters(frame.Blocks.Select(visible => visible.Block), light, bins, threads, cancellation), light.PositionMoonMe,
+            options, radianceFactors);
+        SampledFrame sampled = new(frame, light, lights, options, radianceFactors, threads, cancellation);
+        PartPass.EnsureRoom(_others, threads);
+        while (_workers.Count < threads)
         {
-            end = first;
-            for (int parts = 0; end < bands && parts < PartsAtOnce;)
+            _workers.Add(new GridWorker());
+        }
+
+        int rows = Math.Clamp(SamplesOfBand / (across * across * camera.Width), 1, VisibleSurface.BandRows);
+        for (int first = 0; first < camera.Height;)
+        {
+            _others.ForEach(parts => parts.Begin());
+            while (first < camera.Height && _others.Sum(parts => parts.Count) < SamplesAtOnce)
             {
-                int next = Math.Min(end + BandsAtOnce, bands);
-                pass.Find(sampled, (end, next), _parts, end - first);
-                for (; end < next; end++)
-                {
-                    parts += _parts[end - first].Count;
-                }
+                int begin = first;
+                first = Math.Min(first + (BandsAtOnce * threads * rows), camera.Height);
+                WorkerTeam.Run(
+                    threads,
+                    (first - begin + rows - 1) / rows,
+                    (worker, band) => _workers[worker].Draw(
+                        grid, begin + (band * rows), Math.Min(rows, camera.Height - begin - (band * rows)), _others[worker]),
+                    cancellation);
             }
 
-            Light(sampled, end - first);
+            pass.Light(sampled, _others, threads);
+            WorkerTeam.Run(threads, threads, (_, list) => pass.Collect(sampled, list, _others[list]), cancellation);
         }
     }
-
-    /// <summary>Lights and shades the samples on a facet of a pixel at once where that is sure, and each by itself elsewhere.</summary>
-    private void Light(SampledFrame frame, int count)
-    {
-        double[] factors = pass.Lay(frame, _parts, count);
-        frame.Lights.RunMerged(pass.Rows, frame.Light, frame.Options, pass.Sunlight, factors, frame.Threads, frame.Cancellation);
-        Collect(frame, _parts, count);
-        byte[][] states = [.. Enumerable.Range(0, count).Select(list => pass.StatesOf(list, _parts[list]).ToArray())];
-        for (int first = 0, end; first < count; first = end)
-        {
-            end = first;
-            for (int samples = 0; end < count && samples < PartsAtOnce; end++)
-            {
-                samples += _parts[end].CountSamples(states[end], ShadowPass.Unsure);
-            }
-
-            PartPass.EnsureRoom(_samples, end - first);
-            WorkerTeam.Run(
-                frame.Threads,
-                end - first,
-                (_, index) => _samples[index].TakeSamples(
-                    _parts[first + index], states[first + index], ShadowPass.Unsure, frame.Pixels.Grid!, frame.Frame.View),
-                frame.Cancellation);
-            pass.Light(frame, _samples, end - first);
-            Collect(frame, _samples, end - first);
-        }
-    }
-
-    private void Collect(SampledFrame frame, List<PixelParts> lists, int count) =>
-        WorkerTeam.Run(frame.Threads, count, (_, list) => pass.Collect(frame, list, lists[list]), frame.Cancellation);
 }

@@ -13,27 +13,23 @@ internal sealed class PartPass(SurfaceModel surface)
     private SurfaceModel _surface = surface;
     private readonly List<SubsampleWorker> _workers = [];
     private readonly List<int> _firstRows = [];
+    private readonly PartRows _rows = new();
+    private readonly PixelSunlight _sunlight = new();
     private double[] _factors = [];
-
-    /// <summary>The parts that are lit and shaded together.</summary>
-    public PartRows Rows { get; } = new();
-
-    /// <summary>The light on them.</summary>
-    public PixelSunlight Sunlight { get; } = new();
 
     /// <summary>Draws another surface from the next frame on; the memory is kept.</summary>
     public void Show(SurfaceModel next) => _surface = next;
 
     /// <summary>Draws the samples of some bands and finds the parts of their pixels.</summary>
     /// <param name="frame">The frame.</param>
+    /// <param name="pixels">The samples of the pixels.</param>
     /// <param name="bands">Numbers of the first band, and of the one after the last.</param>
-    /// <param name="lists">Receives the parts; made longer if it is too short.</param>
-    /// <param name="list">The list of the first band's parts; those of the others follow.</param>
-    /// <param name="merged">The list of the first band's parts without regard to borders of shadows; null for none.</param>
-    public void Find(SampledFrame frame, (int First, int End) bands, List<PixelParts> lists, int list, int? merged = null)
+    /// <param name="lists">Receives the parts, a list for each band.</param>
+    /// <param name="withMerged">Whether further lists receive the parts without regard to borders of shadows.</param>
+    public void Find(SampledFrame frame, SampledPixels pixels, (int First, int End) bands, List<PixelParts> lists, bool withMerged)
     {
         int count = bands.End - bands.First;
-        EnsureRoom(lists, Math.Max(list, merged ?? 0) + count);
+        EnsureRoom(lists, withMerged ? 2 * count : count);
         while (_workers.Count < frame.Threads)
         {
             _workers.Add(new SubsampleWorker());
@@ -43,38 +39,30 @@ internal sealed class PartPass(SurfaceModel surface)
             frame.Threads,
             count,
             (worker, index) => _workers[worker].Draw(
-                _surface, frame.Frame, frame.Pixels, frame.Pixels.Bands[bands.First + index], lists[list + index],
-                merged is { } first ? lists[first + index] : null),
+                _surface, frame.Frame, pixels, pixels.Bands[bands.First + index], lists[index], withMerged ? lists[count + index] : null),
             frame.Cancellation);
     }
 
-    /// <summary>Lays out lists of parts in rows, and makes room for their brightness.</summary>
-    public double[] Lay(SampledFrame frame, List<PixelParts> lists, int count)
+    /// <summary>Finds light and brightness of each part of some lists.</summary>
+    public void Light(SampledFrame frame, List<PixelParts> lists, int count)
     {
-        Rows.Begin(frame.Frame.View);
+        _rows.Begin(frame.Frame.View);
         _firstRows.Clear();
         for (int list = 0; list < count; list++)
         {
-            _firstRows.Add(Rows.Add(lists[list]));
+            _firstRows.Add(_rows.Add(lists[list]));
         }
 
-        int room = Rows.Height * PartRows.RowLength;
+        int room = _rows.Height * PartRows.RowLength;
         if (_factors.Length < room)
         {
             _factors = new double[room];
         }
 
-        return _factors;
+        frame.Lights.Run(
+            _rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, frame.Threads,
+            frame.Cancellation);
     }
-
-    /// <summary>Finds light and brightness of each part of some lists.</summary>
-    public void Light(SampledFrame frame, List<PixelParts> lists, int count) => frame.Lights.Run(
-        Rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true), Sunlight, Lay(frame, lists, count), frame.Threads,
-        frame.Cancellation);
-
-    /// <summary>The light on the parts of a list, as <see cref="PixelSunlight.Hidden"/> has it.</summary>
-    public ReadOnlySpan<byte> StatesOf(int list, PixelParts parts) =>
-        Sunlight.Hidden.AsSpan(_firstRows[list] * PartRows.RowLength, parts.Count);
 
     /// <summary>The brightness of the parts of a list.</summary>
     public ReadOnlySpan<double> FactorsOf(int list, PixelParts parts) =>

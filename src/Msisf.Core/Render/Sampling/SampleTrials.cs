@@ -1,4 +1,3 @@
-using System.Numerics;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
 
@@ -63,7 +62,7 @@ internal sealed class SampleTrials
         for (int part = 0; part < parts.Count; part++)
         {
             int index = _indices[parts.Pixels[part]];
-            int vector = BitOperations.TrailingZeroCount(parts.Samples[part]) / SamplePattern.Lanes;
+            int vector = parts.FirstSamples[part] / SamplePattern.Lanes;
             for (int i = 0; i < Choices.Length; i++)
             {
                 if (vector < Choices[i])

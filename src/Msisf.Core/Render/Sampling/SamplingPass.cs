@@ -35,7 +35,7 @@ internal sealed class SamplingPass(PartPass pass)
     {
         AdaptiveSampling sampling = options.Adaptive!;
         _chooser.Classify(frame.Surface, radianceFactors, sunlight, sampling, threads, cancellation);
-        SampledFrame work = new(frame, _chooser.Pixels, light, lights, options, radianceFactors, threads, cancellation);
+        SampledFrame work = new(frame, light, lights, options, radianceFactors, threads, cancellation);
         List<int> trials = _chooser.ChooseTrials(sampling.Error, threads, cancellation);
         _trials.Begin(trials, radianceFactors, _chooser.Means);
         _chooser.Try(trials);
@@ -50,7 +50,7 @@ internal sealed class SamplingPass(PartPass pass)
     /// <param name="isTrial">Whether the trials are told of each sample.</param>
     private void Draw(SampledFrame work, bool isTrial)
     {
-        IReadOnlyList<SampledBand> bands = work.Pixels.Bands;
+        IReadOnlyList<SampledBand> bands = _chooser.Pixels.Bands;
         for (int first = 0; first < bands.Count;)
         {
             int end = first + 1;
@@ -69,11 +69,11 @@ internal sealed class SamplingPass(PartPass pass)
     {
         int count = bands.End - bands.First;
         int lists = isTrial ? 2 * count : count; // a trial's second half: the parts merged
-        pass.Find(work, bands, _parts, 0, isTrial ? count : null);
+        pass.Find(work, _chooser.Pixels, bands, _parts, withMerged: isTrial);
         pass.Light(work, _parts, lists);
         WorkerTeam.Run(work.Threads, count, (_, index) =>
         {
-            Clear(work, work.Pixels.Bands[bands.First + index]);
+            Clear(work, _chooser.Pixels.Bands[bands.First + index]);
             pass.Collect(work, index, _parts[index]);
             if (isTrial)
             {
@@ -84,12 +84,12 @@ internal sealed class SamplingPass(PartPass pass)
     }
 
     /// <summary>Forgets the brightness of the pixels of a band that get further samples.</summary>
-    private static void Clear(SampledFrame work, SampledBand band)
+    private void Clear(SampledFrame work, SampledBand band)
     {
         int width = work.Frame.View.Camera.Width;
         int first = band.FirstRow * width;
         int end = (band.LastRow + 1) * width;
-        ReadOnlySpan<byte> codes = work.Pixels.Codes.AsSpan(0, end);
+        ReadOnlySpan<byte> codes = _chooser.Pixels.Codes.AsSpan(0, end);
         for (int next; first < end && (next = codes[first..].IndexOfAnyExcept((byte)0)) >= 0; first += next + 1)
         {
             work.RadianceFactors[first + next] = 0.0;

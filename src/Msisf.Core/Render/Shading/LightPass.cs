@@ -1,4 +1,3 @@
-using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
@@ -61,48 +60,14 @@ internal sealed class LightPass
         }
     }
 
-    /// <summary>
-    /// Whether <see cref="RunMerged"/> can find light and brightness of several samples on a facet at once: by a pinhole, with the Sun as a
-    /// point, and a law that depends on nothing but the angle to the Sun, which is the same all over the part of a pixel.
-    /// </summary>
-    public static bool CanMerge(FrameCamera camera, SceneLight light, NativeRenderOptions options) =>
-        options.SubsamplesPerAxis is > 1 and <= SamplePattern.MaxAcross && camera.Model.Lens is null && light.IsSun
-        && !HasDisc(light, options) && RowShader.IsFlat(options);
+    /// <summary>Whether the brightness of lit ground is the same all over a facet, and a point of it is lit or not.</summary>
+    public static bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
+        light.IsSun && !HasDisc(light, options) && RowShader.IsFlat(options);
 
-    /// <summary>Finds the light and brightness of parts of pixels as far as all their samples have the same.</summary>
-    /// <param name="parts">The parts.</param>
-    /// <param name="light">The Sun.</param>
-    /// <param name="options">Reflectance law.</param>
-    /// <param name="sunlight">
-    /// Receives the light; <see cref="PixelSunlight.Hidden"/> is <see cref="ShadowPass.Unsure"/> where the samples may differ.
-    /// </param>
-    /// <param name="radianceFactors">Receives the radiance factors (I/F); 0 where the samples may differ.</param>
-    /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void RunMerged(
-        PartRows parts, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight, double[] radianceFactors, int threads,
-        CancellationToken cancellation)
-    {
-        sunlight.Prepare(parts.Width * parts.Height, hasDisc: false);
-        PartReach? reach = null;
-        SunwardPoints sunward = new(parts, light.PositionMoonMe, sunlight.CosIncidence)
-        {
-            RowRead = (row, points, cosines) =>
-            {
-                Span<byte> states = sunlight.Hidden.AsSpan(row * parts.Width, parts.Width);
-                for (int i = 0; i < points.Count; i++)
-                {
-                    states[i] = Math.Abs(cosines[i]) < Tolerances.FacingOfPart ? ShadowPass.Unsure : states[i];
-                }
-
-                reach?.Reach(points, parts.ReachesOf(row), states, ShadowPass.Unsure);
-            },
-        };
-        _shadows.FindSure(
-            sunward, parts.View, light.PositionMoonMe, found => reach = found, sunlight.Hidden, threads, cancellation);
-        _shader.Shade(
-            parts, light, sunlight, options, new SampleWeight(1.0, IsFirst: true), radianceFactors, threads, cancellation);
-    }
+    /// <summary>Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.</summary>
+    public SureLight FindCasters(
+        IEnumerable<CellBlock> blocks, SceneLight light, int bins, int threads, CancellationToken cancellation) =>
+        _shadows.FindCasters(blocks, light.PositionMoonMe, bins, threads, cancellation);
 
     /// <summary>The smooth normal at a point, as it is used for shading; length 1, MOON_ME, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>

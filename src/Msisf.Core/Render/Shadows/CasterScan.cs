@@ -60,34 +60,31 @@ internal sealed class CasterScan
         }
     }
 
-    /// <summary>Marks the bins in which a block may hide a point within the reach of a receiver.</summary>
+    /// <summary>Adds the facets of a block that may hide a receiver from the Sun.</summary>
     /// <param name="block">The block.</param>
-    /// <param name="receivers">The receivers, read.</param>
-    /// <param name="reach">The reach: at most a bin to each side.</param>
-    public void WantBins(CellBlock block, ReceiverSort receivers, PartReach reach)
+    /// <param name="receivers">Bounds of the receivers.</param>
+    /// <param name="casters">Receives the facets.</param>
+    public void Find(CellBlock block, IReceiverBounds receivers, CasterDepths casters)
     {
         Load(block, receivers.Frame);
-        ReceiverGrid grid = receivers.Grid;
-        LightBox box = receivers.Box.Widened(reach.U, reach.V);
+        LightBox box = receivers.Box;
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!_strip.TrySet(line, sample, in box, slope: 0.0))
+                if (!_strip.TrySet(line, sample, in box, slope: 0.0) || !(_strip.MinDepth < receivers.MaxDepthIn(_strip.Box)))
                 {
                     continue;
                 }
 
                 for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
                 {
-                    int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-                    FacetMark.WantBins(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid);
+                    casters.Add(_strip.SouthWestFacet(BitOperations.TrailingZeroCount(away)));
                 }
 
                 for (uint away = _strip.NorthEastAway; away != 0; away &= away - 1)
                 {
-                    int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-                    FacetMark.WantBins(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), grid);
+                    casters.Add(_strip.NorthEastFacet(BitOperations.TrailingZeroCount(away)));
                 }
             }
         }
@@ -191,14 +188,12 @@ internal sealed class CasterScan
     {
         for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
         {
-            int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-            Tries += FacetCaster.Cast(_strip.Facet(at, at + BlockVertices.Stride, at + BlockVertices.Stride + 1), grid, hidden);
+            Tries += FacetCaster.Cast(_strip.SouthWestFacet(BitOperations.TrailingZeroCount(away)), grid, hidden);
         }
 
         for (uint away = _strip.NorthEastAway; away != 0; away &= away - 1)
         {
-            int at = _strip.NorthWest + BitOperations.TrailingZeroCount(away);
-            Tries += FacetCaster.Cast(_strip.Facet(at, at + BlockVertices.Stride + 1, at + 1), grid, hidden);
+            Tries += FacetCaster.Cast(_strip.NorthEastFacet(BitOperations.TrailingZeroCount(away)), grid, hidden);
         }
     }
 }

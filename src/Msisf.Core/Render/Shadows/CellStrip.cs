@@ -94,13 +94,13 @@ internal sealed class CellStrip(BlockVertices vertices)
         return true;
     }
 
-    /// <summary>The facet with the given corners.</summary>
-    /// <param name="a">Index of the first vertex.</param>
-    /// <param name="b">Index of the next vertex, counterclockwise seen from above.</param>
-    /// <param name="c">Index of the last vertex.</param>
-    public LightFacet Facet(int a, int b, int c) => new(
-        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c],
-        vertices.Z[c]);
+    /// <summary>The south-western facet of a cell of the strip.</summary>
+    public LightFacet SouthWestFacet(int cell) => Facet(
+        _northWest + cell, _northWest + cell + BlockVertices.Stride, _northWest + cell + BlockVertices.Stride + 1);
+
+    /// <summary>The north-eastern facet of a cell of the strip.</summary>
+    public LightFacet NorthEastFacet(int cell) =>
+        Facet(_northWest + cell, _northWest + cell + BlockVertices.Stride + 1, _northWest + cell + 1);
 
     /// <summary>A slab along the strip that holds the cells of <see cref="Box"/>; narrower than the box if the strip is oblique.</summary>
     public LightSlab FindSlab()
@@ -242,6 +242,10 @@ internal sealed class CellStrip(BlockVertices vertices)
         (
             Vector512.LoadUnsafe(
                 ref us, corner) * Vector512.Create(acrossU)) + (Vector512.LoadUnsafe(ref vs, corner) * Vector512.Create(acrossV));
+
+    private LightFacet Facet(int a, int b, int c) => new(
+        vertices.X[a], vertices.Y[a], vertices.Z[a], vertices.X[b], vertices.Y[b], vertices.Z[b], vertices.X[c], vertices.Y[c],
+        vertices.Z[c]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Min(Vector512<double> a, Vector512<double> b, Vector512<double> c, Vector512<double> d) =>

@@ -34,9 +34,6 @@ internal readonly struct LightAxis
         Vector512.MaxNative((coordinates - Vector512.Create(_min)) * Vector512.Create(_binsPerMetre), Vector512<double>.Zero),
         Vector512.Create(_last)));
 
-    /// <summary>Width of a bin, m.</summary>
-    public double BinWidth => 1.0 / _binsPerMetre;
-
     /// <summary>Minimum coordinate of a bin, m, up to rounding errors.</summary>
     public double StartOf(int bin) => _min + (bin / _binsPerMetre);
 }
@@ -44,11 +41,6 @@ internal readonly struct LightAxis
 /// <summary>A rectangle of bins of a grid; the last column and the last row are included.</summary>
 internal readonly record struct GridRange(int FirstColumn, int LastColumn, int FirstRow, int LastRow)
 {
-    /// <summary>The rectangle with the bins around it.</summary>
-    /// <param name="size">Number of bins along each edge of the grid.</param>
-    public GridRange WithNeighbours(int size) => new(
-        Math.Max(FirstColumn - 1, 0), Math.Min(LastColumn + 1, size - 1), Math.Max(FirstRow - 1, 0), Math.Min(LastRow + 1, size - 1));
-
     /// <summary>Number of bins.</summary>
     public int Count => (LastColumn - FirstColumn + 1) * (LastRow - FirstRow + 1);
 }

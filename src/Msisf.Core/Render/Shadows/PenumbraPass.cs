@@ -64,8 +64,7 @@ internal sealed class PenumbraPass
         LightSource sun = new(disc.CentreMoonMe, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
         void Hide(int pixel) => hidden[pixel] = SunDisc.All;
-        _receivers.Prepare(receivers, sun, threads, cancellation);
-        _receivers.Read(receivers, night, Hide, threads, cancellation);
+        _receivers.Read(receivers, sun, night, Hide, threads, cancellation);
         IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
         DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(_receivers, sun.Slope, blocks.Count)
             ? _darkZones.Find(_receivers, sun.Slope, blocks.Count, threads, cancellation)

@@ -238,9 +238,6 @@ internal sealed class ReceiverGrid
     /// <summary>Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none.</summary>
     public float MaxDepth(GridRange bins) => _depths.Max(bins);
 
-    /// <summary>Upper bound of the depth of the receivers in a bin, m; below any real depth if there is none.</summary>
-    public float DepthOf(int column, int row) => _depths.Bins[(row * Size) + column];
-
     /// <summary>Upper bound of the depth of all receivers, m.</summary>
     public float MaxDepth() => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
 

@@ -34,36 +34,26 @@ internal sealed class ReceiverSort : IReceiverBounds
     /// <inheritdoc/>
     public double MaxDepthIn(in LightBox box) => Grid.MaxDepth(Grid.BinsOf(in box));
 
-    /// <summary>Chooses light space and its bins from some of the rows; a poor choice makes the frame slower but not wrong.</summary>
+    /// <summary>Reads the receivers and finds their number and maximum depth in each bin of the grid.</summary>
     /// <param name="receivers">The points that may be lit.</param>
     /// <param name="sun">The Sun.</param>
-    /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void Prepare(IReceiverRows receivers, LightSource sun, int threads, CancellationToken cancellation)
-    {
-        if (_boxes.Length < receivers.Rows)
-        {
-            _boxes = new LightBox[receivers.Rows];
-        }
-
-        Scout(receivers, sun, threads, cancellation);
-    }
-
-    /// <summary>
-    /// Reads the receivers and finds their number and maximum depth in each bin of the grid, after <see cref="Prepare"/>.
-    /// </summary>
-    /// <param name="receivers">The points that may be lit.</param>
     /// <param name="night">The zone in which every point is in shadow.</param>
     /// <param name="hide">Called with each pixel in the night zone, from several threads.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    /// <param name="keepsScouts">Whether rows that <see cref="Prepare"/> has read are not read again.</param>
     public void Read(
-        IReceiverRows receivers, NightZone night, Action<int> hide, int threads, CancellationToken cancellation, bool keepsScouts = true)
+        IReceiverRows receivers, LightSource sun, NightZone night, Action<int> hide, int threads, CancellationToken cancellation)
     {
+        int rows = receivers.Rows;
+        if (_boxes.Length < rows)
+        {
+            _boxes = new LightBox[rows];
+        }
+
+        Scout(receivers, sun, threads, cancellation);
         RunParts(receivers, threads, (part, row) =>
         {
-            bool isScout = keepsScouts && row % ScoutSpacing == 0;
+            bool isScout = row % ScoutSpacing == 0;
             ReceiverRow points = isScout ? _scouts[row / ScoutSpacing] : _scratch[part];
             if (!isScout)
             {
@@ -73,24 +63,8 @@ internal sealed class ReceiverSort : IReceiverBounds
 
             _boxes[row] = CountRow(points, receivers, row, part, night, dark: null, hide);
         }, cancellation);
-        Place(receivers.Rows);
+        Place(rows);
     }
-
-    /// <summary>Calls with each receiver whose bin is marked, from several threads.</summary>
-    /// <param name="receivers">The same receivers as in <see cref="Read"/>.</param>
-    /// <param name="found">Receives row times width plus column.</param>
-    /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void FindMarked(IReceiverRows receivers, Action<int> found, int threads, CancellationToken cancellation) =>
-        RunParts(receivers, threads, (part, row) =>
-        {
-            ReceiverRow scratch = _scratch[part];
-            int count = Grid.FindMarked(Start(receivers, row), scratch.Columns.AsSpan(0, receivers.Width));
-            foreach (int column in scratch.Columns.AsSpan(0, count))
-            {
-                found((row * receivers.Width) + column);
-            }
-        }, cancellation);
 
     /// <summary>Leaves out the receivers in a further zone; they count as those in the night zone.</summary>
     /// <param name="receivers">The same receivers as in <see cref="Read"/>, which must have had the same number of threads.</param>
@@ -169,6 +143,7 @@ internal sealed class ReceiverSort : IReceiverBounds
         }
     }
 
+    /// <summary>Chooses light space and its bins from some of the rows; a poor choice makes the frame slower but not wrong.</summary>
     private void Scout(IReceiverRows receivers, LightSource sun, int threads, CancellationToken cancellation)
     {
         int scouts = (receivers.Rows + ScoutSpacing - 1) / ScoutSpacing;

@@ -1,7 +1,6 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
@@ -16,14 +15,10 @@ internal sealed class ShadowPass
     /// <summary>Maximum number of blocks for which sorting only the bins that they may darken is faster than sorting all bins.</summary>
     private const int FewBlocks = 128;
 
-    /// <summary>State of a part whose samples may differ in their light.</summary>
-    public const byte Unsure = 2;
-
-    private const byte Dark = 1;
-
     private SurfaceModel _surface;
     private CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
+    private readonly CasterDepths _casters = new();
     private readonly List<CasterScan> _scans = [];
 
     /// <summary>Makes a pass for a model.</summary>
@@ -62,8 +57,7 @@ internal sealed class ShadowPass
 
         LightSource sun = new(sunMoonMe, Slope: 0.0);
         NightZone night = new(_search.SolidRadius, sun.Slope);
-        _receivers.Prepare(receivers, sun, threads, cancellation);
-        _receivers.Read(receivers, night, pixel => hidden[pixel] = 1, threads, cancellation);
+        _receivers.Read(receivers, sun, night, pixel => hidden[pixel] = 1, threads, cancellation);
         IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
         if (blocks.Count <= FewBlocks)
         {
@@ -80,45 +74,23 @@ internal sealed class ShadowPass
             _receivers.Grid.Length, _search.Groups, blocks.Count, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
     }
 
-    /// <summary>
-    /// Tells of parts of pixels, by their means, which have the same light on all their samples, as <see cref="Run"/> would find it.
-    /// </summary>
-    /// <param name="means">The means that face the Sun.</param>
-    /// <param name="view">The projection, without a lens.</param>
+    /// <summary>Prepares to tell the light of pieces of facets, without looking at their points one by one.</summary>
+    /// <param name="blocks">The blocks in which the facets lie.</param>
     /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
-    /// <param name="begin">
-    /// Called before the means are read: from then on those that are not within the reach get the state <see cref="Unsure"/>.
-    /// </param>
-    /// <param name="states">
-    /// One value for each mean: 0 if the Sun reaches all of its samples that face it, 1 if it reaches none, <see cref="Unsure"/> if each
-    /// has to be looked at.
-    /// </param>
+    /// <param name="bins">Number of bins along each edge of the grid of casters.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    public void FindSure(
-        IReceiverRows means, ImageView view, Vector3D sunMoonMe, Action<PartReach> begin, byte[] states, int threads,
-        CancellationToken cancellation)
+    /// <returns>Valid until the next call.</returns>
+    public SureLight FindCasters(
+        IEnumerable<CellBlock> blocks, Vector3D sunMoonMe, int bins, int threads, CancellationToken cancellation)
     {
         Start(sunMoonMe, threads);
-        Array.Clear(states, 0, means.Rows * means.Width);
-        LightSource sun = new(sunMoonMe, Slope: 0.0);
-        _receivers.Prepare(means, sun, threads, cancellation);
-        PartReach reach = new(view, _receivers.Frame, _receivers.Grid);
-        begin(reach);
-
-        // A mean so deep in the night has all its samples there.
-        NightZone night = new(Math.Max(0.0, _search.SolidRadius - reach.U - reach.V), sun.Slope);
-        _receivers.Read(
-            means, night, mean => states[mean] = states[mean] == Unsure ? Unsure : Dark, threads, cancellation, keepsScouts: false);
-        if (_receivers.Box.IsEmpty)
-        {
-            return;
-        }
-
-        IReadOnlyList<CellBlock> blocks = _search.Find(new ReachedReceivers(_receivers, reach), sun.Slope, threads, cancellation);
-        WorkerTeam.Run(
-            threads, blocks.Count, (worker, item) => _scans[worker].WantBins(blocks[item], _receivers, reach), cancellation);
-        _receivers.FindMarked(means, mean => states[mean] = states[mean] == 0 ? Unsure : states[mean], threads, cancellation);
+        BlockReceivers receivers = new(_surface, blocks, sunMoonMe, _search.SolidRadius);
+        _casters.Lay(receivers.Box, bins);
+        IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope: 0.0, threads, cancellation);
+        WorkerTeam.Run(threads, found.Count, (worker, item) => _scans[worker].Find(found[item], receivers, _casters), cancellation);
+        _casters.Finish();
+        return new SureLight(receivers.Frame, _search.SolidRadius, _casters);
     }
 
     private void Start(Vector3D sunMoonMe, int threads)

@@ -4,7 +4,11 @@ using Msisf.Core.Parallel;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>The facets that have been the nearest one somewhere in a band. One object is used for many bands.</summary>
-internal sealed class FacetRecords
+/// <param name="recorded">
+/// Called with each facet that is recorded, the last one: its block, the index of its cell's north-western vertex, and its half. Null if
+/// nobody wants it.
+/// </param>
+internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = null)
 {
     private const int FirstCapacity = 1024;
 
@@ -49,7 +53,8 @@ internal sealed class FacetRecords
             Array.Resize(ref _records, 2 * Count);
         }
 
-        block.Record(index, half, out _records[Count]);
-        return Count++;
+        block.Record(index, half, out _records[Count++]);
+        recorded?.Invoke(block, index, half);
+        return Count - 1;
     }
 }

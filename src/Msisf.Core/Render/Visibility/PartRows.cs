@@ -40,14 +40,6 @@ internal sealed class PartRows : ISurfaceRows
         return row;
     }
 
-    /// <summary>px: distance along columns or rows of the farthest sample of each part of a row from the part's place.</summary>
-    /// <param name="row">Index of the row, from 0.</param>
-    public ReadOnlySpan<float> ReachesOf(int row)
-    {
-        (PixelParts parts, int first) = _rows[row];
-        return parts.Reaches.AsSpan(first, Math.Min(RowLength, parts.Count - first));
-    }
-
     /// <inheritdoc/>
     public void Read(int y, SurfaceRow row)
     {

@@ -1,8 +1,8 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Visibility;
 
@@ -15,8 +15,7 @@ internal sealed class PixelParts
     private const int Lanes = SamplePattern.Lanes;
     private const int FirstCapacity = 1024;
 
-    private FacetRecord[] _ownRecords = [];
-    private FacetRecord[] _records = []; // own ones, or those of the parts whose samples these are
+    private FacetRecord[] _records = [];
     private int _recordCount;
 
     /// <summary>Number of parts.</summary>
@@ -37,11 +36,8 @@ internal sealed class PixelParts
     /// <summary>Each part's factor of the camera's vector up, with a lens of the vector down.</summary>
     public double[] Along { get; private set; } = new double[FirstCapacity];
 
-    /// <summary>px: bound of the distance along columns or rows of each part's samples from its place.</summary>
-    public float[] Reaches { get; private set; } = new float[FirstCapacity];
-
-    /// <summary>The samples of each part, a bit for each sample of its pixel.</summary>
-    public ulong[] Samples { get; private set; } = new ulong[FirstCapacity];
+    /// <summary>Index of each part's first sample in its pixel.</summary>
+    public byte[] FirstSamples { get; private set; } = new byte[FirstCapacity];
 
     /// <summary>Index of each part's facet in <see cref="Records"/>.</summary>
     public int[] Facets { get; private set; } = new int[FirstCapacity];
@@ -55,108 +51,93 @@ internal sealed class PixelParts
     /// <param name="mayBeSplit">Whether samples near a shadow's border are parts of their own.</param>
     public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true)
     {
-        Begin(band.Records);
+        Count = 0;
+        if (_records.Length < band.Records.Count)
+        {
+            _records = new FacetRecord[band.Records.Count + (band.Records.Count / 4)];
+        }
+
+        _recordCount = band.Records.Count;
+        band.Records.AsSpan().CopyTo(_records);
         for (int pixel = band.NextPixel(0); pixel >= 0; pixel = band.NextPixel(pixel + 1))
         {
             (int row, int column) = Math.DivRem(pixel, band.Width);
             row += band.FirstRow;
-            TakePixel(band, model, column, row, band.VectorsOf(column, row) * Lanes, mayBeSplit && band.HasBorder(column, row));
+            TakePixel(band, model, column, row, band.VectorsOf(column, row), mayBeSplit && band.HasBorder(column, row));
         }
     }
 
     /// <summary>Starts without parts.</summary>
-    /// <param name="records">The facets that they will show.</param>
-    public void Begin(FacetRecords records)
+    public void Begin() => (Count, _recordCount) = (0, 0);
+
+    /// <summary>Adds a facet and returns its number.</summary>
+    public int Add(in FacetRecord record)
     {
-        Count = 0;
-        if (_ownRecords.Length < records.Count)
+        if (_recordCount == _records.Length)
         {
-            _ownRecords = new FacetRecord[records.Count + (records.Count / 4)];
+            Array.Resize(ref _records, Math.Max(FirstCapacity, 2 * _recordCount));
         }
 
-        (_records, _recordCount) = (_ownRecords, records.Count);
-        records.AsSpan().CopyTo(_ownRecords);
+        _records[_recordCount] = record;
+        return _recordCount++;
     }
 
-    /// <summary>Adds a part, for which <see cref="EnsureRoom"/> has made room; the parameters are what the arrays hold.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(int pixel, int facet, ulong samples, double weight, double inverseDepth, double across, double along, float reach)
+    /// <summary>Adds one sample of a pinhole's pixel as a part, for which <see cref="EnsureRoom"/> has made room.</summary>
+    /// <param name="pixel">As in <see cref="Pixels"/>.</param>
+    /// <param name="facet">As in <see cref="Facets"/>.</param>
+    /// <param name="weight">As in <see cref="Weights"/>.</param>
+    /// <param name="inverseDepth">As in <see cref="InverseDepths"/>.</param>
+    /// <param name="column">Column of the sample, px from the centre of the first pixel.</param>
+    /// <param name="row">Its row.</param>
+    /// <param name="model">The camera.</param>
+    public void Add(int pixel, int facet, double weight, double inverseDepth, double column, double row, CameraModel model)
     {
-        int part = Count++;
-        (Pixels[part], Facets[part], Samples[part]) = (pixel, facet, samples);
-        (Weights[part], InverseDepths[part], Across[part], Along[part]) = (weight, inverseDepth, across, along);
-        Reaches[part] = reach;
+        (Pixels[Count], Facets[Count], FirstSamples[Count]) = (pixel, facet, 0);
+        (Weights[Count], InverseDepths[Count]) = (weight, inverseDepth);
+        (Across[Count], Along[Count]) = PlaceOf(column, row, model);
+        Count++;
     }
 
-    /// <summary>Number of samples of the parts with a state.</summary>
-    public int CountSamples(ReadOnlySpan<byte> states, byte wanted)
+    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int vectors, bool isSplit)
     {
-        int count = 0;
-        for (int part = 0, next; part < Count && (next = states[part..Count].IndexOf(wanted)) >= 0; part++)
-        {
-            part += next;
-            count += BitOperations.PopCount(Samples[part]);
-        }
-
-        return count;
-    }
-
-    /// <summary>Takes each sample of some parts as a part of its own.</summary>
-    /// <param name="parts">The parts, of a pinhole.</param>
-    /// <param name="states">A state for each part.</param>
-    /// <param name="wanted">The state of the parts that are taken.</param>
-    /// <param name="pattern">Where the samples lie.</param>
-    /// <param name="view">The projection.</param>
-    public void TakeSamples(PixelParts parts, ReadOnlySpan<byte> states, byte wanted, SamplePattern pattern, ImageView view)
-    {
-        Count = 0;
-        (_records, _recordCount) = (parts._records, parts._recordCount);
-        FrameCamera camera = view.Camera;
-        Vector3D position = camera.PositionMoonMe - view.Anchor;
-        for (int part = 0, next; part < parts.Count && (next = states[part..parts.Count].IndexOf(wanted)) >= 0; part++)
-        {
-            part += next;
-            EnsureRoom(pattern.Count);
-            (int row, int column) = Math.DivRem(parts.Pixels[part], camera.Width);
-            ref readonly FacetRecord record = ref _records[parts.Facets[part]];
-            double perDepth = 1.0 / ((record.Offset - Vector3D.Dot(record.Normal, position)) * view.Distance);
-            for (ulong left = parts.Samples[part]; left != 0; left &= left - 1)
-            {
-                int sample = BitOperations.TrailingZeroCount(left);
-                (double x, double y) = (column + pattern.Right[sample], row + pattern.Down[sample]);
-                (double across, double along) = PlaceOf(x, y, camera.Model);
-                Vector3D direction = camera.Direction + (across * camera.Right) + (along * camera.Up);
-                Add(
-                    parts.Pixels[part], parts.Facets[part], 1ul << sample, 1.0 / pattern.Count,
-                    Vector3D.Dot(record.Normal, direction) * perDepth, across, along, reach: 0f);
-            }
-        }
-    }
-
-    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int samples, bool isSplit)
-    {
-        EnsureRoom(samples);
+        EnsureRoom(vectors * Lanes);
         int start = band.Starts[band.IndexOf(column, row)];
         int pixel = (row * band.Width) + column;
-        double weight = 1.0 / samples;
-        ulong left = ulong.MaxValue >> (64 - samples);
+        double weight = 1.0 / (vectors * Lanes);
+        ulong left = ulong.MaxValue >> (64 - (vectors * Lanes));
         while (left != 0)
         {
             int first = BitOperations.TrailingZeroCount(left);
             int facet = band.Facets[start + first];
-            ulong same = isSplit ? 1ul << first : left & SampleSums.SamplesOf(ref band.Facets[start], samples / Lanes, facet);
+            ulong same = isSplit ? 1ul << first : SamplesOf(band, start, vectors, facet);
             left &= ~same;
             if (facet == Band.NotRecorded)
             {
                 continue;
             }
 
-            Add(band, model, start, same, weight, pixel, facet);
+            Add(band, model, start, same, weight);
+            Pixels[Count] = pixel;
+            FirstSamples[Count] = (byte)first;
+            Facets[Count++] = facet;
         }
     }
 
+    private static ulong SamplesOf(SubsampleBand band, int start, int vectors, int facet)
+    {
+        ulong samples = 0;
+        for (int vector = 0; vector < vectors; vector++)
+        {
+            ulong same = Vector256.Equals(Vector256.LoadUnsafe(ref band.Facets[start + (vector * Lanes)]), Vector256.Create(facet))
+                .ExtractMostSignificantBits();
+            samples |= same << (vector * Lanes);
+        }
+
+        return samples;
+    }
+
     /// <summary>Places a part at the mean of its samples: the inverse depth is linear in the image.</summary>
-    private void Add(SubsampleBand band, CameraModel model, int start, ulong samples, double weight, int pixel, int facet)
+    private void Add(SubsampleBand band, CameraModel model, int start, ulong samples, double weight)
     {
         bool hasLens = model.Lens is not null;
         ref double xs = ref MemoryMarshal.GetArrayDataReference(hasLens ? band.Right : band.Columns);
@@ -171,17 +152,45 @@ internal sealed class PixelParts
         }
         else
         {
-            (x, y, inverse) = SampleSums.Sum(
-                ref Unsafe.Add(ref xs, start), ref Unsafe.Add(ref ys, start), ref Unsafe.Add(ref inverses, start), samples);
+            (x, y, inverse) = Sum(ref xs, ref ys, ref inverses, start, samples);
         }
 
         double perCount = 1.0 / count;
-        (double across, double along) = hasLens ? (x * perCount, y * perCount) : PlaceOf(x * perCount, y * perCount, model);
-        Add(pixel, facet, samples, weight * count, inverse * perCount, across, along, reach: 1f);
+        Weights[Count] = weight * count;
+        InverseDepths[Count] = inverse * perCount;
+        (Across[Count], Along[Count]) = hasLens ? (x * perCount, y * perCount) : PlaceOf(x * perCount, y * perCount, model);
+    }
+
+    /// <summary>Sums up the coordinates and inverse depths of some samples.</summary>
+    private static (double X, double Y, double Inverse) Sum(
+        ref double xs, ref double ys, ref double inverses, int start, ulong samples)
+    {
+        Vector512<double> sumX = Vector512<double>.Zero;
+        Vector512<double> sumY = Vector512<double>.Zero;
+        Vector512<double> sumInverse = Vector512<double>.Zero;
+        for (nuint sample = (nuint)start; samples != 0; samples >>= Lanes, sample += Lanes)
+        {
+            Vector512<double> isMeant = Vector512.Equals(
+                Vector512.Create((long)(samples & 0xff)) & Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L),
+                Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L)).AsDouble();
+            sumX += isMeant & Vector512.LoadUnsafe(ref xs, sample);
+            sumY += isMeant & Vector512.LoadUnsafe(ref ys, sample);
+            sumInverse += isMeant & Vector512.LoadUnsafe(ref inverses, sample);
+        }
+
+        return (Sum(sumX), Sum(sumY), Sum(sumInverse));
+    }
+
+    /// <summary>The sum of eight numbers, in an order that does not depend on the processor.</summary>
+    private static double Sum(Vector512<double> numbers)
+    {
+        Vector256<double> four = numbers.GetLower() + numbers.GetUpper();
+        Vector128<double> two = four.GetLower() + four.GetUpper();
+        return two[0] + two[1];
     }
 
     /// <summary>The factors of the camera's vectors to the right and up in the ray at a place of a pinhole's image.</summary>
-    public static (double Across, double Along) PlaceOf(double x, double y, CameraModel model) =>
+    private static (double Across, double Along) PlaceOf(double x, double y, CameraModel model) =>
         (((2.0 * x) + 1.0 - model.Width) / (2.0 * model.Width), (model.Height - 1.0 - (2.0 * y)) / (2.0 * model.Height));
 
     /// <summary>Makes room for further parts.</summary>
@@ -192,18 +201,17 @@ internal sealed class PixelParts
             return;
         }
 
-        int room = Math.Max(Pixels.Length + (Pixels.Length / 2), Count + more);
-        (int[] pixels, int[] facets, ulong[] samples, float[] reaches) = (Pixels, Facets, Samples, Reaches);
+        int room = Math.Max(2 * Pixels.Length, Count + more);
+        (int[] pixels, int[] facets, byte[] firstSamples) = (Pixels, Facets, FirstSamples);
         (double[] weights, double[] depths, double[] across, double[] along) = (Weights, InverseDepths, Across, Along);
         Array.Resize(ref pixels, room);
         Array.Resize(ref facets, room);
-        Array.Resize(ref samples, room);
-        Array.Resize(ref reaches, room);
+        Array.Resize(ref firstSamples, room);
         Array.Resize(ref weights, room);
         Array.Resize(ref depths, room);
         Array.Resize(ref across, room);
         Array.Resize(ref along, room);
-        (Pixels, Facets, Samples, Reaches) = (pixels, facets, samples, reaches);
+        (Pixels, Facets, FirstSamples) = (pixels, facets, firstSamples);
         (Weights, InverseDepths, Across, Along) = (weights, depths, across, along);
     }
 }

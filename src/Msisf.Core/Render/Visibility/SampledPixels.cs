@@ -18,12 +18,6 @@ internal sealed class SampledPixels
     private readonly List<SampledBand> _bands = [];
     private int _height;
 
-    /// <summary>
-    /// The samples that all pixels get, which are drawn as an image with smaller pixels; null if each pixel gets the
-    /// <see cref="SamplePattern.Progressive"/> ones of its code.
-    /// </summary>
-    public SamplePattern? Grid { get; private set; }
-
     /// <summary>The code of each pixel, row by row.</summary>
     public byte[] Codes { get; private set; } = [];
 
@@ -49,18 +43,6 @@ internal sealed class SampledPixels
         {
             VectorsOfRow = new int[height];
         }
-    }
-
-    /// <summary>Gives each pixel of an image all samples of a grid, which is drawn as an image with smaller pixels.</summary>
-    /// <param name="width">The image's width, px.</param>
-    /// <param name="height">Its height.</param>
-    /// <param name="grid">The grid.</param>
-    public void TakeAll(int width, int height, SamplePattern grid)
-    {
-        Prepare(width, height);
-        Grid = grid;
-        VectorsOfRow.AsSpan(0, height).Fill(((width * grid.Count) + SamplePattern.Lanes - 1) / SamplePattern.Lanes);
-        Cut();
     }
 
     /// <summary>Cuts the image into bands: large ones, as each projects the terrain that it shows, where there are few samples.</summary>

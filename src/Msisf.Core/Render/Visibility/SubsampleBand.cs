@@ -64,7 +64,7 @@ internal sealed class SubsampleBand
         Width = model.Width;
         (FirstRow, LastRow) = (band.FirstRow, band.LastRow);
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
-        Margin = SamplePattern.Progressive.Reach;
+        Margin = SamplePattern.Reach;
         Records.Clear();
         Count = band.Vectors * SamplePattern.Lanes;
         _codes = pixels.Codes;
@@ -135,8 +135,8 @@ internal sealed class SubsampleBand
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
                 {
                     LanePoints ideal = model.ToIdeal(
-                        Vector512.LoadUnsafe(ref SamplePattern.Progressive.Right[sample]) + Vector512.Create(column + 1.0),
-                        Vector512.LoadUnsafe(ref SamplePattern.Progressive.Down[sample]) + Vector512.Create(row + 1.0));
+                        Vector512.LoadUnsafe(ref SamplePattern.Right[sample]) + Vector512.Create(column + 1.0),
+                        Vector512.LoadUnsafe(ref SamplePattern.Down[sample]) + Vector512.Create(row + 1.0));
                     ideal.X.StoreUnsafe(ref Right[start + sample]);
                     ideal.Y.StoreUnsafe(ref Down[start + sample]);
                     for (int lane = 0; lane < SamplePattern.Lanes; lane++)
@@ -195,10 +195,9 @@ internal sealed class SubsampleBand
     {
         for (int sample = start; sample < end; sample += SamplePattern.Lanes)
         {
-            (Vector512.LoadUnsafe(ref SamplePattern.Progressive.Right[sample - start]) + Vector512.Create((double)column))
+            (Vector512.LoadUnsafe(ref SamplePattern.Right[sample - start]) + Vector512.Create((double)column))
                 .StoreUnsafe(ref Columns[sample]);
-            (Vector512.LoadUnsafe(ref SamplePattern.Progressive.Down[sample - start]) + Vector512.Create((double)row))
-                .StoreUnsafe(ref Rows[sample]);
+            (Vector512.LoadUnsafe(ref SamplePattern.Down[sample - start]) + Vector512.Create((double)row)).StoreUnsafe(ref Rows[sample]);
         }
     }
 

@@ -6,9 +6,6 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>The buffers with which one thread draws the further samples of bands.</summary>
 internal sealed class SubsampleWorker
 {
-    private readonly BandWorker _worker = new();
-    private readonly Band _grid = new();
-    private readonly GridParts _gridParts = new();
     private readonly ProjectedBlock _block = new();
     private readonly SubsampleCells _cells = new();
     private readonly SubsampleBand _band = new();
@@ -25,12 +22,6 @@ internal sealed class SubsampleWorker
         SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null)
     {
         ImageView view = frame.View;
-        if (pixels.Grid is { } grid)
-        {
-            DrawGrid(surface, frame, grid, band, parts);
-            return;
-        }
-
         _band.Begin(pixels, view.Camera.Model, band);
         if (frame.Lens is { } lens)
         {
@@ -43,17 +34,6 @@ internal sealed class SubsampleWorker
 
         parts.Take(_band, view.Camera.Model);
         merged?.Take(_band, view.Camera.Model, mayBeSplit: false);
-    }
-
-    /// <summary>Draws the samples of a grid as the pixels of a finer image.</summary>
-    private void DrawGrid(SurfaceModel surface, VisibilityPass frame, SamplePattern pattern, SampledBand rows, PixelParts parts)
-    {
-        FrameCamera camera = frame.View.Camera;
-        int across = pattern.Across;
-        _grid.Begin(across * camera.Width, across * rows.FirstRow, across * (rows.LastRow - rows.FirstRow + 1));
-        _grid.ClearFacets();
-        _worker.Draw(surface, new ImageView(camera, 0.0, 0.0, perAxis: across), frame.Blocks, _grid);
-        _gridParts.Find(_grid, pattern, camera.Model, parts);
     }
 
     private void DrawPinhole(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks)

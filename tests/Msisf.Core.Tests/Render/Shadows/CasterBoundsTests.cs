@@ -67,9 +67,7 @@ public sealed class CasterBoundsTests
     private static CasterBounds Bounds(Vector3D receiver, double slope)
     {
         ReceiverSort receivers = new();
-        PointReceivers points = new([receiver], 1);
-        receivers.Prepare(points, new LightSource(Sun, slope), 1, default);
-        receivers.Read(points, new NightZone(1e6, slope), _ => { }, 1, default);
+        receivers.Read(new PointReceivers([receiver], 1), new LightSource(Sun, slope), new NightZone(1e6, slope), _ => { }, 1, default);
         return new CasterBounds(receivers, slope, Radius + 10e3);
     }
 }

@@ -14,7 +14,7 @@ public sealed class SamplePatternTests
             from column in Enumerable.Range(0, 8)
             select (-0.4375 + (0.125 * column), -0.4375 + (0.125 * row));
 
-        Assert.Equal(grid.Order(), SamplePattern.Progressive.Right.Zip(SamplePattern.Progressive.Down).Order());
+        Assert.Equal(grid.Order(), SamplePattern.Right.Zip(SamplePattern.Down).Order());
     }
 
     [Theory]
@@ -24,28 +24,12 @@ public sealed class SamplePatternTests
     [InlineData(8)]
     public void Samples_OfTheFirstVectors_AreAsManyInEachRowAndColumn(int vectors)
     {
-        IEnumerable<double> right = SamplePattern.Progressive.Right.Take(8 * vectors);
-        IEnumerable<double> down = SamplePattern.Progressive.Down.Take(8 * vectors);
+        IEnumerable<double> right = SamplePattern.Right.Take(8 * vectors);
+        IEnumerable<double> down = SamplePattern.Down.Take(8 * vectors);
 
         Assert.All(right.GroupBy(x => x), column => Assert.Equal(vectors, column.Count()));
         Assert.All(down.GroupBy(y => y), row => Assert.Equal(vectors, row.Count()));
         Assert.Equal(8, right.Distinct().Count());
         Assert.Equal(8, down.Distinct().Count());
-    }
-
-    [Theory]
-    [InlineData(2)]
-    [InlineData(3)]
-    [InlineData(8)]
-    public void OfGrid_AnyNumberAcross_IsEachPlaceOnceInWholeVectors(int across)
-    {
-        SamplePattern found = SamplePattern.OfGrid(across);
-        IEnumerable<(double, double)> grid =
-            from row in Enumerable.Range(0, across)
-            from column in Enumerable.Range(0, across)
-            select (((column + 0.5) / across) - 0.5, ((row + 0.5) / across) - 0.5);
-
-        Assert.Equal(grid, found.Right.Zip(found.Down).Take(found.Count));
-        Assert.Equal(8 * found.Vectors, found.Right.Length);
     }
 }

@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
-using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 using Msisf.Core.Tests.Support;
@@ -42,33 +41,12 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         Compare(LensCases.Of(name, 0.4, 41, 30).At(pinhole.State));
     }
 
-    [Theory]
-    [MemberData(nameof(Scenes))]
-    public void Draw_AGridOfAPinhole_ShowsWhatShiftedImagesShow(string name)
-    {
-        int across = 2 + (name.Length % 3);
-        Compare(RenderScenes.Named(name).Camera(rugged.Grid, 30, 41), SamplePattern.OfGrid(across));
-    }
-
-    [Theory]
-    [InlineData(2)]
-    [InlineData(8)]
-    public void Draw_AGridOfAPinholeOffCentreWithSkew_ShowsWhatShiftedImagesShow(int across)
-    {
-        PinholeCamera camera = RenderScenes.Named("oblique-20km").Camera(rugged.Grid, 30, 41);
-        CameraModel model = new(30, 41, (40.0, 37.0), (3.0, 24.5), skew: 1.5);
-        Compare(model.At(camera.State), SamplePattern.OfGrid(across));
-    }
-
-    [Theory]
-    [InlineData(0)]
-    [InlineData(3)]
-    public void Take_SamplesOnOneFacet_AreOnePartAtTheirMean(int across)
+    [Fact]
+    public void Take_SamplesOnOneFacet_AreOnePartAtTheirMean()
     {
         PinholeCamera camera = RenderScenes.Named("nadir-100km").Camera(rugged.Grid, 20, 20);
-        SamplePattern? grid = across == 0 ? null : SamplePattern.OfGrid(across);
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> split, _) = Parts(camera, isSplit: true, grid);
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> joined, _) = Parts(camera, isSplit: false, grid);
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> split, _) = Parts(camera, isSplit: true);
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> joined, _) = Parts(camera, isSplit: false);
 
         var expected = split.GroupBy(part => (part.Pixel, part.Facet)).ToDictionary(
             group => group.Key, group => (Weight: group.Sum(part => part.Weight), Points: group.Select(part => part.Point).ToArray()));
@@ -83,17 +61,15 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         });
     }
 
-    private void Compare(FrameCamera camera, SamplePattern? grid = null)
+    private void Compare(FrameCamera camera)
     {
-        SamplePattern pattern = grid ?? SamplePattern.Progressive;
-        int samples = grid?.Count ?? Vectors * SamplePattern.Lanes;
-        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> parts, ImageView view) = Parts(camera, isSplit: true, grid);
+        (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> parts, ImageView view) = Parts(camera, isSplit: true);
         Dictionary<(int, FacetId), List<Vector3D>> points = [];
         int expected = 0;
         VisibilityPass pass = new(new SurfaceModel(rugged.Grid));
-        for (int sample = 0; sample < samples; sample++)
+        for (int sample = 0; sample < Vectors * SamplePattern.Lanes; sample++)
         {
-            VisibleSurface shifted = pass.Run(camera, 2, CancellationToken.None, pattern.Right[sample], pattern.Down[sample]);
+            VisibleSurface shifted = pass.Run(camera, 2, CancellationToken.None, SamplePattern.Right[sample], SamplePattern.Down[sample]);
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {
                 if (shifted.TryGet((pixel % camera.Width) + 1, (pixel / camera.Width) + 1, out SurfaceHit hit))
@@ -118,40 +94,22 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     }
 
     private (List<(int Pixel, FacetId Facet, Vector3D Point, double Weight)> Parts, ImageView View) Parts(
-        FrameCamera camera, bool isSplit, SamplePattern? grid = null)
+        FrameCamera camera, bool isSplit)
     {
         SurfaceModel surface = new(rugged.Grid);
         VisibilityPass pass = new(surface);
         pass.Run(camera, 2, CancellationToken.None);
         SampledPixels pixels = new();
-        if (grid is not null)
-        {
-            pixels.TakeAll(camera.Width, camera.Height, grid);
-        }
-        else
-        {
-            pixels.Prepare(camera.Width, camera.Height);
-            Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
-            Array.Fill(pixels.VectorsOfRow, Vectors * camera.Width);
-            pixels.Cut();
-        }
-
+        pixels.Prepare(camera.Width, camera.Height);
+        Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
         SubsampleWorker worker = new();
         List<(int, FacetId, Vector3D, double)> found = [];
+        Array.Fill(pixels.VectorsOfRow, Vectors * camera.Width);
+        pixels.Cut();
         foreach (SampledBand band in pixels.Bands)
         {
             PixelParts parts = new();
             worker.Draw(surface, pass, pixels, band, parts);
-            if (grid is not null && isSplit)
-            {
-                PixelParts samples = new();
-                byte[] all = [.. Enumerable.Repeat(ShadowPass.Unsure, parts.Count)];
-                Assert.Equal(samples.Count, parts.CountSamples(new byte[parts.Count], ShadowPass.Unsure));
-                samples.TakeSamples(parts, all, ShadowPass.Unsure, grid, pass.View);
-                Assert.Equal(samples.Count, parts.CountSamples(all, ShadowPass.Unsure));
-                parts = samples;
-            }
-
             PartRows partRows = new();
             partRows.Begin(pass.View);
             partRows.Add(parts);

@@ -1,0 +1,82 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface;
+
+namespace Msisf.Core.Render.Shadows;
+
+/// <summary>Bounds of all points of some blocks that do not lie in the night zone.</summary>
+internal sealed class BlockReceivers : IReceiverBounds
+{
+    /// <summary>Number of bins along each edge of the grid: more than there are blocks along the edge of most images.</summary>
+    private const int Size = 128;
+
+    /// <summary>m: the night zone begins at the depth 0; above it by more than rounding.</summary>
+    private const float Dusk = (float)SureLight.Margin;
+
+    private readonly DepthPyramid _depths = new();
+    private readonly LightAxis _u;
+    private readonly LightAxis _v;
+
+    /// <summary>Finds the bounds.</summary>
+    /// <param name="surface">The surface.</param>
+    /// <param name="blocks">The blocks; their bounds are known.</param>
+    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="solidRadius">Radius of the night zone, m.</param>
+    public BlockReceivers(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunMoonMe, double solidRadius)
+    {
+        List<TerrainNode> nodes = [];
+        Vector3D sum = default;
+        foreach (CellBlock block in blocks)
+        {
+            Patch patch = surface.Patches[block.Part];
+            nodes.Add(patch.NodeOf(block.Node, patch.BoundsOf(block.Node)));
+            sum += nodes[^1].Cap.Centre;
+        }
+
+        Frame = new LightFrame(sunMoonMe, sum);
+        List<LightBounds> bounds = [.. nodes.Select(node => LightBounds.Of(Frame, node)).Where(node => !IsNight(node.Box, node.MinDepth))];
+        Box = bounds.Aggregate(LightBox.Empty, (box, node) => LightBox.Union(box, node.Box));
+        (_u, _v) = (new LightAxis(Box.MinU, Box.MaxU, Size), new LightAxis(Box.MinV, Box.MaxV, Size));
+        _depths.Prepare(Size, Size);
+        _depths.Bins.AsSpan(0, Size * Size).Fill(float.NegativeInfinity);
+        foreach (LightBounds node in bounds)
+        {
+            float depth = MathF.BitIncrement((float)node.MaxDepth);
+            GridRange bins = BinsOf(node.Box);
+            for (int row = bins.FirstRow; row <= bins.LastRow; row++)
+            {
+                for (int column = bins.FirstColumn; column <= bins.LastColumn; column++)
+                {
+                    ref float bin = ref _depths.Bins[(row * Size) + column];
+                    bin = Math.Max(bin, depth > Dusk && IsNight(BoxOf(column, row), depth) ? Dusk : depth);
+                }
+            }
+        }
+
+        _depths.Finish();
+
+        // What is that deep and so near to the axis of light lies in the night zone.
+        bool IsNight(in LightBox box, double minDepth)
+        {
+            double u = Math.Max(Math.Abs(box.MinU), Math.Abs(box.MaxU));
+            double v = Math.Max(Math.Abs(box.MinV), Math.Abs(box.MaxV));
+            return minDepth >= Dusk && double.Hypot(u, v) < solidRadius - SureLight.Margin;
+        }
+    }
+
+    /// <inheritdoc/>
+    public LightFrame Frame { get; }
+
+    /// <inheritdoc/>
+    public LightBox Box { get; }
+
+    /// <inheritdoc/>
+    public double MaxDepth => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
+
+    /// <inheritdoc/>
+    public double MaxDepthIn(in LightBox box) => _depths.Max(BinsOf(in box));
+
+    private GridRange BinsOf(in LightBox box) => new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
+
+    private LightBox BoxOf(int column, int row) =>
+        new(_u.StartOf(column), _u.StartOf(column + 1), _v.StartOf(row), _v.StartOf(row + 1));
+}
