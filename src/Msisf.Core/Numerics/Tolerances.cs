@@ -115,8 +115,8 @@ public static class Tolerances
     public const double LevelSlope = 1e-14;
 
     /// <summary>
-    /// Cosine of incidence, by which a facet must differ from a right angle to the Sun so that each point of it has the same sign: far above
-    /// rounding.
+    /// Cosine of incidence, by which a facet must differ from a right angle to the Sun so that each point of it has the same sign: far
+    /// above rounding.
     /// </summary>
     public const double FacingOfFacet = 1e-6;
 }

@@ -16,7 +16,9 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
 {
     private static readonly NativeRenderOptions Options = new() { Reflectance = new LambertReflectance(0.64), KeepGroundTruth = true };
 
-    /// <summary>1: the samples on a facet may share its brightness, though the angle to the Sun is not quite the same all over it.</summary>
+    /// <summary>
+    /// 1: the samples on a facet may share its brightness, though the angle to the Sun is not quite the same all over it.
+    /// </summary>
     private const double OfShared = 1e-6;
 
     private readonly NativeRenderer _renderer = new(rugged.Grid);

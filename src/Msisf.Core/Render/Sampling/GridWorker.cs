@@ -1,9 +1,9 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
@@ -35,11 +35,14 @@ internal sealed class GridWorker
     /// <summary>Brightness of facets whose points may differ in their light.</summary>
     private const double Unsure = double.NaN;
 
-    /// <summary>Planes that rays meet at a smaller sine are left to the single samples: there the points are not sure to a millimetre.</summary>
+    /// <summary>
+    /// Planes that rays meet at a smaller sine are left to the single samples: there the points are not sure to a millimetre.
+    /// </summary>
     private const double MinSine = 1e-4;
 
     /// <summary>
-    /// A facet whose length is a larger part of the distance to the Sun is left to the single samples: the angle to the Sun is not the same.
+    /// A facet whose length is a larger part of the distance to the Sun is left to the single samples: the angle to the Sun is not the
+    /// same.
     /// </summary>
     private const double MaxLength = 3e-7;
 

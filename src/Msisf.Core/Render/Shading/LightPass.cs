@@ -64,7 +64,9 @@ internal sealed class LightPass
     public static bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
         light.IsSun && !HasDisc(light, options) && RowShader.IsFlat(options);
 
-    /// <summary>Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.</summary>
+    /// <summary>
+    /// Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.
+    /// </summary>
     public SureLight FindCasters(
         IEnumerable<CellBlock> blocks, SceneLight light, int bins, int threads, CancellationToken cancellation) =>
         _shadows.FindCasters(blocks, light.PositionMoonMe, bins, threads, cancellation);

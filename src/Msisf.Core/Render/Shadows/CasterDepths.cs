@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Shading;

@@ -54,7 +54,8 @@ public sealed class SureLightTests(RuggedTerrain rugged) : IClassFixture<RuggedT
                 for (int point = 0; point < 5 && found != PieceLight.Unsure; point++)
                 {
                     double[] weights = [.. corners.Select(_ => random.NextDouble())];
-                    Vector3D inside = corners.Zip(weights, (corner, weight) => (weight / weights.Sum()) * corner).Aggregate((a, b) => a + b);
+                    Vector3D inside = corners.Zip(weights, (corner, weight) => (weight / weights.Sum()) * corner)
+                        .Aggregate((a, b) => a + b);
                     Vector3D up = inside.Normalized();
                     if (tracer.TryTrace(new Ray(4e6 * up, -up), out SurfaceHit own) && own.Facet == hit.Facet)
                     {
