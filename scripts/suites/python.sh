@@ -27,9 +27,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p TestResults
 if part_is_here zmq; then
-    suites=(python cpp basilisk)
+    suites=(python cpp matlab basilisk)
 else
-    suites=(python cpp)
+    suites=(python cpp matlab)
     record skipped python 'all tests of clients/basilisk (missing: zmq)'
 fi
 for suite in "${suites[@]}"; do

@@ -1,0 +1,36 @@
+% Driven by test_matlab.py: writes images of some states as raw bytes, and what goes wrong as text.
+function run_stream(host, port, folder)
+    pkg('load', 'instrument-control');
+    frame = '{"width": 37, "height": 20, "fov": 33.5, "bit-depth": 16}';
+    stream = MsisfStream(host, port, frame, '0123456789abcdef');
+    first = stream.render(55289.25, [1.9e6 1e5 -2e5], [0 0 0 1]);
+    keep(folder, 'first', first);
+    try
+        stream.render(55289.25, [1e5 0 0], [0 0 0 1]);
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
+    keep(folder, 'second', stream.renderOptions('{"position": [0, 30, 1e5], "time": 55289.5}'));
+    try
+        stream.render(55289.25, [1e5 0 NaN], [0 0 0 1]);
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
+    try
+        MsisfStream(host, port, '{"fov": 400}', '0123456789abcdef');
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
+    try
+        MsisfStream(host, port, frame, 'wrong');
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
+    fprintf('%s %d %d\n', class(first), size(first));
+end
+
+function keep(folder, name, image)
+    file = fopen(fullfile(folder, name), 'w');
+    fwrite(file, image', class(image));
+    fclose(file);
+end
