@@ -205,6 +205,68 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.InRange(90.0 - Npy("alone.sphere-incidence").Average(value => BitConverter.ToDouble(value)), sun - 0.05, sun + 0.05);
     }
 
+    /// <summary>
+    /// Moved up, the map lies higher by as much, and as the layer says; the meta file tells it. Shifted, it is seen beside its place.
+    /// </summary>
+    [RequiresFact(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
+    public void Run_MovedMap_LiesWhereItIsSaid()
+    {
+        string map = TestParts.PolarPiece("NPC")!;
+        double[] HeightsOf(string name, string options)
+        {
+            CommandLineRun run = CommandLineRun.Of(
+                ["--renderer", "native", "--ldem", TestParts.Ldem4Label!, "--ldem", map + options, "--position=-84.809,125.96,20000",
+                 "--time", "61060", "--ignore-sun", "--lod", "off", "--width", "80", "--height", "80", "--fov", "3.4", "--layers",
+                 "height,source", "--layers-format", "npy", "--batch", "--output-dir", _folder["out"], "--output-name", name]);
+            Assert.True(run.ExitCode == 0, run.Error);
+            (int, int)[] sources =
+                [.. Npy(name + ".source").Select(value => (BitConverter.ToInt32(value), BitConverter.ToInt32(value, 4)))];
+            Assert.InRange(sources.Count(source => source == (1, 1)), 6300, 6400);
+            Assert.All(sources, source => Assert.Contains(source, ((int, int)[])[(1, 1), (1, 3)])); // measured, or a seam in a corner
+            return [.. Npy(name + ".height").Select(value => BitConverter.ToDouble(value))];
+        }
+
+        double[] before = HeightsOf("before", string.Empty);
+        double[] raised = HeightsOf("raised", ",offset=-37.5");
+        double[] met = HeightsOf("met", ",offset=auto");
+        double[] shifted = HeightsOf("shifted", ",shift=-100,0");
+
+        Assert.InRange(raised.Average() - before.Average(), -38.5, -36.5); // rays through pixels meet other ground
+        Assert.InRange(met.Average() - before.Average(), 46.0, 48.0);
+        Assert.Contains(" offset=\"-37.5\" shiftEast=\"0\"", Meta("raised"), StringComparison.Ordinal);
+        Assert.Matches(" offset=\"4[67]\\.\\d+\" .* misfitMean=\"-?0\\.00\"", Meta("met"));
+
+        // The camera looks down with north up: 100 m are 6.7 pixels to the left.
+        double best = Enumerable.Range(-12, 25).MinBy(right => Enumerable.Range(15, 50).Sum(x => Enumerable.Range(0, 80).Sum(
+            y => Math.Abs(shifted[(80 * y) + x] - before[(80 * y) + x + right]))));
+        Assert.InRange(best, 6, 7);
+    }
+
+    /// <summary>Options that can't be are one line that says what to do.</summary>
+    [RequiresTheory(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
+    [InlineData(",offset=3", "", 1, "a model of the whole Moon is what others are joined to")]
+    [InlineData("", ",shift=2e5,0", 1, "shift= is at most 100 km")]
+    [InlineData("", ",offset=30000", 2, "its values look like")]
+    [InlineData(",scale=2", "", 1, "scale= is for other rasters")]
+    public void Run_MoveThatCantBe_IsRefused(string ofMoon, string ofMap, int exitCode, string message)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["--renderer", "native", "--ldem", TestParts.Ldem4Label! + ofMoon, "--ldem", TestParts.PolarPiece("NPC")! + ofMap,
+             "--position=-84.8,126,9000", "--time", "61060", "--batch", "--output-dir", _folder["out"]]);
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+    }
+
+    [RequiresFact(Part.PolarPieces, Part.GdalLibrary)]
+    public void Run_OneMapThatIsToMeetOthers_SaysThatThereAreNone()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            ["--renderer", "native", "--ldem", TestParts.PolarPiece("NPC")! + ",offset=auto", "--position=-84.8,126,9000", "--time",
+             "61060", "--batch", "--output-dir", _folder["out"]]);
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("and there are none. Give a model of the whole Moon", run.Error, StringComparison.Ordinal);
+    }
+
     /// <summary>%: pixels on which the Sun's centre shines, of an image of the map's middle, 300 m and more from its sides.</summary>
     private double LitShare(string name, string time, string[] models)
     {

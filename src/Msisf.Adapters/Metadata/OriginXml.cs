@@ -63,7 +63,11 @@ internal static class OriginXml
         $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
             + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
             + $"drawn=\"{part.Drawn?.NumberText ?? "no"}\" "
-            + $"unit=\"{part.Resolution.Unit}\"{Misfit(part.Misfit)} />");
+            + $"unit=\"{part.Resolution.Unit}\"{Moved(part.Moved)}{Misfit(part.Misfit)} />");
+
+    private static string Moved(PartMove? moved) => moved is not { } by ? string.Empty : string.Create(
+        CultureInfo.InvariantCulture,
+        $" offset=\"{by.Offset:R}\" shiftEast=\"{by.East:R}\" shiftNorth=\"{by.North:R}\" movedUnit=\"m\"");
 
     /// <summary>The misfit at the border, rounded to what it can tell.</summary>
     private static string Misfit(PartMisfit? misfit) => misfit is null ? string.Empty : string.Create(

@@ -41,6 +41,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<ModelLevels> _levels;
     private readonly Func<double?, IFrameTerrain> _detailOf;
     private readonly IReadOnlyList<BorderMisfit> _misfits = [];
+    private readonly IReadOnlyList<PartMove?> _moves = [];
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     internal ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
@@ -77,14 +78,17 @@ internal sealed class ElevationModel : IDisposable
     internal ElevationModel(NestedTerrain nested, IReadOnlyList<BorderMisfit> misfits, IReadOnlyList<ElevationModel> models)
         : this(nested, [.. models.Select(model => model.Set)], models)
     {
-        _misfits = misfits;
+        (_misfits, _moves) = (misfits, [.. models.Select(model => model.Moved)]);
         Lazy<NestedLevels> levels = new(() => new NestedLevels(nested, [.. models.Select(model => model.LevelsInScene(models.Count))]));
         _detailOf = error => error is double pixels ? new SceneDetail(levels.Value, pixels) : new FullDetail(nested);
     }
 
-    private ElevationModel(
-        RefinedTerrain refined, IReadOnlyList<LdemSet> sets, IReadOnlyList<BorderMisfit> misfits, IReadOnlyList<ElevationModel> models)
-        : this((ITerrain)refined, sets, models) => (_detailOf, _misfits) = (_ => new RefinedDetail(refined), misfits);
+    private ElevationModel(RefinedTerrain refined, ElevationModel model, IReadOnlyList<ElevationModel> closed)
+        : this((ITerrain)refined, model.Sets, closed) =>
+        (_detailOf, _misfits, _moves) = (_ => new RefinedDetail(refined), model._misfits, model._moves);
+
+    /// <summary>How far the user moved it; null if not at all.</summary>
+    public PartMove? Moved { get; private init; }
 
     /// <summary>The samples; of several models the surface that they make together.</summary>
     public ITerrain Grid { get; }
@@ -118,6 +122,7 @@ internal sealed class ElevationModel : IDisposable
         .. Grid.Models.Select((grid, part) => new ElevationPart(
             grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part])
         {
+            Moved = part < _moves.Count ? _moves[part] : null,
             Misfit = part > 0 && part <= _misfits.Count ? PartMisfit.Of(_misfits[part - 1]) : null,
         }),
         .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(Grid.InventedName!, IsSynthetic: true, window!.Value, window)),
@@ -142,6 +147,11 @@ internal sealed class ElevationModel : IDisposable
         ? Levels
         : MapLevels.Open((ITerrainGrid)Grid, TerrainLevels.DefaultCacheBytes / models, keepsGaps: true);
 
+    /// <summary>The same map at another place, with which this is closed.</summary>
+    /// <param name="grid">The samples there.</param>
+    /// <param name="moved">How far it was moved in all.</param>
+    public ElevationModel At(ITerrainGrid grid, PartMove moved) => new(grid, Set, this) { Moved = moved };
+
     /// <summary>The same model with invented detail.</summary>
     /// <param name="detail">What is invented.</param>
     /// <param name="host">Receives log messages.</param>
@@ -158,7 +168,7 @@ internal sealed class ElevationModel : IDisposable
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
                         + $"and wider; it is not on the real Moon."));
-                return new ElevationModel(terrain, Sets, _misfits, isClosedWithIt ? [this] : []);
+                return new ElevationModel(terrain, this, isClosedWithIt ? [this] : []);
             });
         }
         catch

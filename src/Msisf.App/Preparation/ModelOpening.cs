@@ -30,16 +30,17 @@ internal static class ModelOpening
         if (explicitPath is not null)
         {
             ModelPath model = ModelPath.Parse(explicitPath);
-            if (RasterFiles.IsForGdal(model.Path))
-            {
-                return OpenRaster(model, host);
-            }
-
-            explicitPath = model.Heights.IsEmpty ? model.Path : throw new UsageException(
-                $"{SurfaceOptions.Ldem.Name} {explicitPath}: the label of a PDS3 model says what its values mean; scale= and offset= are "
-                    + "for other rasters. Leave them out.").About(SurfaceOptions.Ldem);
+            return MovedModel.Of(model, RasterFiles.IsForGdal(model.Path)
+                ? OpenRaster(model, host)
+                : OpenLdem(model.Path, resolution, isSparing, host, body));
         }
 
+        return OpenLdem(explicitPath, resolution, isSparing, host, body);
+    }
+
+    private static ElevationModel OpenLdem(
+        string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body)
+    {
         if (resolution.PixelsPerDegree is not { } pixelsPerDegree)
         {
             return OpenMap(explicitPath!, host);
@@ -85,6 +86,7 @@ internal static class ModelOpening
 
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
+                MovedModel.MeetBorders(opened, paths, host.Log);
                 SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
                 nested.Prepare(hasLevels);

@@ -3,6 +3,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
@@ -62,6 +63,7 @@ internal sealed class FrameDescription(
         settings.Albedo.Band)
     {
         Parts = model.Grid.PartCount,
+        Sources = rendered.Terrain is { } terrain && model.Grid.PartCount > 1 ? new FacetSources(terrain) : null,
         InventedDetail = rendered.PartResolutions.Count > model.Sets.Count ? model.Grid.InventedName : null,
         ReferenceRadius = model.Grid.ReferenceRadius,
     };

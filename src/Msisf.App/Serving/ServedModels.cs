@@ -182,8 +182,8 @@ internal sealed class ServedModels : IDisposable
                 isWholeMoon: false, model.Path, path, _host);
         }
 
-        return LdemCatalog.TryReadMap(path) is { Polar: { } polar } label
-            ? new ServedModel(label.ProductId, polar.Resolution, label.IsSynthetic, isWholeMoon: false, path, path, _host)
+        return LdemCatalog.TryReadMap(model.Path) is { Polar: { } polar } label
+            ? new ServedModel(label.ProductId, polar.Resolution, label.IsSynthetic, isWholeMoon: false, model.Path, path, _host)
             : null;
     }
 }

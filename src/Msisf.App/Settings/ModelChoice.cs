@@ -25,6 +25,13 @@ internal static class ModelChoice
             return ResolutionOfSeveral(several, values, geoTiffs);
         }
 
+        if (SurfaceOptions.Ldem.ReadIfGiven(values) is { } only && ModelPath.Parse(only).Placement.MeetsBorder)
+        {
+            throw new UsageException(
+                $"{SurfaceOptions.Ldem.Name} {only}: offset=auto raises a map to meet the models around it, and there are none. Give a "
+                    + "model of the whole Moon as well, or metres.").About(SurfaceOptions.Ldem);
+        }
+
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, geoTiffs) is not { } resolution)
         {
             return CylindricalResolutionOf(values);

@@ -5,19 +5,26 @@ using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 
-/// <summary>One elevation model as <c>--ldem</c> names it: a path, and what its values mean, as in "site.tif,scale=0.3048".</summary>
+/// <summary>
+/// One elevation model as <c>--ldem</c> names it: a path, what its values mean, and where it is moved, as in "site.tif,offset=-37.5".
+/// </summary>
 /// <param name="Path">The file or folder.</param>
 /// <param name="Heights">What the user says of its values.</param>
-internal sealed record ModelPath(string Path, HeightOptions Heights)
+/// <param name="Placement">How the user moves it.</param>
+internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacement Placement = default)
 {
     private const string Scale = "scale";
     private const string Offset = "offset";
+    private const string Shift = "shift";
+
+    /// <summary>Value of <see cref="Offset"/> for a model that is raised to meet those around it.</summary>
+    private const string Automatic = "auto";
 
     /// <summary>Parts that a text may have behind its path.</summary>
-    private const string ValidValues = "PATH[,scale=METRES][,offset=METRES] is needed";
+    private const string ValidValues = "PATH[,scale=METRES][,offset=METRES|auto][,shift=EAST,NORTH] is needed";
 
     /// <summary>Whether a text has options behind its path.</summary>
-    public static bool HasOptions(string text) => !Parse(text).Heights.IsEmpty;
+    public static bool HasOptions(string text) => Parse(text) is { Heights.IsEmpty: false } or { Placement: not (false, 0.0, 0.0) };
 
     /// <summary>Reads a text; a file whose name has commas in it is found as well.</summary>
     /// <exception cref="UsageException">An option is unknown, given twice, or no number.</exception>
@@ -31,23 +38,51 @@ internal sealed record ModelPath(string Path, HeightOptions Heights)
         }
 
         HeightOptions heights = default;
-        foreach (string[] option in parts[first..].Select(part => part.Split('=', 2)))
+        ModelPlacement placement = default;
+        HashSet<string> given = [];
+        for (int i = first; i < parts.Length; i++)
         {
-            double? value = option.Length == 2
-                && double.TryParse(option[1], NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
-                && double.IsFinite(number) ? number : null;
-            heights = (option[0], value) switch
+            string[] option = parts[i].Split('=', 2);
+            string? value = option.Length == 2 ? option[1] : null;
+            bool isFirst = given.Add(option[0]);
+            switch (option[0])
             {
-                (Scale, > 0.0) when heights.Scale is null => heights with { Scale = value },
-                (Offset, not null) when heights.Offset is null => heights with { Offset = value },
-                (Scale, _) => throw Wrong(text, "scale, metres a step of the values, is a number above 0, given once"),
-                (Offset, _) => throw Wrong(text, "offset, metres that are added, is a number, given once"),
-                _ => throw Wrong(text, $"'{option[0]}' is no option of a model"),
-            };
+                case Scale:
+                    heights = heights with
+                    {
+                        Scale = isFirst && Number(value) is > 0.0 and var scale
+                            ? scale
+                            : throw Wrong(text, "scale, metres a step of the values, is a number above 0, given once"),
+                    };
+                    break;
+                case Offset when isFirst && value == Automatic:
+                    placement = placement with { MeetsBorder = true };
+                    break;
+                case Offset:
+                    heights = heights with
+                    {
+                        Offset = (isFirst ? Number(value) : null)
+                            ?? throw Wrong(text, "offset, metres that are added, is a number or auto, given once"),
+                    };
+                    break;
+                case Shift:
+                    i++;
+                    placement = isFirst && Number(value) is { } east && Number(parts.ElementAtOrDefault(i)) is { } north
+                        ? placement with { East = east, North = north }
+                        : throw Wrong(text, "shift is two numbers, metres towards east and north, given once");
+                    break;
+                default:
+                    throw Wrong(text, $"'{option[0]}' is no option of a model");
+            }
         }
 
-        return new ModelPath(string.Join(',', parts[..first]), heights);
+        return new ModelPath(string.Join(',', parts[..first]), heights, placement);
     }
+
+    private static double? Number(string? text) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
+            ? number
+            : null;
 
     /// <summary>A part of a text that is meant as an option, so that a mistyped one is told as such.</summary>
     private static bool IsOption(string part) =>

@@ -27,11 +27,16 @@ internal static class NativeSettingsReader
         LayerSet? layers = NativeOptions.Layers.ReadIfGiven(values) is { } names
             ? NativeOptions.Layers.NamedInErrors(() => Layers(names))
             : null;
-        layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), layers == LayerSet.All, navigation);
+        bool isAll = layers == LayerSet.All;
+        layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), isAll, navigation);
         RefineSettings? refine = RefineSettings.Read(values);
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
         {
             layers = layers.OfSeveralModels();
+        }
+        else if (isAll)
+        {
+            layers = layers!.Without(layer => layer.NeedsModels);
         }
 
         GreyScale grey = NativeOptions.Exposure.Named(

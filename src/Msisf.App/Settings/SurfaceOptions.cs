@@ -32,6 +32,7 @@ internal static class SurfaceOptions
         PathKind.Any,
         "Elevation model: its label, its image (of a split model any of them), any raster of a part of the Moon that GDAL reads, or a "
             + "folder of models; behind the path of a raster ,scale=METRES and ,offset=METRES say what its values mean; "
+            + ",offset=METRES|auto and ,shift=EAST,NORTH (m) move a map; "
             + "given several times, the finest model wins where it has data")
     {
         TakesSeveral = true,

@@ -138,6 +138,15 @@ public static class LayerCatalogue
         {
             NeedsCraters = true,
         },
+        new(
+            "source", LayerType.Signed32, string.Empty,
+            "Where the height comes from. Model: its number, 0 the coarsest; of a seam the finest one that it joins; invented ground "
+                + "has the number after the last. Kind: 1 measured, 2 blended (changed to meet another model), 3 seam, 4 invented.",
+            SurfaceValues.Source,
+            "model", "kind")
+        {
+            NeedsModels = true,
+        },
     ];
 
     /// <summary>The layer "cell" of scenes of several elevation models.</summary>

@@ -1,4 +1,5 @@
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Layers;
@@ -16,6 +17,9 @@ public sealed record LayerProvenance(
 {
     /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
     public int Parts { get; init; } = 1;
+
+    /// <summary>Tells where the heights of facets come from; null if all are those of one model.</summary>
+    public FacetSources? Sources { get; init; }
 
     /// <summary>Name of the detail that was invented below the models' resolution, e.g. "REFINE_7"; null without.</summary>
     public string? InventedDetail { get; init; }

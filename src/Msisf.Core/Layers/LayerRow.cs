@@ -4,6 +4,7 @@ using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Layers;
 
@@ -67,6 +68,9 @@ internal sealed class LayerRow
     /// px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.
     /// </summary>
     public int? MeshPixelsPerDegree { get; }
+
+    /// <summary>Tells where the heights of facets come from; null if all are those of one model.</summary>
+    public FacetSources? Sources { get; init; }
 
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     public double ReferenceRadius { get; }

@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Layers;
 
@@ -12,6 +13,7 @@ public sealed class LayerSampler
     private readonly int? _meshPixelsPerDegree;
     private readonly double _referenceRadius;
     private readonly SpectralBand _band;
+    private readonly FacetSources? _sources;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Prepares a frame.</summary>
@@ -23,6 +25,7 @@ public sealed class LayerSampler
         _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
         _referenceRadius = provenance.ReferenceRadius;
         _band = provenance.Band;
+        _sources = provenance.Sources;
     }
 
     /// <summary>px.</summary>
@@ -74,7 +77,7 @@ public sealed class LayerSampler
         }
     }
 
-    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _band);
+    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _band) { Sources = _sources };
 
     /// <summary>What one thread computes in.</summary>
     private sealed record Scratch(LayerRow Row, double[] Values);

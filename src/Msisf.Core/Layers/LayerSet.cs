@@ -13,8 +13,9 @@ public sealed class LayerSet
     /// <summary>Every layer.</summary>
     public static LayerSet All { get; } = new(LayerCatalogue.All);
 
-    /// <summary>Every layer that frames without detector and without catalogue have.</summary>
-    public static LayerSet OfAnyFrame { get; } = new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters)]);
+    /// <summary>Every layer that frames of one elevation model, without detector and without catalogue, have.</summary>
+    public static LayerSet OfAnyFrame { get; } =
+        new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters && !layer.NeedsModels)]);
 
     /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>
     public static string ValidValues => $"{AllText}, or a list of {string.Join(", ", LayerCatalogue.All.Select(layer => layer.Name))}";

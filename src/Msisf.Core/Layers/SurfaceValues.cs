@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
+using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;
@@ -95,6 +96,17 @@ internal static class SurfaceValues
         for (int i = 0; i < facets.Length; i++)
         {
             values[i] = row.MeshPixelsPerDegree is { } pixelsPerDegree ? TileId.Holding(facets[i], pixelsPerDegree).Number : double.NaN;
+        }
+    }
+
+    /// <summary>Model and <see cref="FacetSource"/> of the facet.</summary>
+    public static void Source(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<FacetId> facets = row.Facets;
+        for (int i = 0; i < facets.Length; i++)
+        {
+            (int model, FacetSource source) = row.Sources?.Of(facets[i]) ?? (0, FacetSource.Measured);
+            values[i] = plane == 0 ? model : (int)source;
         }
     }
 

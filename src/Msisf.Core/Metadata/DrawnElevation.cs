@@ -23,9 +23,18 @@ public sealed record DrawnElevation(
 /// <param name="Drawn">Resolution of the level in the image; null for a model that is left out, because a coarser one is as fine.</param>
 public sealed record ElevationPart(string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution? Drawn)
 {
+    /// <summary>How far the user moved the model; null if not at all.</summary>
+    public PartMove? Moved { get; init; }
+
     /// <summary>How far the model is off those around it along its border; null for the coarsest, and where that is not said.</summary>
     public PartMisfit? Misfit { get; init; }
 }
+
+/// <summary>How far a model was moved before it was drawn; <c>default</c> is not at all.</summary>
+/// <param name="Offset">m upwards.</param>
+/// <param name="East">m towards the east.</param>
+/// <param name="North">m towards the north.</param>
+public readonly record struct PartMove(double Offset, double East, double North);
 
 /// <summary>How far a model is off those around it along its border: mean, root of the mean square, and the one farthest from 0.</summary>
 /// <param name="HeightMean">m: its height less that of the models around it.</param>

@@ -17,6 +17,19 @@ public sealed class ModelPathTests
         Assert.Equal(new ModelPath(path, new HeightOptions(scale, offset)), ModelPath.Parse(text));
 
     [Theory]
+    [InlineData("site.tif,offset=auto", true, 0.0, 0.0)]
+    [InlineData("site.tif,shift=120,-37.5", false, 120.0, -37.5)]
+    [InlineData("site.tif,shift=-1e3,0,offset=auto", true, -1000.0, 0.0)]
+    public void Parse_Placement_IsThatBehindThePath(string text, bool meetsBorder, double east, double north) => Assert.Equal(
+        new ModelPath("site.tif", default, new ModelPlacement(meetsBorder, east, north)), ModelPath.Parse(text));
+
+    [Theory]
+    [InlineData("site.tif,shift=1", "shift is two numbers")]
+    [InlineData("site.tif,shift=1,x", "shift is two numbers")]
+    [InlineData("site.tif,shift=1,2,3", "'3' is no option of a model")]
+    [InlineData("site.tif,shift=1,2,shift=1,2", "given once")]
+    [InlineData("site.tif,offset=auto,offset=3", "given once")]
+    [InlineData("site.tif,offset=Auto", "is a number or auto")]
     [InlineData("site.tif,scale=0", "scale, metres a step")]
     [InlineData("site.tif,scale=-1", "scale, metres a step")]
     [InlineData("site.tif,scale=NaN", "scale, metres a step")]

@@ -143,7 +143,7 @@ internal sealed class BorderBlend : IBlendedGrid
     public bool IsBlended(int line, int sample)
     {
         (int down, int right) = (line - Window.FirstLine, sample - Window.FirstSample);
-        right -= _isRing && right >= Samples ? Samples : 0;
+        right = Projection is Equirectangular ? (right + Samples) % Samples : right; // over the prime meridian
         int tile = (down / Side * _columns) + (right / Side);
         return _isBlended[tile] && _tiles.GetOrAdd(tile, NewTile).Distances[(down % Side * Side) + (right % Side)] <= Width;
     }

@@ -5,7 +5,7 @@ namespace Msisf.Core.Surface.Sources;
 /// <summary>A model that is changed to meet others. Safe for several threads.</summary>
 internal interface IBlendedGrid : ITerrainGrid
 {
-    /// <summary>Whether a sample's height is another one than the model's own.</summary>
+    /// <summary>Whether the height of a sample with data is another one than the model's own.</summary>
     /// <param name="line">The line.</param>
     /// <param name="sample">The sample.</param>
     bool IsBlended(int line, int sample);

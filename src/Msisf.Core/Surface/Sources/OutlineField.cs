@@ -8,10 +8,10 @@ namespace Msisf.Core.Surface.Sources;
 /// less, and nothing beyond the reach. Immutable.
 /// </summary>
 /// <remarks>
-/// r is the distance from a place to the nearest outline, c the width of the model's cells. Over the outlines within R = 2 r + c / 2, with
-/// weights (1 - (distance / R)^2)^2, m is the mean of the differences and a that of their absolute values. The height is m (1 - t)^2
-/// (1 + 2 t), with t = r / w, and w = max(2 c, 1.5 a / tan(0.5 degrees)). Distances are chords of the reference sphere, so that poles are
-/// places as all others. The slope of (1 - t)^2 (1 + 2 t) is 1.5 / w at most.
+/// r is the distance from a place to the nearest outline, c the width of the model's cells, and m the mean of the differences on the
+/// outlines within R = 2 r + c / 2, with weights (1 - (distance / R)^2)^2. The height is m (1 - t)^2 (1 + 2 t), with t = r / w, and
+/// w = max(2 c, 1.5 |m| / tan(0.5 degrees)). Distances are chords of the reference sphere, so that poles are places as all others. The
+/// slope of (1 - t)^2 (1 + 2 t) is 1.5 / w at most.
 /// </remarks>
 internal sealed class OutlineField
 {
@@ -28,7 +28,7 @@ internal sealed class OutlineField
     private const double PartsOfCell = 4.0;
 
     /// <summary>Divisions of R: a mean over longer pieces would differ by some thousandths of what the differences differ by.</summary>
-    private const double PiecesOfReach = 16.0;
+    private const double PiecesOfReach = 8.0;
 
     private readonly double _cell;
     private readonly double _finest;
@@ -41,9 +41,19 @@ internal sealed class OutlineField
     {
         _cell = cell;
         _finest = PieceOf(cell);
-        _top = OutlinePiece.TreeOf(differences, _finest);
+        (_top, IReadOnlyList<double> greatest) = OutlinePiece.TreeOf(differences, _finest);
         Limits = (Math.Min(0.0, differences.Min(one => one.Height)), Math.Max(0.0, differences.Max(one => one.Height)));
-        Reach = WidthOf(Math.Max(-Limits.Min, Limits.Max), cell);
+        Reach = LeastCells * cell;
+        for (int level = 0; level < greatest.Count; level++)
+        {
+            // The means at such distances are of pieces of this level.
+            double least = level == 0 ? 0.0 : 0.5 * ((PiecesOfReach * Math.ScaleB(_finest, level)) - (0.5 * cell));
+            double most = level == greatest.Count - 1
+                ? double.PositiveInfinity
+                : 0.5 * ((PiecesOfReach * Math.ScaleB(_finest, level + 1)) - (0.5 * cell));
+            double width = WidthOf(greatest[level], cell);
+            Reach = width > least ? Math.Max(Reach, Math.Min(width, most)) : Reach;
+        }
     }
 
     /// <summary>m: least and greatest height that any place gets.</summary>
@@ -60,21 +70,22 @@ internal sealed class OutlineField
     /// <summary>m: pieces of an outline that are told apart by a model with cells of a width.</summary>
     public static double PieceOf(double cell) => cell / PartsOfCell;
 
-    /// <summary>Whether no place within an angle of a direction may get any height.</summary>
+    /// <summary>m: distance of a direction from the nearest outline; null if that is farther than the reach and some more.</summary>
     /// <param name="direction">Unit vector, MOON_ME.</param>
-    /// <param name="around">m: a chord.</param>
-    public bool IsZeroWithin(Vector3D direction, double around)
+    /// <param name="more">m.</param>
+    public double? DistanceOf(Vector3D direction, double more)
     {
-        double nearest = Reach + around;
-        return !_top.FindNearest(MoonConstants.ReferenceRadius * direction, ref nearest);
+        double nearest = Reach + more;
+        return _top.FindNearest(MoonConstants.ReferenceRadius * direction, ref nearest) ? nearest : null;
     }
 
     /// <summary>m: the height that a place gets.</summary>
     /// <param name="direction">Unit vector, MOON_ME.</param>
-    public double At(Vector3D direction)
+    /// <param name="within">m: the nearest outline is not farther away than this, which saves time.</param>
+    public double At(Vector3D direction, double within = double.PositiveInfinity)
     {
         Vector3D place = MoonConstants.ReferenceRadius * direction;
-        double distance = Reach;
+        double distance = Math.Min(Reach, within);
         if (!_top.FindNearest(place, ref distance))
         {
             return 0.0;
@@ -83,8 +94,9 @@ internal sealed class OutlineField
         double around = (2.0 * distance) + (0.5 * _cell);
         OutlineMean mean = default;
         _top.AddTo(ref mean, place, around, Math.Max(_finest, around / PiecesOfReach));
-        double t = distance / WidthOf(mean.Absolute / mean.Weight, _cell);
-        return t < 1.0 ? mean.Height / mean.Weight * (1.0 - t) * (1.0 - t) * (1.0 + (2.0 * t)) : 0.0;
+        double height = mean.Height / mean.Weight;
+        double t = distance / WidthOf(Math.Abs(height), _cell);
+        return t < 1.0 ? height * (1.0 - t) * (1.0 - t) * (1.0 + (2.0 * t)) : 0.0;
     }
 
 }

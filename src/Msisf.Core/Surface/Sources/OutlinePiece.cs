@@ -13,7 +13,6 @@ internal sealed class OutlinePiece
     private Vector3D _middle;
     private double _length;
     private double _height;
-    private double _absolute;
     private double _radius;
 
     private OutlinePiece(double side) => _side = side;
@@ -21,8 +20,11 @@ internal sealed class OutlinePiece
     /// <summary>Divides outlines into pieces.</summary>
     /// <param name="differences">At least one.</param>
     /// <param name="finest">m: side of the smallest cubes.</param>
-    /// <returns>The piece that holds all others.</returns>
-    public static OutlinePiece TreeOf(IReadOnlyList<OutlineDifference> differences, double finest)
+    /// <returns>
+    /// The piece that holds all others, and m: the greatest absolute value of a piece's mean, for each size from the smallest to that one.
+    /// </returns>
+    public static (OutlinePiece Whole, IReadOnlyList<double> Greatest) TreeOf(
+        IReadOnlyList<OutlineDifference> differences, double finest)
     {
         CubeList pieces = new(finest);
         foreach (OutlineDifference one in differences)
@@ -36,15 +38,18 @@ internal sealed class OutlinePiece
         foreach ((_, OutlinePiece piece) in pieces.All)
         {
             piece._middle /= piece._length;
-            piece._absolute = Math.Abs(piece._height);
         }
 
+        List<double> greatest = [Greatest(pieces)];
         for (double side = 2.0 * finest; pieces.All.Count > 1; side *= 2.0)
         {
             pieces = Joined(pieces, side);
+            greatest.Add(Greatest(pieces));
         }
 
-        return pieces.All[0].Piece;
+        return (pieces.All[0].Piece, greatest);
+
+        static double Greatest(CubeList list) => list.All.Max(one => Math.Abs(one.Piece._height / one.Piece._length));
 
         // Counted from beyond all places, so that halving joins all cubes to one in the end.
         long Cube(double metres) => (long)Math.Floor((metres + (2.0 * MoonConstants.ReferenceRadius)) / finest);
@@ -103,8 +108,7 @@ internal sealed class OutlinePiece
 
         double rest = Math.Max(0.0, 1.0 - (squared / (around * around)));
         double weight = rest * rest;
-        mean = new OutlineMean(
-            mean.Weight + (weight * _length), mean.Height + (weight * _height), mean.Absolute + (weight * _absolute));
+        mean = new OutlineMean(mean.Weight + (weight * _length), mean.Height + (weight * _height));
     }
 
     private static CubeList Joined(CubeList pieces, double side)
@@ -122,7 +126,6 @@ internal sealed class OutlinePiece
                 whole._middle += part._length * part._middle;
                 whole._length += part._length;
                 whole._height += part._height;
-                whole._absolute += part._absolute;
             }
 
             whole._middle /= whole._length;
@@ -157,5 +160,4 @@ internal sealed class OutlinePiece
 /// <summary>Sums for the mean of the differences around a place.</summary>
 /// <param name="Weight">Of the weights.</param>
 /// <param name="Height">m: of the differences with their weights.</param>
-/// <param name="Absolute">m: of their absolute values.</param>
-internal readonly record struct OutlineMean(double Weight, double Height, double Absolute);
+internal readonly record struct OutlineMean(double Weight, double Height);

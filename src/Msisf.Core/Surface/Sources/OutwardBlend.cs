@@ -131,19 +131,16 @@ internal class OutwardBlend : IBlendedGrid
     /// <inheritdoc/>
     public bool IsBlended(int line, int sample)
     {
-        Span<bool> isGap = stackalloc bool[1];
-        if (_coarser is not null)
-        {
-            _grid.ReadGaps(line, sample, isGap);
-        }
-
-        return isGap[0] || (_field is not null && _field.At(Projection.DirectionOf(line, sample)) != 0.0);
+        (int down, int right) = (line - Window.FirstLine, RightOf(sample));
+        int tile = (down / Side * _columns) + (right / Side);
+        return _field is not null && StateOf(tile) == Changed
+            && _tiles.GetOrAdd(tile, NewTile)[(down % Side * Side) + (right % Side)] != 0.0;
     }
 
     private int RightOf(int sample)
     {
         int right = sample - Window.FirstSample;
-        return right >= Window.Samples && Projection is Equirectangular ? right % Samples : right;
+        return Projection is Equirectangular ? (right + Samples) % Samples : right; // over the prime meridian
     }
 
     private void ReadWithGaps(int line, int firstSample, Span<double> radii)
@@ -176,50 +173,107 @@ internal class OutwardBlend : IBlendedGrid
         int state = Volatile.Read(ref _states[tile]);
         if (state == Unknown)
         {
-            (double line, double sample) = FirstOf(tile);
-            Vector3D middle = Projection.DirectionOf(line + (0.5 * Side), sample + (0.5 * Side));
-            double around = 0.0;
-            for (int i = 0; i < 9; i++)
-            {
-                // Corners, and middles of the sides, which may be farther away beside a pole.
-                Vector3D rim = Projection.DirectionOf(line + (0.5 * Side * (i / 3)), sample + (0.5 * Side * (i % 3)));
-                around = Math.Max(around, (rim - middle).Length);
-            }
-
-            const double Margin = 1.1;
-            state = _field!.IsZeroWithin(middle, Margin * around * MoonConstants.ReferenceRadius) ? Untouched : Changed;
+            (Vector3D middle, double around) = BallOf(tile);
+            state = _field!.DistanceOf(middle, around) is null ? Untouched : Changed;
             Volatile.Write(ref _states[tile], state);
         }
 
         return state;
     }
 
+    /// <summary>Direction of a tile's middle, and m: no sample of it is farther away.</summary>
+    private (Vector3D Middle, double Around) BallOf(int tile)
+    {
+        const double Margin = 1.1;
+        (double line, double sample) = FirstOf(tile);
+        Vector3D middle = Projection.DirectionOf(line + (0.5 * Side), sample + (0.5 * Side));
+        double around = 0.0;
+        for (int i = 0; i < 9; i++)
+        {
+            // Corners, and middles of the sides, which may be farther away beside a pole.
+            Vector3D rim = Projection.DirectionOf(line + (0.5 * Side * (i / 3)), sample + (0.5 * Side * (i % 3)));
+            around = Math.Max(around, (rim - middle).Length);
+        }
+
+        return (middle, Margin * around * MoonConstants.ReferenceRadius);
+    }
+
     private (int Line, int Sample) FirstOf(int tile) =>
         (Window.FirstLine + (tile / _columns * Side), Window.FirstSample + (tile % _columns * Side));
 
-    /// <summary>m: what the samples of a tile get; nothing where they have no data.</summary>
+    /// <summary>
+    /// m: what the samples of a tile get; nothing where they have no data. Far from outlines it is found for some of them, and bilinear
+    /// between these.
+    /// </summary>
     private double[] NewTile(int tile)
     {
         double[] heights = new double[Side * Side];
         (int line, int sample) = FirstOf(tile);
-        Span<bool> isGap = stackalloc bool[1];
-        for (int i = 0; i < heights.Length; i++)
+        (Vector3D middle, double around) = BallOf(tile);
+        double distance = _field!.DistanceOf(middle, around) ?? _field.Reach;
+        int step = StepAt(distance - around);
+        int nodes = (Side / step) + (step > 1 ? 1 : 0);
+        double[] found = new double[nodes * nodes];
+        for (int node = 0; node < found.Length; node++)
         {
-            (int row, int column) = (line + (i / Side), sample + (i % Side));
-            if (row >= Window.EndLine || column >= Window.EndSample)
-            {
-                continue;
-            }
-
-            if (_coarser is not null)
-            {
-                _grid.ReadGaps(row, column, isGap);
-            }
-
-            heights[i] = isGap[0] ? 0.0 : _field!.At(Projection.DirectionOf(row, column));
+            found[node] = _field.At(
+                Projection.DirectionOf(line + (node / nodes * step), sample + (node % nodes * step)), distance + around);
         }
 
+        if (step == 1)
+        {
+            heights = found;
+        }
+        else
+        {
+            Interpolate(found, nodes, step, heights);
+        }
+
+        RemoveGaps(line, sample, heights);
         return heights;
+    }
+
+    private static void Interpolate(double[] found, int nodes, int step, double[] heights)
+    {
+        for (int i = 0; i < heights.Length; i++)
+        {
+            (int down, int right) = (i / Side, i % Side);
+            int node = (down / step * nodes) + (right / step);
+            (double v, double u) = (down % step / (double)step, right % step / (double)step);
+            heights[i] = ((1.0 - v) * (((1.0 - u) * found[node]) + (u * found[node + 1])))
+                + (v * (((1.0 - u) * found[node + nodes]) + (u * found[node + nodes + 1])));
+        }
+    }
+
+    /// <summary>
+    /// Samples from one that is found to the next, a divisor of <see cref="Side"/>: between them the heights are bilinear up to a
+    /// thousandth, as they change over a distance like that from the outline.
+    /// </summary>
+    private int StepAt(double distance)
+    {
+        const double StepsOfDistance = 32.0;
+        double samples = distance / (StepsOfDistance * Projection.Resolution.MetresPerPixel);
+        int step = 1;
+        while (step < Side && 2.0 * step <= samples)
+        {
+            step *= 2;
+        }
+
+        return step;
+    }
+
+    private void RemoveGaps(int line, int sample, double[] heights)
+    {
+        int samples = Math.Min(Side, Window.EndSample - sample);
+        Span<bool> gaps = stackalloc bool[samples];
+        for (int row = 0; row < Side && line + row < Window.EndLine && _coarser is not null; row++)
+        {
+            _grid.ReadGaps(line + row, sample, gaps);
+            for (int column = 0; column < samples; column++)
+            {
+                heights[(row * Side) + column] = gaps[column] ? 0.0 : heights[(row * Side) + column];
+            }
+        }
     }
 
     /// <summary>The same of a model of the whole Moon.</summary>

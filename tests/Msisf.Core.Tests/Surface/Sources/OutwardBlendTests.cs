@@ -100,15 +100,15 @@ public sealed class OutwardBlendTests
             }
 
             double reach = (2.0 * distance) + (0.5 * Cell);
-            (double weights, double heights, double sizes) = (0.0, 0.0, 0.0);
+            (double weights, double heights) = (0.0, 0.0);
             foreach (OutlineDifference one in differences)
             {
                 double part = (one.Place - (Radius * direction)).Length / reach;
                 double weight = part < 1.0 ? Math.Pow(1.0 - (part * part), 2.0) : 0.0;
-                (weights, heights, sizes) = (weights + weight, heights + (weight * one.Height), sizes + (weight * Math.Abs(one.Height)));
+                (weights, heights) = (weights + weight, heights + (weight * one.Height));
             }
 
-            double t = Math.Min(1.0, distance / Math.Max(2.0 * Cell, 1.5 * sizes / weights / MaxSlope));
+            double t = Math.Min(1.0, distance / Math.Max(2.0 * Cell, 1.5 * Math.Abs(heights) / weights / MaxSlope));
             Assert.InRange(field.At(direction) - (heights / weights * (1.0 - t) * (1.0 - t) * (1.0 + (2.0 * t))), -1.0, 1.0);
         }
     }
