@@ -9,6 +9,8 @@ public static class FrameFileNames
     private static readonly string[] Endings =
     [
         ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".craters.csv", ".craters.json", ".landmarks.csv",
+        ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
+        ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
         .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
     ];
 

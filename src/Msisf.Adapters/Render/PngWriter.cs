@@ -17,6 +17,7 @@ namespace Msisf.Adapters.Render;
 public static class PngWriter
 {
     private const byte GreyColorType = 0;
+    private const byte TrueColorType = 2;
     private const byte UpFilter = 2;
 
     /// <summary>Bytes that go to the compressor at once, about: as much as its window.</summary>
@@ -84,19 +85,32 @@ public static class PngWriter
         ArrayPool<ushort>.Shared.Return(samples);
     }
 
+    /// <summary>Writes colours of three numbers of 16 bits, which mean what the reader takes them for.</summary>
+    /// <param name="destination">The file; stays open.</param>
+    /// <param name="colors">Three numbers a pixel, by rows from the top, each from left to right.</param>
+    /// <param name="width">px.</param>
+    public static void WriteColors(Stream destination, ReadOnlySpan<ushort> colors, int width)
+    {
+        const int channels = 3;
+        destination.Write(Signature);
+        WriteHeader(destination, width, colors.Length / channels / width, bitDepth: 16, TrueColorType);
+        byte[] bytes = new byte[sizeof(ushort) * colors.Length];
+        for (int i = 0; i < colors.Length; i++)
+        {
+            BinaryPrimitives.WriteUInt16BigEndian(bytes.AsSpan(sizeof(ushort) * i), colors[i]);
+        }
+
+        WriteRows(destination, bytes, sizeof(ushort) * channels * width, RunsOnly());
+        PngChunk.Write(destination, "IEND"u8, []);
+    }
+
     private static ZLibCompressionOptions RunsOnly() =>
         new() { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding };
 
     private static void WriteHead(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer)
     {
         destination.Write(Signature);
-        Span<byte> header = stackalloc byte[13];
-        header.Clear();
-        BinaryPrimitives.WriteInt32BigEndian(header, width);
-        BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
-        header[8] = bitDepth;
-        header[9] = GreyColorType;
-        PngChunk.Write(destination, "IHDR"u8, header);
+        WriteHeader(destination, width, height, bitDepth, GreyColorType);
 
         // Hundred-thousandths of the exponent from level to light's inverse; beside sRGB the standard wants 1 / 2.2 for old readers.
         Span<byte> gamma = stackalloc byte[4];
@@ -107,6 +121,17 @@ public static class PngWriter
             ReadOnlySpan<byte> perceptualIntent = [0];
             PngChunk.Write(destination, "sRGB"u8, perceptualIntent);
         }
+    }
+
+    private static void WriteHeader(Stream destination, int width, int height, byte bitDepth, byte colorType)
+    {
+        Span<byte> header = stackalloc byte[13];
+        header.Clear();
+        BinaryPrimitives.WriteInt32BigEndian(header, width);
+        BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
+        header[8] = bitDepth;
+        header[9] = colorType;
+        PngChunk.Write(destination, "IHDR"u8, header);
     }
 
     /// <summary>Writes the pixels as the difference from the row above.</summary>

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Navigation;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -17,6 +18,9 @@ internal sealed record Frame(
     int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
     NoiseSeed? Noise = null)
 {
+    /// <summary>The frame to which its flow leads; null without a flow.</summary>
+    public FlowTarget? Flow { get; init; }
+
     /// <summary>The camera for POV-Ray.</summary>
     /// <exception cref="BadInputException">Its rows have several states.</exception>
     public FrameCamera FrameCamera => Camera as FrameCamera ?? throw new BadInputException(

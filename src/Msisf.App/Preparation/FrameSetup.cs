@@ -4,8 +4,11 @@ using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Navigation;
+using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
@@ -31,13 +34,21 @@ internal static class FrameSetup
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
             ICamera camera = model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
-            SceneLight light = settings.IgnoreSun
-                ? new SceneLight(state.PositionMoonMe, IsSun: false)
-                : new SceneLight(state.SunPositionMoonMe ?? sun().SunPositionMoonMe(state.Time, settings.Aberration), IsSun: true);
-            frames.Add(new Frame(step, names[step - 1], state.Time, camera, light, state.Motion, state.Noise));
+            frames.Add(new Frame(
+                step, names[step - 1], state.Time, camera, LightOf(FlowState.Of(state)), state.Motion, state.Noise)
+            {
+                Flow = state.Flow is { } flow
+                    ? new FlowTarget(
+                        model.At(new CameraState(flow.PositionMoonMe, flow.MoonFromCamera)), LightOf(flow))
+                    : null,
+            });
         }
 
         return [.. frames];
+
+        SceneLight LightOf(FlowState at) => settings.IgnoreSun
+            ? new SceneLight(at.PositionMoonMe, IsSun: false)
+            : new SceneLight(at.SunPositionMoonMe ?? sun().SunPositionMoonMe(at.Time, settings.Aberration), IsSun: true);
     }
 
     private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)

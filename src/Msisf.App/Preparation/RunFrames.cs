@@ -37,7 +37,8 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
             HasDetector = settings.Native.Detector is not null,
         };
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(Phase.States, () => reader.Read(trajectory, cancellation));
+        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
+            Phase.States, () => FlowStates.Of(reader.Read(trajectory, cancellation), settings));
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
         Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
         return new RunFrames(states, names, frames);

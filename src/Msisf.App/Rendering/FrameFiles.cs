@@ -25,6 +25,7 @@ internal sealed class FrameFiles
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
     private readonly FrameNavigation? _navigation;
+    private readonly FlowOutputs? _flows;
 
     public FrameFiles(
         RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times,
@@ -36,6 +37,7 @@ internal sealed class FrameFiles
         _ledger = ledger;
         _times = times;
         _navigation = navigation is null ? null : new FrameNavigation(navigation);
+        _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
     }
 
     /// <summary>Writes the files.</summary>
@@ -75,6 +77,12 @@ internal sealed class FrameFiles
         }
 
         paths.AddRange(_times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));
+        if (_flows is not null)
+        {
+            paths.AddRange(_times.Measure(Phase.Navigation, () => _flows.Write(
+                files, stem, frame, rendered, metadata, _description.Provenance(metadata, rendered), cancellation)));
+        }
+
         if (_settings.Native.Layers is LayerSet layers)
         {
             paths.AddRange(_times.Measure(Phase.Layers, () => WriteLayers(files, stem, metadata, rendered, layers, cancellation)));

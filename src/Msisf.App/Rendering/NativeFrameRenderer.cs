@@ -40,7 +40,7 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
         image.SetLength(0);
         times.Measure(Phase.Output, () => drawn.WritePng(image));
         image.Position = 0;
-        FrameOutputs outputs = new(files.Write(frame, drawn.ToRendered(image), cancellation), TileCount: 0, PatternsMade: 0);
+        FrameOutputs outputs = new(files.Write(frame, drawn.ToRendered(image, threads), cancellation), TileCount: 0, PatternsMade: 0);
         _idleImages.Add(image);
         return outputs;
     }

@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
+using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Rendering;
@@ -112,7 +113,8 @@ internal sealed class NativeImage : IDisposable
 
     /// <summary>The frame as its files are written from it.</summary>
     /// <param name="image">The image as PNG.</param>
-    public RenderedFrame ToRendered(Stream image) => new(
+    /// <param name="threads">Number of threads that may work on it.</param>
+    public RenderedFrame ToRendered(Stream image, int threads = 1) => new(
         RendererKind.Native,
         image,
         "the image",
@@ -122,6 +124,8 @@ internal sealed class NativeImage : IDisposable
         _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected)
     {
+        Redraw = new FrameRedraw(_renderer, _drawn.Camera, _detector?.Margin ?? 0, _drawing.Settings.Render),
+        Threads = threads,
         Terrain = _renderer.Terrain,
         PartResolutions = _renderer.PartResolutions,
     };

@@ -83,7 +83,8 @@ internal sealed class RenderRun
             AnnotationRenderer.RequireCairo();
         }
 
-        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true })
+        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true }
+            || _settings.Native.Navigation is { } wanted && wanted.FlowFormatNames?.Contains("fits") == true)
         {
             FitsLayerWriter.RequireCFitsio();
         }

@@ -1,4 +1,5 @@
 using Msisf.Core.Detector;
+using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
@@ -23,6 +24,12 @@ internal sealed record RenderedFrame(
     IGroundTruth? Truth,
     DetectorImage? Detected = null)
 {
+    /// <summary>Draws the frame again with other lights; null if the renderer can't.</summary>
+    public FrameRedraw? Redraw { get; init; }
+
+    /// <summary>Number of threads that work on the frame.</summary>
+    public int Threads { get; init; } = 1;
+
     /// <summary>The terrain that the image shows, at its level of detail; null if the renderer does not say.</summary>
     public ITerrain? Terrain { get; init; }
 

@@ -62,6 +62,7 @@ internal sealed class RunPlan
     private static byte[] BytesOf(in SpacecraftState state) =>
     [
         .. MemoryMarshal.AsBytes<double>(state.ToNumbers()),
+        .. state.Flow is { } flow ? MemoryMarshal.AsBytes<double>(flow.ToNumbers()) : [],
         .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],
     ];
 

@@ -55,6 +55,7 @@ internal static class FrameArguments
             .. state.Motion is { } motion ? (string[])[CameraOptions.Motion.Name, List(motion.ToNumbers())] : [],
             .. state.SunPositionMoonMe is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             settings,
+            .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, List(flow.ToNumbers())] : [],
             .. state.Noise is { } noise ? (string[])[NativeOptions.NoiseSeed.Name, NoiseSeedText.Of(noise)] : [],
         ];
         return string.Join(' ', words);

@@ -12,6 +12,11 @@ internal static class NavigationOptions
     /// <summary>px: larger than any image.</summary>
     private const double MaxCraterSize = 1e5;
 
+    /// <summary>m: a rig as large as the Moon's orbit.</summary>
+    private const double MaxBaseline = 1e9;
+
+    private const string DefaultFlowFormat = "fits";
+
     /// <summary>Catalogue of craters.</summary>
     public static PathSpec Craters { get; } = new(
         "--craters", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Craters)), PathKind.File,
@@ -40,11 +45,44 @@ internal static class NavigationOptions
         "--landmarks", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Landmarks)), PathKind.File,
         "Lists where each image shows the points of a list (CSV), with partial derivatives, in the meta file and as CSV");
 
+    /// <summary>The word for the next frame of the run.</summary>
+    public const string NextFrame = "next";
+
+    /// <summary>The word for the frame of the run before.</summary>
+    public const string PreviousFrame = "previous";
+
+    /// <summary>The other frame of the flow.</summary>
+    public static TextSpec Flow { get; } = new(
+        "--flow", DecidesBytes.ByStates, $"{NextFrame}|{PreviousFrame}|FILE|STATE",
+        "Where each pixel's surface point lies in another image, whether that shows it, and how the light differs: of the run's next or "
+            + "previous image, of a meta file's, or of a state {MJD,rx,ry,rz,qx,qy,qz,q0}")
+    {
+        Words = [NextFrame, PreviousFrame],
+    };
+
+    /// <summary>m: baseline to a second camera.</summary>
+    public static NumberSpec Stereo { get; } = new(
+        "--stereo", DecidesBytes.As(frame => frame.Native?.Navigation?.Stereo), "METRES",
+        "Disparity of each pixel to a camera so far to the right of this one that looks the same way")
+    {
+        Limits = new NumberRange(0.0, MaxBaseline) { ExcludesMin = true },
+    };
+
+    /// <summary>File formats of flow and disparity.</summary>
+    public static TextSpec FlowFormat { get; } = new(
+        "--flow-format", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.FlowFormatNames), "LIST",
+        "Formats of flow and disparity, separated by commas: fits and npy (double precision), flo (Middlebury), kitti (PNG)")
+    {
+        Default = DefaultFlowFormat,
+        Separator = ",",
+        Words = ["fits", "npy", "flo", "kitti"],
+    };
+
     /// <summary>The options that are of use with a catalogue only.</summary>
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks])
+    public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Flow, Stereo, FlowFormat])
     {
         Note = "Only with --renderer native.",
     };

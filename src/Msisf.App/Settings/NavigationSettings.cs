@@ -20,6 +20,20 @@ internal sealed record NavigationSettings
     /// <summary>Path of the list of landmarks; null for none.</summary>
     public string? Landmarks { get; init; }
 
+    /// <summary>The other frame of the flow, as the user says it; null for none.</summary>
+    public string? Flow { get; init; }
+
+    /// <summary>m: baseline of a second camera; null for none.</summary>
+    public double? Stereo { get; init; }
+
+    /// <summary>Formats of flow and disparity.</summary>
+    public FlowFormats FlowFormats { get; init; }
+
+    /// <summary>Their names in the order of the option; null without flow.</summary>
+    public IEnumerable<string>? FlowFormatNames => Flow is null && Stereo is null
+        ? null
+        : NavigationOptions.FlowFormat.Words.Where((_, index) => FlowFormats.HasFlag((FlowFormats)(1 << index)));
+
     /// <summary>Reads the options.</summary>
     /// <returns>Null if no such truth is wanted.</returns>
     /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
@@ -33,15 +47,44 @@ internal sealed record NavigationSettings
         }
 
         string? landmarks = NavigationOptions.Landmarks.ReadIfGiven(values);
-        return craters is null && landmarks is null
+        string? flow = NavigationOptions.Flow.ReadIfGiven(values);
+        double? stereo = NavigationOptions.Stereo.ReadIfGiven(values);
+        FlowFormats formats = NavigationOptions.FlowFormat.NamedInErrors(() => Formats(NavigationOptions.FlowFormat.Read(values)));
+        if (values.IsGiven(NavigationOptions.FlowFormat) && flow is null && (stereo is null || formats == FlowFormats.Middlebury))
+        {
+            throw new UsageException(
+                $"{NavigationOptions.FlowFormat.Name} is given, but no {NavigationOptions.Flow.Name} that it is for. Add that, or leave it "
+                    + "out.").About(NavigationOptions.FlowFormat);
+        }
+
+        return craters is null && landmarks is null && flow is null && stereo is null
             ? null
             : new NavigationSettings
             {
                 Craters = craters,
                 Landmarks = landmarks,
+                Flow = flow,
+                Stereo = stereo,
+                FlowFormats = formats,
                 Rim = NavigationOptions.Rim.Read(values),
                 LeastDiameter = NavigationOptions.CraterSize.Read(values),
             };
+    }
+
+    private static FlowFormats Formats(string text)
+    {
+        FlowFormats formats = FlowFormats.None;
+        foreach (string name in text.Split(',', StringSplitOptions.TrimEntries))
+        {
+            int index = NavigationOptions.FlowFormat.Words.ToList().FindIndex(word => ChoiceSpec.IsSame(word, name));
+            formats |= index >= 0
+                ? (FlowFormats)(1 << index)
+                : throw new UsageException(
+                    $"{NavigationOptions.FlowFormat.Name} {text}: '{name}' is no format. Give some of "
+                        + $"{string.Join(", ", NavigationOptions.FlowFormat.Words)}.");
+        }
+
+        return formats;
     }
 
     /// <summary>The layers that there are: that of craters only with a catalogue.</summary>

@@ -23,6 +23,9 @@ public sealed class LayerSet
     /// <summary>In the order of <see cref="LayerCatalogue.All"/>, each once; at least one.</summary>
     public IReadOnlyList<Layer> Layers { get; }
 
+    /// <summary>Layers that are no part of the catalogue.</summary>
+    internal static LayerSet Of(IReadOnlyList<Layer> layers) => new(layers);
+
     /// <summary>Reads the value of <c>--layers</c>.</summary>
     /// <param name="text">"all", or names with commas between; order, capitals and blanks around names don't matter.</param>
     /// <exception cref="UsageException">A name is unknown, empty or given twice.</exception>

@@ -28,6 +28,9 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>The noise of the frame's detector; null for the one that the detector's seed and this state give.</summary>
     public NoiseSeed? Noise { get; init; }
 
+    /// <summary>The state to which the frame's flow leads; null without a flow.</summary>
+    public FlowState? Flow { get; init; }
+
     /// <summary>
     /// m, MOON_ME: where the light's Sun is, at least <see cref="NearestSun"/> away; null for the place that the ephemeris gives.
     /// </summary>
@@ -36,7 +39,7 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
     /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/> and
-    /// <see cref="SunPositionMoonMe"/>.
+    /// <see cref="SunPositionMoonMe"/> and <see cref="Flow"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [

@@ -121,7 +121,87 @@ public sealed class NavigationRunTests : IDisposable
         Assert.Equal(2500.0, Number(lines[2][Array.IndexOf(lines[0], "height")]), 1e-8);
     }
 
+    /// <summary>
+    /// The other formats hold the numbers of the arrays; a frame's own command line, and the other's meta file as target, give the same.
+    /// </summary>
+    [RequiresFact(Part.Ldem4, Part.CFitsio)]
+    public void Run_Flow_IsTheSameInAllFormatsAndAgain()
+    {
+        _folder.Write("b.csv", "time,lat,lon,height\n2010-03-25T06:00:00Z,-50,-12,500000\n2010-03-25T06:30:00Z,-49.5,-12.5,480000\n");
+        string[] series = ["--renderer", "native", "--batch-file", _folder["b.csv"], "--fov", "60", "--width", "64", "--height", "48"];
+        string[] formats = ["--stereo", "20000", "--flow-format", "fits,npy,flo,kitti"];
+        Assert.Equal(0, CommandLineRun.Of([.. series, "--flow", "next", .. formats, "--output-dir", _folder["all"]]).ExitCode);
+        string stem = Path.Combine(_folder["all"], "MoonSurfIllumSim_step_00001");
+        double[] flow = Doubles($"{stem}.flow.npy", 2 * 64 * 48);
+        byte[] classes = File.ReadAllBytes($"{stem}.flow-class.npy")[^(64 * 48)..];
+        byte[] middlebury = File.ReadAllBytes($"{stem}.flow.flo");
+        double[] disparity = Doubles($"{stem}.disparity.npy", 64 * 48);
+
+        Assert.Equal("PIEH"u8.ToArray(), middlebury[..4]);
+        Assert.Equal((64, 48), (BitConverter.ToInt32(middlebury, 4), BitConverter.ToInt32(middlebury, 8)));
+        Assert.Equal(12 + (8 * 64 * 48), middlebury.Length);
+        for (int i = 0; i < 64 * 48; i++)
+        {
+            Assert.Equal((float)flow[2 * i], BitConverter.ToSingle(middlebury, 12 + (8 * i)));
+            Assert.Equal((float)flow[(2 * i) + 1], BitConverter.ToSingle(middlebury, 16 + (8 * i)));
+        }
+
+        Assert.Equal([1, 3], classes.Distinct().Order().Select(value => (int)value));
+        Assert.All(disparity, value => Assert.InRange(value, 1.0, 5.0)); // 55.4 px of focal length x 20 km / 500 km
+        Assert.False(File.Exists(Path.Combine(_folder["all"], "MoonSurfIllumSim_step_00002.flow.npy")), "nothing comes after the last");
+        Assert.True(File.Exists(Path.Combine(_folder["all"], "MoonSurfIllumSim_step_00002.disparity.png")));
+
+        string[] alone = ["--frames", "1", "--flow-format", "npy", "--output-dir"];
+        string other = Path.Combine(_folder["all"], "MoonSurfIllumSim_step_00002.xml");
+        Assert.Equal(0, CommandLineRun.Of([.. series, "--flow", other, .. alone, _folder["file"]]).ExitCode);
+        Assert.Equal(
+            File.ReadAllBytes($"{stem}.flow.npy"), File.ReadAllBytes(_folder["file/MoonSurfIllumSim_step_00001.flow.npy"]));
+        string command = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Descendants("CommandLine").Single().Value;
+        Assert.EndsWith($" --flow '{{{string.Join(',', StateOf(other))}}}'", command, StringComparison.Ordinal);
+        string[] words = [.. command.Split('\'').SelectMany((part, i) => i % 2 == 1 ? [part] : part.Split(' '))];
+        Assert.Equal(0, CommandLineRun.Of([.. words.Where(word => word.Length > 0), "--output-dir", _folder["again"]]).ExitCode);
+        Assert.Equal(
+            File.ReadAllBytes($"{stem}.flow.fits"), File.ReadAllBytes(_folder["again/MoonSurfIllumSim_step_00001.flow.fits"]));
+    }
+
+    /// <summary>With a detector the frame is drawn with a margin, which a flow does not have.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_FlowWithADetector_IsThatWithout()
+    {
+        const string camera = "focal-length: 5\npixel-pitch: 0.05\nwidth: 64\nheight: 48\nprincipal-point: [20, 30]\n";
+        _folder.Write("plain.yaml", camera);
+        _folder.Write("detector.yaml", camera + "detector:\n  " + string.Join(
+            "\n  ", "f-number: 40", "exposure-time: 0.05", "band: [500, 650]", "quantum-efficiency: 0.45", "psf: gaussian",
+            "psf-sigma: 0.9", "psf-radius: 4", "full-well: 20000", "adc-bits: 12", "gain: 10", "bias: 64", "read-noise: 12", "seed: 7",
+            "fits: no") + "\n");
+        const string target = "{55280.3,990000,-250000,-2000000,"
+            + "-0.09174722774522856,0.7132528187887395,-0.044164349618345956,0.6934712488011102}";
+        foreach (string name in (string[])["plain", "detector"])
+        {
+            CommandLineRun run = CommandLineRun.Of(
+            [
+                "--renderer", "native", "--position", "-56,-14,500000", "--look-at", "-52,-12", "--time", "2010-03-25T06:00:00Z",
+                "--camera", _folder[$"{name}.yaml"], "--flow", target, "--flow-format", "npy", "--output-dir", _folder[name],
+            ]);
+            Assert.True(run.ExitCode == 0, run.Error);
+        }
+
+        foreach (string layer in (string[])["flow", "flow-class", "flow-light"])
+        {
+            Assert.Equal(
+                File.ReadAllBytes(_folder[$"plain/MoonSurfIllumSim_step_00001.{layer}.npy"]),
+                File.ReadAllBytes(_folder[$"detector/MoonSurfIllumSim_step_00001.{layer}.npy"]));
+        }
+    }
+
     [Theory]
+    [InlineData("--flow next", "--flow next leads to another image of the run, but that has one only.")]
+    [InlineData("--flow FILE:none.xml", "none.xml: there is no such file. Give next, previous, a meta file or a state")]
+    [InlineData("--flow FILE:bad.csv", "bad.csv: no meta file, or it does not say what made it.")]
+    [InlineData("--flow {1,2}", "--flow: 2 numbers, 8 expected")]
+    [InlineData("--flow-format npy", "--flow-format is given, but no --flow that it is for.")]
+    [InlineData("--stereo 1 --flow-format avi", "'avi' is no format. Give some of fits, npy, flo, kitti.")]
+    [InlineData("--stereo 0", "--stereo is 0; its range is above 0")]
     [InlineData("--landmarks FILE:c.csv --renderer povray", "--landmarks is for --renderer native only.")]
     [InlineData("--landmarks FILE:bad.txt", "bad.txt, line 1: no columns lat and lon, nor x, y and z")]
     [InlineData("--landmarks FILE:nan.txt", "nan.txt, line 2, column 'lat': a number from -90 to 90 is needed")]
@@ -167,6 +247,18 @@ public sealed class NavigationRunTests : IDisposable
         }
 
         return Math.Abs(0.5 * twice);
+    }
+
+    /// <summary>The numbers of the state in a meta file's command line, as they stand there.</summary>
+    private static string[] StateOf(string metaFile) =>
+        MetaFileXml.Parse(File.ReadAllText(metaFile)).Descendants("CommandLine").Single().Value.Split('{', '}')[1].Split(',');
+
+    private static double[] Doubles(string path, int count)
+    {
+        byte[] bytes = File.ReadAllBytes(path);
+        double[] numbers = new double[count];
+        Buffer.BlockCopy(bytes, bytes.Length - (sizeof(double) * count), numbers, 0, sizeof(double) * count);
+        return numbers;
     }
 
     /// <summary>The last numbers of an array file.</summary>

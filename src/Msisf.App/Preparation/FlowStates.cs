@@ -1,0 +1,109 @@
+using Msisf.Adapters.Input;
+using Msisf.Adapters.Metadata;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>Says for each state of a run to which other state its flow leads.</summary>
+internal static class FlowStates
+{
+    /// <summary>The options that say what an image looks like from a state.</summary>
+    private static readonly OptionSpec[] OfImage =
+        [ImageOptions.Camera, ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height];
+
+    /// <summary>The states with those of their flows. The first has no state before it, the last none behind it.</summary>
+    /// <exception cref="MsisfException">The target can't be read, or its image is another one.</exception>
+    public static IReadOnlyList<SpacecraftState> Of(IReadOnlyList<SpacecraftState> states, RenderSettings settings)
+    {
+        if (settings.Native.Navigation?.Flow is not { } target)
+        {
+            return states;
+        }
+
+        int towards = target switch
+        {
+            NavigationOptions.NextFrame => 1,
+            NavigationOptions.PreviousFrame => -1,
+            _ => 0,
+        };
+        if (towards == 0)
+        {
+            FlowState only = NavigationOptions.Flow.NamedInErrors(() => Read(target, settings));
+            return [.. states.Select(state => state with { Flow = only })];
+        }
+
+        if (states.Count < 2)
+        {
+            throw new UsageException(
+                $"{NavigationOptions.Flow.Name} {target} leads to another image of the run, but that has one only. Name a meta file or a "
+                    + "state, or give more states.").About(NavigationOptions.Flow);
+        }
+
+        return [.. states.Select((state, index) => index + towards >= 0 && index + towards < states.Count
+            ? state with { Flow = FlowState.Of(states[index + towards]) }
+            : state)];
+    }
+
+    private static FlowState Read(string target, RenderSettings settings)
+    {
+        if (target.StartsWith('{'))
+        {
+            return StateOf(target);
+        }
+
+        if (!File.Exists(target))
+        {
+            throw new BadInputException(
+                $"{target}: there is no such file. Give next, previous, a meta file or a state {{MJD,rx,ry,rz,qx,qy,qz,q0}}.");
+        }
+
+        IReadOnlyList<string> words = MetaFileCommand.Read(target)
+            ?? throw new BadInputException($"{target}: no meta file, or it does not say what made it. Give the .xml file of an image.");
+        int at = words.ToList().IndexOf(CameraOptions.FixedState.Name);
+        if (at < 0 || at + 1 >= words.Count)
+        {
+            throw new BadInputException($"{target}: its command line names no state. Give the .xml file of an image.");
+        }
+
+        string[] own = FrameArguments.OfSettings(settings, engine: null).Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        foreach (OptionSpec option in OfImage)
+        {
+            (string? there, string? here) = (ValueOf(words, option), ValueOf(own, option)?.Trim('\''));
+            if (there != here)
+            {
+                throw new BadInputException(
+                    $"{target}: its image was made with {option.Name} {there ?? "left out"}, this one with {here ?? "none"}. A flow needs "
+                        + "two images of the same size and camera.");
+            }
+        }
+
+        FlowState state = StateOf(words[at + 1]);
+        return ValueOf(words, LightOptions.SunPosition) is { } sun
+            ? FlowState.FromNumbers(
+                [.. state.ToNumbers(), .. StateText.ParseNumbers(NavigationOptions.Flow.Name, [sun], FlowState.NumberNamesOfSun)])
+            : state;
+    }
+
+    private static FlowState StateOf(string text)
+    {
+        bool hasSun = text.Count(letter => letter == ',') + 1 == FlowState.NumberNamesWithSun.Count;
+        return FlowState.FromNumbers(StateText.ParseNumbers(
+            NavigationOptions.Flow.Name, [text], hasSun ? FlowState.NumberNamesWithSun : SpacecraftState.NumberNames));
+    }
+
+    private static string? ValueOf(IReadOnlyList<string> words, OptionSpec option)
+    {
+        for (int i = 0; i + 1 < words.Count; i++)
+        {
+            if (words[i] == option.Name)
+            {
+                return words[i + 1];
+            }
+        }
+
+        return null;
+    }
+}

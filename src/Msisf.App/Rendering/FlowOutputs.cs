@@ -1,0 +1,91 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
+using Msisf.Adapters.Navigation;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Navigation;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Finds and writes the flow of a frame to another one, and the disparity to a camera beside it. Thread-safe.</summary>
+/// <param name="settings">What is wanted.</param>
+internal sealed class FlowOutputs(NavigationSettings settings)
+{
+    /// <summary>Writes the files of a frame.</summary>
+    /// <param name="files">Receives them.</param>
+    /// <param name="stem">Path of the frame's files, without extension.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="rendered">The drawn frame.</param>
+    /// <param name="metadata">The frame's.</param>
+    /// <param name="provenance">The frame's.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <returns>The paths.</returns>
+    public IReadOnlyList<string> Write(
+        AtomicFileSet files, string stem, Frame frame, RenderedFrame rendered, FrameMetadata metadata, LayerProvenance provenance,
+        CancellationToken cancellation)
+    {
+        if (frame.Flow is null && settings.Stereo is null)
+        {
+            return [];
+        }
+
+        ArgumentNullException.ThrowIfNull(rendered.Redraw);
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        FrameCamera camera = frame.Camera as FrameCamera ?? throw new BadInputException(
+            "the rows of this camera have times and places of their own, which a flow can't lead to.");
+        FlowFinder finder = new(rendered.Truth, rendered.Redraw);
+        List<string> paths = [];
+        if (frame.Flow is { } target)
+        {
+            FlowField flow = finder.Find(target, rendered.Threads, cancellation);
+            WriteLayers($"{stem}.flow", FlowLayers.OfFlow(flow));
+            Put(FlowFormats.Middlebury, ".flow.flo", stream => FlowFiles.WriteMiddlebury(stream, flow));
+            Put(FlowFormats.Kitti, ".flow.png", stream => FlowFiles.WriteKitti(stream, flow));
+        }
+
+        if (settings.Stereo is { } baseline)
+        {
+            CameraState right = camera.State with { PositionMoonMe = camera.PositionMoonMe + (baseline * camera.UnitRight) };
+            FlowField flow = finder.Find(new FlowTarget(camera.Model.At(right), frame.Light), rendered.Threads, cancellation);
+            WriteLayers($"{stem}.stereo", FlowLayers.OfStereo(flow));
+            Put(FlowFormats.Kitti, ".disparity.png", stream => FlowFiles.WriteKittiDisparity(stream, flow));
+        }
+
+        return paths;
+
+        void Put(FlowFormats format, string ending, Action<Stream> write)
+        {
+            if (settings.FlowFormats.HasFlag(format))
+            {
+                files.Write(stem + ending, write);
+                paths.Add(stem + ending);
+            }
+        }
+
+        void WriteLayers(string name, LayerSet layers)
+        {
+            if (settings.FlowFormats.HasFlag(FlowFormats.Fits))
+            {
+                files.Write($"{name}.fits", stream => FitsLayerWriter.Write(
+                    stream, metadata, provenance, rendered.Truth, layers, cancellation: cancellation));
+                paths.Add($"{name}.fits");
+            }
+
+            if (settings.FlowFormats.HasFlag(FlowFormats.Npy))
+            {
+                NpyLayerWriter.Write(
+                    (file, _, write) =>
+                    {
+                        string path = file == "layers.json" ? $"{name}.json" : $"{stem}.{file}";
+                        files.Write(path, write);
+                        paths.Add(path);
+                    },
+                    metadata, provenance, rendered.Truth, layers, LayerPrecision.Real64, hasHeads: true, cancellation);
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Scene;
+
+/// <summary>The state of the other frame of a flow.</summary>
+/// <param name="Time">UTC.</param>
+/// <param name="PositionMoonMe">m, MOON_ME.</param>
+/// <param name="MoonFromCamera">Turns camera axes into Moon axes.</param>
+/// <param name="SunPositionMoonMe">m, MOON_ME; null for that of the ephemeris.</param>
+public sealed record FlowState(
+    ModifiedJulianDate Time, Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera, Vector3D? SunPositionMoonMe = null)
+{
+    /// <summary>The numbers of a Sun, in their order.</summary>
+    public static IReadOnlyList<string> NumberNamesOfSun { get; } = ["sx", "sy", "sz"];
+
+    /// <summary>The numbers of a state with its Sun, in their order.</summary>
+    public static IReadOnlyList<string> NumberNamesWithSun { get; } = [.. SpacecraftState.NumberNames, .. NumberNamesOfSun];
+
+    /// <summary>That of a frame.</summary>
+    public static FlowState Of(SpacecraftState state) =>
+        new(state.Time, state.PositionMoonMe, state.MoonFromCamera, state.SunPositionMoonMe);
+
+    /// <summary>Takes the numbers of <see cref="SpacecraftState.NumberNames"/>, or of <see cref="NumberNamesWithSun"/>.</summary>
+    /// <exception cref="BadInputException">A number is out of its range.</exception>
+    public static FlowState FromNumbers(ReadOnlySpan<double> numbers)
+    {
+        int count = SpacecraftState.NumberNames.Count;
+        FlowState state = Of(SpacecraftState.FromNumbers(numbers[..count]));
+        return numbers.Length == count
+            ? state
+            : state with
+            {
+                SunPositionMoonMe = SpacecraftState.CheckedSun(
+                    new Vector3D(numbers[count], numbers[count + 1], numbers[count + 2])),
+            };
+    }
+
+    /// <summary>The numbers; <see cref="FromNumbers"/> makes the same state of them.</summary>
+    public double[] ToNumbers() =>
+    [
+        .. new SpacecraftState(Time, PositionMoonMe, MoonFromCamera).ToNumbers(),
+        .. SunPositionMoonMe is { } sun ? (double[])[sun.X, sun.Y, sun.Z] : [],
+    ];
+}
