@@ -186,7 +186,11 @@ public sealed class NavigationRunTests : IDisposable
             Assert.True(run.ExitCode == 0, run.Error);
         }
 
-        foreach (string layer in (string[])["flow", "flow-class", "flow-light"])
+        double[] plain = Doubles(_folder["plain/MoonSurfIllumSim_step_00001.flow.npy"], 2 * 64 * 48);
+        double[] detected = Doubles(_folder["detector/MoonSurfIllumSim_step_00001.flow.npy"], 2 * 64 * 48);
+        Assert.All(plain.Zip(detected), pair => Assert.Equal(pair.First, pair.Second, 1e-9)); // its rays are rounded anew
+        Assert.Contains(plain, double.IsFinite);
+        foreach (string layer in (string[])["flow-class", "flow-light"])
         {
             Assert.Equal(
                 File.ReadAllBytes(_folder[$"plain/MoonSurfIllumSim_step_00001.{layer}.npy"]),
