@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Globalization;
 using System.Text;
 using Microsoft.AspNetCore.Http;
@@ -119,5 +120,48 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         }
 
         return head.Append("\r\n").ToString();
+    }
+}
+
+/// <summary>A part of an answer.</summary>
+/// <param name="Name">Name of a file with it, e.g. "depth.npy".</param>
+/// <param name="ContentType">Its content type.</param>
+/// <param name="Content">Its bytes; empty if they are sent as they are made.</param>
+/// <param name="Headers">Further headers.</param>
+internal sealed record AnswerPart(string Name, string ContentType, MemoryStream Content, IReadOnlyList<(string Name, string Value)> Headers)
+{
+    /// <summary>bytes: its length; null if that is not known before it is sent.</summary>
+    public required long? Length { get; init; }
+
+    /// <summary>The bytes.</summary>
+    public ReadOnlyMemory<byte> Bytes => Content.GetBuffer().AsMemory(0, (int)Content.Length);
+}
+
+/// <summary>Memory for answers, used again: the garbage collector is slow to free what is as large as an image. Thread-safe.</summary>
+internal sealed class StreamPool
+{
+    /// <summary>bytes: larger streams are not kept.</summary>
+    private const int LargestKept = 8 << 20;
+
+    /// <summary>Number of streams that are kept.</summary>
+    private const int MostKept = 16;
+
+    private readonly ConcurrentBag<MemoryStream> _idle = [];
+
+    /// <summary>An empty stream.</summary>
+    public MemoryStream Take()
+    {
+        MemoryStream stream = _idle.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
+        stream.SetLength(0);
+        return stream;
+    }
+
+    /// <summary>Takes a stream back.</summary>
+    public void GiveBack(MemoryStream stream)
+    {
+        if (stream.Capacity <= LargestKept && _idle.Count < MostKept)
+        {
+            _idle.Add(stream);
+        }
     }
 }

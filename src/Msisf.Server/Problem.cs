@@ -74,3 +74,12 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
 /// <param name="Detail">What is wrong, where, and what to do.</param>
 /// <param name="Options">Options that it is about, e.g. "--fov".</param>
 internal sealed record ProblemText(string Type, string Title, int Status, string Detail, string[] Options);
+
+/// <summary>A request that the server does not answer: too large, too many, or not what it understands.</summary>
+/// <param name="status">HTTP status.</param>
+/// <param name="message">What is wrong and what to do.</param>
+internal sealed class RefusedException(int status, string message) : MsisfException(exitCode: 1, message, inner: null)
+{
+    /// <summary>HTTP status.</summary>
+    public int Status { get; } = status;
+}

@@ -19,17 +19,21 @@ internal static class ServerHost
             Progress = new NoProgress(),
             StandardInput = () => TextReader.Null,
         };
+}
 
-    private sealed class NoProgress : IProgressDisplay, IRunProgress
+/// <summary>Threads of the server's process.</summary>
+internal static class ServerThreads
+{
+    /// <summary>
+    /// Threads for each core: one draws a small and one a large image, up to three wait for others of each frame, and two answer. With the
+    /// default of one for each core, a request may wait for seconds while frames are drawn, because further threads come one by one.
+    /// </summary>
+    private const int OfACore = 10;
+
+    /// <summary>Makes as many threads as are needed at once start at once.</summary>
+    public static void Reserve()
     {
-        public IRunProgress Start(string title, int total, bool unattended) => this;
-
-        public void Advance(string name)
-        {
-        }
-
-        public void Dispose()
-        {
-        }
+        ThreadPool.GetMinThreads(out int workers, out int completions);
+        ThreadPool.SetMinThreads(Math.Max(workers, OfACore * Environment.ProcessorCount), completions);
     }
 }

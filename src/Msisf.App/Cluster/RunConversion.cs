@@ -1,7 +1,7 @@
 using System.Text;
 using Msisf.Adapters.Ephemeris;
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
@@ -128,3 +128,13 @@ internal sealed class RunConversion
         AtomicFile.Write(script.Path, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
     }
 }
+
+/// <summary>A run that was converted to a script.</summary>
+/// <param name="Script">Full path of the script.</param>
+/// <param name="StatesFile">
+/// Full path of the states file that was written beside the script; null if the run has a batch file of its own.
+/// </param>
+/// <param name="OutputFolder">Folder of the frames.</param>
+/// <param name="FrameCount">Number of frames in all pieces.</param>
+/// <param name="PieceCount">Number of pieces.</param>
+internal sealed record ConvertedRun(string Script, string? StatesFile, string OutputFolder, int FrameCount, int PieceCount);

@@ -9,3 +9,28 @@ internal interface IProgressDisplay
     /// <param name="unattended">Whether the run is unattended, so that no progress bar is drawn.</param>
     IRunProgress Start(string title, int total, bool unattended);
 }
+
+/// <summary>Shows the progress of a run with several steps. Thread-safe.</summary>
+internal interface IRunProgress : IDisposable
+{
+    /// <summary>Reports that one step is done.</summary>
+    /// <param name="name">Name of the step.</param>
+    void Advance(string name);
+}
+
+/// <summary>Shows no progress.</summary>
+internal sealed class NoProgress : IProgressDisplay, IRunProgress
+{
+    /// <inheritdoc/>
+    public IRunProgress Start(string title, int total, bool unattended) => this;
+
+    /// <inheritdoc/>
+    public void Advance(string name)
+    {
+    }
+
+    /// <inheritdoc/>
+    public void Dispose()
+    {
+    }
+}

@@ -1,4 +1,8 @@
 using Msisf.App.Preparation;
+using Msisf.Core.Detector;
+using Msisf.Core.Navigation;
+using Msisf.Core.Render;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
@@ -17,3 +21,42 @@ internal interface IFrameRenderer : IDisposable
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
 }
+
+/// <summary>The result of a renderer, from which the files of a frame are written.</summary>
+/// <param name="Renderer">The renderer.</param>
+/// <param name="Image">The image, PNG; can be read again from its start.</param>
+/// <param name="ImageName">Name of the image in messages.</param>
+/// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>
+/// <param name="Resolution">Resolution of the grid whose cells the ground truth names: the model's, or its level's.</param>
+/// <param name="Drawn">Resolution of the finest and of the coarsest level of detail in the image.</param>
+/// <param name="Truth">Ground truth of the pixels; may be null if the meta file's pixels lie on the reference sphere.</param>
+/// <param name="Detected">What the camera's detector read out; null without a detector.</param>
+internal sealed record RenderedFrame(
+    RendererKind Renderer,
+    Stream Image,
+    string ImageName,
+    Action<TextWriter>? WriteScene,
+    GridResolution Resolution,
+    (GridResolution Finest, GridResolution Coarsest) Drawn,
+    IGroundTruth? Truth,
+    DetectorImage? Detected = null)
+{
+    /// <summary>Draws the frame again with other lights; null if the renderer can't.</summary>
+    public FrameRedraw? Redraw { get; init; }
+
+    /// <summary>Number of threads that work on the frame.</summary>
+    public int Threads { get; init; } = 1;
+
+    /// <summary>The terrain that the image shows, at its level of detail; null if the renderer does not say.</summary>
+    public ITerrain? Terrain { get; init; }
+
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; init; } = [];
+}
+
+/// <summary>The files of one finished frame.</summary>
+/// <param name="Paths">Paths of the files, in the order in which they are shown to the user.</param>
+/// <param name="TileCount">Number of patterns that the scene includes.</param>
+/// <param name="PatternsMade">Number of patterns that were made for the frame.</param>
+/// <param name="WasThere">Whether the frame was already complete, or another process made it.</param>
+internal sealed record FrameOutputs(IReadOnlyList<string> Paths, int TileCount, int PatternsMade, bool WasThere = false);

@@ -1,4 +1,10 @@
+using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Camera;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.Rendering;
 
@@ -19,4 +25,49 @@ internal interface ISceneSurface : IDisposable
     /// <param name="threads">Number of threads that it may use.</param>
     /// <param name="cancellation">Cancels the work.</param>
     ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation);
+}
+
+/// <summary>The meshes that a frame needs.</summary>
+internal interface ISceneMeshes
+{
+    /// <summary>File names of the patterns, without folder, in the order in which they are included.</summary>
+    IReadOnlyList<string> FileNames { get; }
+
+    /// <summary>Number of triangles; where a model ends, an upper bound.</summary>
+    long Faces { get; }
+
+    /// <summary>Resolution of the finest and of the coarsest level of detail; those of the model if the image shows none.</summary>
+    (GridResolution Finest, GridResolution Coarsest) Levels { get; }
+
+    /// <summary>Of several models the resolution at which each is drawn; empty for one model.</summary>
+    IReadOnlyList<GridResolution?> PartResolutions { get; }
+
+    /// <summary>The axes of the scene.</summary>
+    SceneAxes Axes { get; }
+
+    /// <summary>Resolution of the grid whose cells <see cref="Tracer"/> names; of several models of the finest.</summary>
+    GridResolution TracedResolution { get; }
+
+    /// <summary>Traces the rays of the frame's ground truth.</summary>
+    ITerrainTracer Tracer { get; }
+
+    /// <summary>Makes the patterns that are missing.</summary>
+    /// <returns>Number of patterns that were made.</returns>
+    int Ensure(CancellationToken cancellation);
+
+    /// <summary>File names of the patterns that some rows of the image need.</summary>
+    IReadOnlyList<string> FileNamesFor(PixelRows rows, CancellationToken cancellation);
+}
+
+/// <summary>Makes the surface of a run for POV-Ray.</summary>
+internal static class SceneSurfaces
+{
+    /// <summary>The surface of a run's model.</summary>
+    public static ISceneSurface Of(ElevationModel model, RenderSettings settings)
+    {
+        PatternRepository repository = new(settings.PatternRepository);
+        return model.IsWholeMoon
+            ? new TileSurface(model, settings.LevelOfDetailError, repository)
+            : new BlockSurface(model.Grid, model.DetailOf(settings.LevelOfDetailError), settings.DetailSubsamplesPerAxis, repository);
+    }
 }

@@ -114,3 +114,8 @@ internal sealed class RenderSession : IDisposable
         .. Settings.Camera is { } camera ? [RunInputs.Of(camera)] : (InputFile[])[],
     ];
 }
+
+/// <summary>A frame that can be drawn.</summary>
+/// <param name="State">Its state.</param>
+/// <param name="Frame">Its camera and light.</param>
+internal sealed record PreparedFrame(SpacecraftState State, Frame Frame);

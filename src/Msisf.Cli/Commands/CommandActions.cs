@@ -1,3 +1,4 @@
+using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
@@ -43,3 +44,15 @@ internal static class CommandActions
         return Task.FromResult(0);
     };
 }
+
+/// <summary>The action of a command.</summary>
+/// <param name="call">Options of the call.</param>
+/// <param name="cancellation">Cancels the work, as Ctrl-C does.</param>
+/// <returns>The exit code.</returns>
+internal delegate Task<int> CommandAction(CommandCall call, CancellationToken cancellation);
+
+/// <summary>One call of a command.</summary>
+/// <param name="Values">Options of the call, including those from configuration files.</param>
+/// <param name="Words">All words of the command line, with the words of response files inserted in their places.</param>
+/// <param name="Host">The world.</param>
+internal sealed record CommandCall(OptionValues Values, IReadOnlyList<string> Words, ProgramHost Host);

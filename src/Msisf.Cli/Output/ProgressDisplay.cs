@@ -13,7 +13,7 @@ internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, Tim
     {
         if (total <= 1)
         {
-            return new SilentProgress();
+            return new NoProgress();
         }
 
         return unattended || Console.IsErrorRedirected ? new PlainProgress(log, clock, total) : StartBar(title, total);
