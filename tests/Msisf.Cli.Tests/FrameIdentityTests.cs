@@ -13,6 +13,13 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
     private const string Place = "--position 10,20,160000 --time 55289";
     private const string Far = "--fixed-state {55289,3E6,0,0,0,0,0,1} --fov 20";
 
+    private const string Message = "--oem FILE:near/states.oem --aem FILE:near/states.aem --time 55289.01";
+
+    private const string Kernels = "--spk FILE:near/states.bsp --spacecraft -999 --time 55289.01";
+
+    private const string Pointed = Kernels + " --ck FILE:near/states.bc --kernels FILE:near/states.tsc --kernels FILE:near/states.tf --kernels FILE:other.tf "
+        + "--instrument -999001 --instrument-axes +x,+y";
+
     private const string Map =
         "--albedo-map FILE:WAC_A.IMG --albedo-map-properties scale=0.001,incidence=60,emission=0,phase=60";
 
@@ -48,6 +55,14 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--attitude-transition", $"{Orbit} --attitude {{0,0,0,1}}", "--attitude-transition {0,0,1E-4}" },
         { "--attitude-frame", $"{Orbit} --attitude {{0,0,0,1}}", "--attitude-frame moon-me-epoch" },
         { "--orbit-frame", Orbit, "--orbit-frame j2000" },
+        { "--oem", Message, "--oem FILE:far/states.oem" },
+        { "--aem", Message, "--aem FILE:far/states.aem" },
+        { "--every", "--oem FILE:near/states.oem --every 1000 --frames 2 --output-name {step:00000}", "--every 900" },
+        { "--spk", Kernels, "--spk FILE:far/states.bsp" },
+        { "--spacecraft", Kernels, "--spacecraft 399" },
+        { "--ck", Pointed, "--ck FILE:far/states.bc" },
+        { "--instrument", Pointed, "--instrument MSISF_OTHER" },
+        { "--instrument-axes", Pointed, "--instrument-axes -x,-y" },
         { "--look-at", Place, "--look-at 11,21" },
         { "--off-nadir", Place, "--off-nadir 10" },
         { "--up", Place, "--up sun" },

@@ -26,7 +26,8 @@ public sealed class IdentityRuns : IDisposable
         + "  gain: 200\n  adc-bits: 12\n  fits: no\n";
 
     /// <summary>The ways to say where the camera is: another one takes the place of the common one.</summary>
-    private static readonly string[] Ways = ["--batch-file", "--kepler-set", "--state-vectors", "--position"];
+    private static readonly string[] Ways = 
+        ["--batch-file", "--kepler-set", "--state-vectors", "--position", "--oem", "--spacecraft"];
 
     /// <summary>Of the common options, what a camera file says itself.</summary>
     private static readonly string[] OfCamera = ["--width", "--height", "--fov"];
@@ -55,6 +56,23 @@ public sealed class IdentityRuns : IDisposable
         _folder.Write("landmarks.csv", "lat,lon\n0,0\n");
         _folder.Write("craters.csv", "lat,lon,diam_km\n0,0,60\n1,1,40\n");
         _folder.Write("more.csv", "lat,lon,diam_km\n0,0,60\n1,1,41\n");
+        _folder.Write("other.tf", """
+            KPL/FK
+            \begindata
+            FRAME_MSISF_OTHER = -999002
+            FRAME_-999002_NAME = 'MSISF_OTHER'
+            FRAME_-999002_CLASS = 4
+            FRAME_-999002_CLASS_ID = -999002
+            FRAME_-999002_CENTER = -999
+            TKFRAME_-999002_SPEC = 'ANGLES'
+            TKFRAME_-999002_RELATIVE = 'MSISF_CAMERA'
+            TKFRAME_-999002_ANGLES = ( 0, 0, 30 )
+            TKFRAME_-999002_AXES = ( 1, 2, 3 )
+            TKFRAME_-999002_UNITS = 'DEGREES'
+
+            """);
+        Fly("near", "{1.9E6,0.01,0,0,1,0}", "{0,0,0,1}");
+        Fly("far", "{1.91E6,0.01,0,0,1,0}", "{0,0,0.28,0.96}");
         Synthesize("models", "--res", "1", "--seed", "1");
         Synthesize("models", "--res", "2", "--seed", "1");
         Synthesize("models", "--projection", "polar-south", "--map-scale", "10000", "--seed", "1");
@@ -128,6 +146,21 @@ public sealed class IdentityRuns : IDisposable
     }
 
     private static string ChecksumOf(string path) => Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(path)));
+
+    /// <summary>Writes a day's states on an orbit as CCSDS files and as kernels.</summary>
+    private void Fly(string folder, string orbit, string attitude)
+    {
+        foreach (string format in (string[])["oem", "spice"])
+        {
+            CommandLineRun made = CommandLineRun.Of([
+                "states", "--kepler-set", orbit, "--epoch", "55289", "--time-interval", "[55289:0.001:55289.02]", "--attitude", attitude,
+                "--format", format, "--to", _folder[folder]]);
+            if (made.ExitCode != 0)
+            {
+                throw new InvalidOperationException(made.Error);
+            }
+        }
+    }
 
     private void Synthesize(string folder, params string[] options)
     {

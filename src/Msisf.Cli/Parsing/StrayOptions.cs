@@ -61,7 +61,11 @@ internal static class StrayOptions
 
     private static bool IsNoValue(string word) =>
         word.StartsWith("--", StringComparison.Ordinal)
-        || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !IsNotFiniteByName(word));
+        || (word.Length > 1 && word[0] == '-' && char.IsAsciiLetter(word[1]) && !IsNotFiniteByName(word)
+            && !IsAxes(word));
+
+    /// <summary>Whether a word is a pair of axes such as -x,+y.</summary>
+    private static bool IsAxes(string word) => word.Length > 2 && word[2] == ',';
 
     /// <summary>
     /// Whether a word such as -Infinity or -NaN is a number that is not finite, for which the number parser has its own error message.
