@@ -182,7 +182,7 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.True(run.ExitCode == 0, run.Error);
         string xml = Meta("piece");
         Assert.Contains("product=\"NPB_final_adj_5mpp_surf_piece_1km_2_12\"", xml, StringComparison.Ordinal);
-        Assert.Contains("<Facet part=\"3\"", xml, StringComparison.Ordinal); // NPB, the first by name, counts as the finer one
+        Assert.Contains("<Facet part=\"2\"", xml, StringComparison.Ordinal); // NPB, the smaller one, is before NPC
     }
 
     /// <summary>

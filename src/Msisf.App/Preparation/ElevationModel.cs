@@ -163,7 +163,7 @@ internal sealed class ElevationModel : IDisposable
         {
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
-                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.ModelsOf(Grid)), detail.FinestLevel);
+                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.GroundsOf(Grid)), detail.FinestLevel);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "

@@ -86,7 +86,7 @@ internal static class ModelOpening
 
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
-                MovedModel.MeetBorders(opened, paths, host.Log);
+                MovedModel.MeetBorders(opened, paths, blend, host.Log);
                 SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
                 nested.Prepare(hasLevels);

@@ -4,11 +4,14 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>
-/// The order of models in a scene of several, which does not depend on the order or the folders in which they are given: the coarsest
-/// first; of models with the same resolution that with the first name is last, as the finer one; of models with the same name too their
-/// places and heights decide.
+/// The order of models in a scene of several, which does not depend on the order in which they are given, or on their files' names and
+/// folders: the coarsest first; of models with the same resolution their places and heights decide.
 /// </summary>
-internal sealed class ModelOrder : IComparer<ITerrainGrid>
+/// <param name="blend">
+/// Which of two models gives way where they meet: bent inwards, as in older versions, of models with the same resolution that with the
+/// first name is last, as the finer one, before places and heights are looked at.
+/// </param>
+internal sealed class ModelOrder(NestBlend blend) : IComparer<ITerrainGrid>
 {
     /// <inheritdoc/>
     public int Compare(ITerrainGrid? x, ITerrainGrid? y)
@@ -16,7 +19,7 @@ internal sealed class ModelOrder : IComparer<ITerrainGrid>
         ArgumentNullException.ThrowIfNull(x);
         ArgumentNullException.ThrowIfNull(y);
         int order = y.Projection.Resolution.MetresPerPixel.CompareTo(x.Projection.Resolution.MetresPerPixel);
-        order = order != 0 ? order : string.CompareOrdinal(y.ProductId, x.ProductId);
+        order = order != 0 || blend == NestBlend.Outward ? order : string.CompareOrdinal(y.ProductId, x.ProductId);
         return order != 0 ? order : ComparePlaces(x, y);
     }
 

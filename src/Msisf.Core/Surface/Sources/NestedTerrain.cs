@@ -27,7 +27,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <exception cref="BadInputException">They are no such models.</exception>
     public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null, NestBlend blend = NestBlend.Outward)
     {
-        Models = [.. models.Order(new ModelOrder())];
+        Models = [.. models.Order(new ModelOrder(blend))];
         if (Models.Count is < 2 or > MaxModels)
         {
             throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");

@@ -80,6 +80,12 @@ public sealed class RefinedTerrain : ITerrain, IGround
             $"{terrain.ProductId} is a map of a part of the Moon. Detail is invented in models of the whole Moon, and in such maps inside "
                 + "one: give one as well, for instance LDEM_4.");
 
+    /// <summary>The ground in which detail is invented: the models with what they get from finer ones, the coarsest first.</summary>
+    /// <param name="terrain">One model of the whole Moon, or several.</param>
+    /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
+    public static IReadOnlyList<ITerrainGrid> GroundsOf(ITerrain terrain) =>
+        terrain is NestedTerrain { Blend: NestBlend.Outward } nested ? [.. nested.WholeParts.Select(part => part.Grid)] : ModelsOf(terrain);
+
     /// <summary>The surface that a camera sees.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>

@@ -111,6 +111,25 @@ public sealed class NestedTerrainTests
         Assert.Equal(new NestedTerrain(models).Models, new NestedTerrain(models.Reverse()).Models);
     }
 
+    /// <summary>The same maps with each other's names are in the same order: names say nothing; bent inwards they come first.</summary>
+    [Theory]
+    [InlineData(NestBlend.Outward, true)]
+    [InlineData(NestBlend.Inward, false)]
+    public void Models_OfOneResolution_AreOrderedByWhatTheyHold(NestBlend blend, bool isSame)
+    {
+        PolarFunctionGrid high = new(new PolarStereographic(IsSouth: true, 4000.0, 19.5, 19.5), 40, 40, (_, _) => 100.0);
+        PolarFunctionGrid low = new(new PolarStereographic(IsSouth: true, 4000.0, 19.5, 19.5), 40, 40, (_, _) => 50.0);
+        double LastHeight(string highName, string lowName)
+        {
+            double[] radius = new double[1];
+            new NestedTerrain([FunctionGrid.Rugged(1), new NamedGrid(high, highName), new NamedGrid(low, lowName)], seams: null, blend)
+                .Models[2].ReadRadii(3, 3, radius);
+            return radius[0];
+        }
+
+        Assert.Equal(isSame, LastHeight("A", "B") == LastHeight("B", "A"));
+    }
+
     [Fact]
     public void Surface_WideHole_ShowsTheCoarserModelsCells()
     {
@@ -164,5 +183,18 @@ public sealed class NestedTerrainTests
         PolarFunctionGrid over = PolarFunctionGrid.Rugged(true, 4000.0, 90, 44.5, 44.5);
         NestedTerrain terrain = new([FunctionGrid.Rugged(1), map, over]);
         Assert.Contains("nothing would be seen", Assert.Throws<BadInputException>(() => terrain.Surface).Message, StringComparison.Ordinal);
+    }
+
+    private sealed class NamedGrid(ITerrainGrid grid, string name) : ITerrainGrid
+    {
+        public string ProductId => name;
+
+        public MapProjection Projection => grid.Projection;
+
+        public int Lines => grid.Lines;
+
+        public int Samples => grid.Samples;
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii) => grid.ReadRadii(line, firstSample, radii);
     }
 }
