@@ -6,6 +6,9 @@ internal enum Phase
     /// <summary>From the start of the process to the first line of the program's own work.</summary>
     StartUp,
 
+    /// <summary>From there to the beginning of the run: parsing and reading the options.</summary>
+    Options,
+
     /// <summary>Reading or computing the spacecraft's states: positions, times and attitudes.</summary>
     States,
 

@@ -18,6 +18,9 @@ internal sealed class RunTimes
         Add(Phase.StartUp, Math.Max(0.0, sinceStart));
     }
 
+    /// <summary>Ends <see cref="Phase.Options"/>.</summary>
+    public void BeginRun() => Add(Phase.Options, Stopwatch.GetElapsedTime(_start).TotalSeconds);
+
     public void Add(Phase phase, double seconds)
     {
         lock (_gate)
@@ -53,6 +56,11 @@ internal sealed class RunTimes
             return _seconds[(int)phase];
         }
     }
+
+    /// <summary>Time since the process began that is in no part, s; 0 if parts that run at the same time take longer together.</summary>
+    public double OtherSeconds => Math.Max(
+        0.0,
+        TotalSeconds - Enum.GetValues<Phase>().Where(phase => phase is not (Phase.Parse or Phase.Trace)).Sum(SecondsOf));
 
     /// <summary>Time since the process began, s.</summary>
     public double TotalSeconds => SecondsOf(Phase.StartUp) + Stopwatch.GetElapsedTime(_start).TotalSeconds;

@@ -41,6 +41,7 @@ internal sealed class RenderRun
 
     private async Task<IReadOnlyList<FrameOutputs>> RunAsync(TrajectorySettings trajectory, CancellationToken cancellation)
     {
+        _times.BeginRun();
         using EphemerisSource ephemeris = new(_settings, _host);
 
         // The checksums take long and are needed late, so they are started first.

@@ -27,6 +27,7 @@ internal static class TimingReport
                     $"{JsonNamingPolicy.SnakeCaseLower.ConvertName(phase.ToString())}_s", Math.Round(times.SecondsOf(phase), 4));
             }
 
+            json.WriteNumber("other_s", Math.Round(times.OtherSeconds, 4));
             json.WriteNumber("total_s", Math.Round(times.TotalSeconds, 4));
             using Process process = Process.GetCurrentProcess();
             json.WriteNumber("peak_memory_bytes", process.PeakWorkingSet64);

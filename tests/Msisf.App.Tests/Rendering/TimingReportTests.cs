@@ -23,8 +23,26 @@ public sealed class TimingReportTests
         Assert.Equal(1.2346, report.GetProperty("pov_ray_s").GetDouble());
         Assert.Equal(0.0, report.GetProperty("start_up_s").GetDouble() - Math.Round(times.SecondsOf(Phase.StartUp), 4));
         Assert.Equal(
-            Enum.GetValues<Phase>().Length + 1, // and the total
+            Enum.GetValues<Phase>().Length + 2, // what is in none, and the total
             report.EnumerateObject().Count(property => property.Name.EndsWith("_s", StringComparison.Ordinal)));
         Assert.True(report.GetProperty("peak_memory_bytes").GetInt64() > 1_000_000);
+    }
+
+    [Fact]
+    public void OtherSeconds_PartsOneAfterTheOther_AreTheRestOfTheTotal()
+    {
+        RunTimes times = new(TimeProvider.System);
+        times.BeginRun();
+        double parts = times.SecondsOf(Phase.StartUp) + times.SecondsOf(Phase.Options);
+        double before = times.TotalSeconds - parts;
+        double rest = times.OtherSeconds;
+        double after = times.TotalSeconds - parts;
+
+        Assert.True(times.SecondsOf(Phase.Options) > 0.0);
+        Assert.InRange(rest, before, after);
+        times.Add(Phase.Parse, 1000.0); // a part of POV-Ray's
+        Assert.InRange(times.OtherSeconds, rest, times.TotalSeconds);
+        times.Add(Phase.Draw, 1000.0);
+        Assert.Equal(0.0, times.OtherSeconds);
     }
 }

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
@@ -83,6 +84,7 @@ internal sealed class PenumbraScan
         }
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     private void Hide(ReceiverGrid grid, int receiver, DiscRays rays, double slope, ulong[] hidden)
     {
         Vector3D point = new(grid.U[receiver], grid.V[receiver], grid.W[receiver]);
