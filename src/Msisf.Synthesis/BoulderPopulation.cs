@@ -3,24 +3,52 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;
 
-/// <summary>All boulders of a seed, placed uniformly and independently; a boulder is the same for every block of ground.</summary>
+/// <summary>
+/// All boulders of a seed: some placed uniformly and independently, some around fresh craters. A boulder is the same for every block of
+/// ground.
+/// </summary>
 /// <remarks>
 /// Number: N(&gt;D) = 5e5 D^-2.11 for each 100 m2, D in mm, at Surveyor 1's site (E. M. Shoemaker, E. C. Morris, Icarus 12 (1970), 188).
 /// Larger blocks are rarer than that (M. J. Cintala, K. M. McBride, NASA TM 104804 (1995)), so there is none above 4 m. Height: 0.3 to 0.9
-/// of the length, 0.6 in the mean (N. E. Demidov, A. T. Basilevsky, Sol. Syst. Res. 48 (2014), 324).
+/// of the length, 0.6 in the mean (N. E. Demidov, A. T. Basilevsky, Sol. Syst. Res. 48 (2014), 324). Half of the boulders from 25 cm on lie
+/// around fresh craters that can have thrown them: the largest block of a crater of diameter D is 0.3 D^(2/3), in m (H. J. Moore, in:
+/// Interagency Report Astrogeology 30 (1971); G. D. Bart, H. J. Melosh, Geophys. Res. Lett. 34 (2007), L07203), and as many lie in a place
+/// as there is ejecta, which falls with the third power of the distance (T. R. McGetchin et al., EPSL 20 (1973), 226). So the number over
+/// an area stays that of the law.
 /// </remarks>
 /// <param name="seed">The user's seed.</param>
 /// <param name="smallest">m: minimum length, a power of two.</param>
+/// <param name="craters">The craters of the ground.</param>
 /// <param name="memory">Keeps those of the seed that were found.</param>
-internal sealed class BoulderPopulation(ulong seed, double smallest, CellMemory<Boulder> memory)
+internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopulation craters, CellMemory<Boulder> memory)
 {
     private const ulong Purpose = 7;
+    private const ulong AroundCraters = 8;
     private const double CountAboveOneMillimetre = 5e5 / 100.0; // per m2
     private const double Exponent = 2.11;
     private const double Largest = 4.0; // m
     private const double LeastWidth = 0.6; // lengths
     private const double LeastHeight = 0.3; // lengths
     private const double HighestHeight = 0.9;
+
+    /// <summary>Part of the boulders of an octave that lies around craters.</summary>
+    private const double PartAroundCraters = 0.5;
+
+    /// <summary>log2 of m: smaller ones lie everywhere.</summary>
+    private const int LeastOctaveAroundCraters = -2;
+
+    /// <summary>Octaves of diameters of the craters that have boulders of one octave around them.</summary>
+    private const int CraterOctaves = 3;
+
+    /// <summary>Freshness from which on a crater has its blocks: a fifth of all craters.</summary>
+    private const double FreshFrom = 0.5;
+
+    /// <summary>Sum of D^2 of the fresh craters of an octave over an area, in equilibrium: 0.2 x 0.0794 x 2 ln 2.</summary>
+    private const double FreshCover = 0.0220;
+
+    // Radii from the crater's centre between which its blocks lie.
+    private const double Innermost = 0.9;
+    private const double Outermost = Crater.Reach;
 
     /// <summary>Number of boulders longer than a length in m, per m2.</summary>
     public static double CountAbove(double length) => CountAboveOneMillimetre * PortableMath.Pow(1000.0 * length, -Exponent);
@@ -45,30 +73,89 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CellMemory<
                     yield return boulder;
                 }
             }
+
+            for (int around = 0; around < CraterOctaves && HasCraters(octave); around++)
+            {
+                int craterOctave = LeastCraterOctave(octave) + around;
+                double farthest = double.RadiansToDegrees(
+                    ((Outermost * Math.ScaleB(1.0, craterOctave)) + min) / MoonConstants.ReferenceRadius);
+                foreach (CraterCell cell in new CraterCells(craterOctave).Near(
+                    southDegrees, northDegrees, westDegrees, widthDegrees, farthest))
+                {
+                    foreach (Boulder boulder in memory.Get(
+                        KeyOf(octave, craterOctave), cell, (_, found) => AroundIn(octave, craterOctave, found)))
+                    {
+                        yield return boulder;
+                    }
+                }
+            }
         }
     }
 
+    /// <summary>log2 of m: diameters of the smallest craters that have thrown boulders of an octave.</summary>
+    private static int LeastCraterOctave(int octave) =>
+        (int)Math.Ceiling(1.5 * (octave + 1 - PortableMath.Log2(0.3)));
+
+    private static int KeyOf(int octave, int craterOctave) => ((octave + 64) << 8) + craterOctave + 64;
+
+    private static Boulder Place(ref SplitMix64 random, Vector3D centre, int octave)
+    {
+        double part = 1.0 - (random.NextUniform() * (1.0 - PortableMath.Exp2(-Exponent)));
+        double length = Math.ScaleB(PortableMath.Pow(part, -1.0 / Exponent), octave);
+        double width = LeastWidth + (random.NextUniform() * (1.0 - LeastWidth));
+        double height = length * (LeastHeight + (random.NextUniform() * (HighestHeight - LeastHeight)));
+        (double sinTurn, double cosTurn) = PortableMath.SinCosDegrees(180.0 * random.NextUniform());
+        (Vector3D east, Vector3D north) = AxesAt(centre);
+        return new Boulder(
+            centre, (cosTurn * east) + (sinTurn * north), 0.5 * length, width, height, new BoulderForm(ref random));
+    }
+
+    private static (Vector3D East, Vector3D North) AxesAt(Vector3D direction)
+    {
+        Vector3D east = new Vector3D(-direction.Y, direction.X, 0.0).Normalized();
+        return (east, Vector3D.Cross(direction, east));
+    }
+
+    /// <summary>Whether the ground shows the craters around which boulders of an octave lie.</summary>
+    private bool HasCraters(int octave) => octave >= LeastOctaveAroundCraters
+        && Math.ScaleB(1.0, LeastCraterOctave(octave) + CraterOctaves) <= craters.Largest;
+
     private IEnumerable<Boulder> InCell(int octave, CraterCell cell)
     {
-        double min = Math.ScaleB(1.0, octave);
-        double density = CountAbove(min) - CountAbove(2.0 * min);
+        double density = DensityOf(octave) * (HasCraters(octave) ? 1.0 - PartAroundCraters : 1.0);
         SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
         double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
         for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
         {
             (double sinLatitude, double longitude) = cell.Place(random.NextUniform(), random.NextUniform());
-            double part = 1.0 - (random.NextUniform() * (1.0 - PortableMath.Exp2(-Exponent)));
-            double length = Math.ScaleB(PortableMath.Pow(part, -1.0 / Exponent), octave);
-            double width = LeastWidth + (random.NextUniform() * (1.0 - LeastWidth));
-            double height = length * (LeastHeight + (random.NextUniform() * (HighestHeight - LeastHeight)));
-            (double sinTurn, double cosTurn) = PortableMath.SinCosDegrees(180.0 * random.NextUniform());
-            (double sinLongitude, double cosLongitude) = PortableMath.SinCosDegrees(longitude);
-            double cosLatitude = Math.Sqrt((1.0 - sinLatitude) * (1.0 + sinLatitude));
-            Vector3D east = new(-sinLongitude, cosLongitude, 0.0);
-            Vector3D north = new(-sinLatitude * cosLongitude, -sinLatitude * sinLongitude, cosLatitude);
-            yield return new Boulder(
-                new Vector3D(cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude),
-                (cosTurn * east) + (sinTurn * north), 0.5 * length, width, height);
+            yield return Place(ref random, new Crater(sinLatitude, longitude, 0.0, 1.0).Direction, octave);
         }
     }
+
+    private IEnumerable<Boulder> AroundIn(int octave, int craterOctave, CraterCell cell)
+    {
+        double perArea = DensityOf(octave) * PartAroundCraters / (CraterOctaves * FreshCover);
+        SplitMix64 random = SplitMix64.For(
+            seed, AroundCraters + ((ulong)KeyOf(octave, craterOctave) << 8), cell.Band, cell.Column);
+        foreach (PlacedCrater crater in craters.PlacedInCell(craterOctave, cell))
+        {
+            if (crater.Freshness < FreshFrom)
+            {
+                continue;
+            }
+
+            double none = PortableMath.Exp2(-perArea * crater.Diameter * crater.Diameter / 0.69314718055994530942);
+            (Vector3D east, Vector3D north) = AxesAt(crater.Direction);
+            for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
+            {
+                double inverse = (1.0 / Innermost) - (random.NextUniform() * ((1.0 / Innermost) - (1.0 / Outermost)));
+                (double sin, double cos) = PortableMath.SinCosDegrees(360.0 * random.NextUniform());
+                Vector3D away = (crater.Radius / inverse) * ((cos * east) + (sin * north));
+                yield return Place(ref random, (crater.Direction + away).Normalized(), octave);
+            }
+        }
+    }
+
+    private static double DensityOf(int octave) =>
+        CountAbove(Math.ScaleB(1.0, octave)) - CountAbove(Math.ScaleB(1.0, octave + 1));
 }

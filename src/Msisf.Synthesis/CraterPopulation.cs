@@ -38,6 +38,9 @@ internal sealed class CraterPopulation
         _memory = memory ?? new CellMemory<PlacedCrater>();
     }
 
+    /// <summary>m: maximum diameter, excluded.</summary>
+    public double Largest => _largest;
+
     /// <summary>
     /// Every crater that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.
     /// </summary>
@@ -74,6 +77,9 @@ internal sealed class CraterPopulation
             }
         }
     }
+
+    /// <summary>All craters of an octave of diameters in a cell, also those that are too small or too large.</summary>
+    public PlacedCrater[] PlacedInCell(int octave, CraterCell cell) => _memory.Get(octave, cell, PlacedIn);
 
     private IEnumerable<(int Octave, CraterCell Cell)> CellsNear(
         double southDegrees, double northDegrees, double westDegrees, double widthDegrees)

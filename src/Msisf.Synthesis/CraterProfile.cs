@@ -15,6 +15,10 @@ namespace Msisf.Synthesis;
 internal readonly struct CraterProfile
 {
     private const double SimpleToComplexKm = 15.0;
+
+    // By how much less the crest of a new crater is rounded than that of an old one, in depths.
+    private const double RoundRim = 0.55;
+    private const double SharpRim = 0.67;
     private const double EjectaAtReach = 1.0 / (Crater.Reach * Crater.Reach * Crater.Reach);
     private const double InnermostEjectaSquare = 0.25; // radii squared; farther in the bowl is lower than any ejecta
 
@@ -25,7 +29,9 @@ internal readonly struct CraterProfile
     private readonly double _rounding;
 
     /// <summary>The profile of a crater.</summary>
-    public CraterProfile(Crater crater)
+    /// <param name="crater">The crater.</param>
+    /// <param name="isSharp">Whether the rim of a fresh crater is sharp; those of synthetic models stay as round as they were.</param>
+    public CraterProfile(Crater crater, bool isSharp = false)
     {
         double diameterKm = 2e-3 * crater.Radius;
         bool simple = diameterKm < SimpleToComplexKm;
@@ -37,7 +43,7 @@ internal readonly struct CraterProfile
         _floorSquare = floor * floor;
         _floorDepth = depth - _rimHeight;
         _wallHeight = depth / (1.0 - _floorSquare);
-        _rounding = depth * (0.7 - (0.55 * crater.Freshness));
+        _rounding = depth * (0.7 - ((isSharp ? SharpRim : RoundRim) * crater.Freshness));
     }
 
     /// <summary>Height over the ground before the impact, m, at four distances.</summary>

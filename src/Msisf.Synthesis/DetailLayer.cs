@@ -14,7 +14,7 @@ internal sealed class DetailLayer
     private const double SmallestInCells = 4.0;
 
     /// <summary>Maximum diameter of a crater in samples of the model, which shows larger ones itself.</summary>
-    private const double LargestInSamples = 0.5;
+    private const double LargestInSamples = 1.0;
 
     private readonly NoiseOctave[] _octaves;
     private readonly CraterPopulation _craters;
@@ -34,7 +34,7 @@ internal sealed class DetailLayer
         _octaves = DetailSpectrum.Octaves(seed, widest, cell, slopes, CraterLaw.Published);
         _craters = new CraterPopulation(
             seed, maria, SmallestInCells * cell, LargestInSamples * widest, CraterLaw.Published, memory.Craters);
-        _boulders = new BoulderPopulation(seed, SmallestInCells * cell, memory.Boulders);
+        _boulders = new BoulderPopulation(seed, SmallestInCells * cell, _craters, memory.Boulders);
     }
 
     /// <summary>Adds the detail to a block.</summary>

@@ -33,6 +33,11 @@ internal static class DetailSpectrum
     // the law.
     private const double MinNoisePart = 0.15;
 
+    // Sharp rims, and craters up to a sample of the model, bring slopes of their own at 17 m (measured, tests/reference/refine_slopes.py):
+    // so much of the noise's amplitude is left from this lattice spacing on, m.
+    private const double NoiseAmongLargeCraters = 0.8;
+    private const double LeastOfLargeCraters = 8.0;
+
     /// <summary>Octaves from the base's spacing down to the output's.</summary>
     /// <param name="seed">The user's seed.</param>
     /// <param name="baseSpacing">m between the base's samples.</param>
@@ -42,6 +47,7 @@ internal static class DetailSpectrum
     public static NoiseOctave[] Octaves(
         ulong seed, double baseSpacing, double outputSpacing, ModelSlopes baseSlopes, CraterLaw? law = null)
     {
+        bool isGround = law is not null;
         law ??= CraterLaw.OfModels;
         List<NoiseOctave> octaves = [];
         for (double spacing = baseSpacing; spacing >= FinestSpacingInSamples * outputSpacing; spacing *= 0.5)
@@ -55,28 +61,30 @@ internal static class DetailSpectrum
             octaves.Add(new NoiseOctave(
                 seed,
                 spacing,
-                Amplitude(SlopeLaw.Highlands, spacing, baseSpacing, baseSlopes.Highlands, craters),
-                Amplitude(SlopeLaw.Maria, spacing, baseSpacing, baseSlopes.Maria, craters * thinned * thinned)));
+                Amplitude(SlopeLaw.Highlands, spacing, baseSpacing, baseSlopes.Highlands, craters, isGround),
+                Amplitude(SlopeLaw.Maria, spacing, baseSpacing, baseSlopes.Maria, craters * thinned * thinned, isGround)));
         }
 
         return [.. octaves];
     }
 
-    private static double Amplitude(SlopeLaw law, double spacing, double baseSpacing, double? baseTangent, double craterPower)
+    private static double Amplitude(
+        SlopeLaw law, double spacing, double baseSpacing, double? baseTangent, double craterPower, bool isGround)
     {
-        double fine = Target(law, spacing / 2.0, baseSpacing, baseTangent);
-        double coarse = Target(law, spacing, baseSpacing, baseTangent);
+        double fine = Target(law, spacing / 2.0, baseSpacing, baseTangent, isGround);
+        double coarse = Target(law, spacing, baseSpacing, baseTangent, isGround);
         double power = (fine * fine) - (coarse * coarse);
         double noisePower = Math.Max(power - craterPower, MinNoisePart * power);
-        return Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * VisibleSlope);
+        double part = isGround && spacing >= LeastOfLargeCraters ? NoiseAmongLargeCraters : 1.0;
+        return part * Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * VisibleSlope);
     }
 
-    private static double Target(SlopeLaw law, double baseline, double baseSpacing, double? baseTangent)
+    private static double Target(SlopeLaw law, double baseline, double baseSpacing, double? baseTangent, bool isGround)
     {
         double meeting = Math.Min(SlopeLaw.LongestBaseline, baseSpacing / 4.0);
         if (baseline <= meeting)
         {
-            return law.TangentAt(baseline);
+            return isGround ? law.TangentOfGroundAt(baseline) : law.TangentAt(baseline);
         }
 
         double lawAtBase = law.TangentAt(baseSpacing);

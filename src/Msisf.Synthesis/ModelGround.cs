@@ -6,7 +6,8 @@ namespace Msisf.Synthesis;
 
 /// <summary>
 /// The smooth ground through a model's samples (bicubic, C1), less the detail at the samples: with the detail added, each sample has the
-/// model's own height. Safe for several threads.
+/// model's own height. Of a model that holds means of cells, the smooth ground with these means, less those of the detail: with the detail
+/// added, each cell has the model's own mean. Safe for several threads.
 /// </summary>
 /// <remarks>
 /// Interpolation: R. G. Keys, "Cubic convolution interpolation for digital image processing", IEEE Trans. ASSP 29 (1981), 1153. Of a
@@ -16,6 +17,9 @@ internal sealed class ModelGround
 {
     /// <summary>Samples whose detail is remembered at most; all are forgotten when there are more.</summary>
     private const int MostKnown = 1 << 19;
+
+    /// <summary>For means over all of a cell: of so many samples a side.</summary>
+    private static readonly PixelMeanKernel Kernel = new(64);
 
     private readonly ulong _seed;
     private readonly MareMask _maria;
@@ -83,6 +87,12 @@ internal sealed class ModelGround
             return;
         }
 
+        if (_model.HoldsMeans)
+        {
+            InterpolateMeans(places, (minLine, maxLine), (minSample, maxSample), weights, cell, heights);
+            return;
+        }
+
         int firstLine = (int)Math.Floor(minLine) - 1;
         int firstSample = (int)Math.Floor(minSample) - 1;
         int width = (int)Math.Floor(maxSample) + 3 - firstSample;
@@ -92,6 +102,25 @@ internal sealed class ModelGround
             if (weights[i] > 0.0)
             {
                 heights[i] = Cubic(rest, width, places[i].Line - firstLine, places[i].Sample - firstSample);
+            }
+        }
+    }
+
+    private void InterpolateMeans(
+        (double Line, double Sample)[] places, (double Min, double Max) lines, (double Min, double Max) samples,
+        ReadOnlySpan<double> weights, double cell, Span<double> heights)
+    {
+        const int Reach = PixelMeanKernel.Reach;
+        (int top, int left) = ((int)Math.Floor(lines.Min + 0.5), (int)Math.Floor(samples.Min + 0.5));
+        (int down, int across) = ((int)Math.Floor(lines.Max + 0.5) + 1 - top, (int)Math.Floor(samples.Max + 0.5) + 1 - left);
+        double[] rest = Rest(
+            top - Reach, down + (2 * Reach), left - Reach, across + (2 * Reach), DetailMeans.CellFor(Spacing, cell));
+        Func<double, double, double> spline = DetailMeans.Spline(rest, down, across, Kernel);
+        for (int i = 0; i < places.Length; i++)
+        {
+            if (weights[i] > 0.0)
+            {
+                heights[i] = spline(places[i].Line + 0.5 - top, places[i].Sample + 0.5 - left);
             }
         }
     }
@@ -134,9 +163,9 @@ internal sealed class ModelGround
                 int sample = _around > 0 ? (((firstSample + column) % _around) + _around) % _around : firstSample + column;
                 if (!_known.TryGetValue((cell, line, sample), out double detail))
                 {
-                    Vector3D direction = _model.Projection.DirectionOf(line, sample);
-                    SelenographicPoint point = SelenographicPoint.Below(direction);
-                    detail = layer.At(direction, MareFractionAt(point));
+                    detail = _model.HoldsMeans
+                        ? DetailMeans.Of(_model, _maria, layer, cell, line, sample)
+                        : DetailAt(layer, _model.Projection.DirectionOf(line, sample));
                     _known[(cell, line, sample)] = detail;
                 }
 
@@ -147,15 +176,19 @@ internal sealed class ModelGround
         return rest;
     }
 
-    private float MareFractionAt(SelenographicPoint point) =>
-        (float)_maria.At(double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
+    private double DetailAt(DetailLayer layer, Vector3D direction)
+    {
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        return layer.At(
+            direction, (float)_maria.At(double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude)));
+    }
 
     /// <summary>Reads heights, and tells how much of the detail's own height at the samples is taken off.</summary>
     private double ReadHeights(int line, int firstSample, Span<double> heights)
     {
         if (_base is null)
         {
-            ReadRing(firstSample, heights, (first, part) => _model.ReadRadii(line, first, part));
+            ReadRing(firstSample, heights, (first, part) => ReadWithin(line, first, part));
             for (int i = 0; i < heights.Length; i++)
             {
                 heights[i] -= MoonConstants.ReferenceRadius;
@@ -166,6 +199,26 @@ internal sealed class ModelGround
 
         ReadRing(firstSample, heights, (first, part) => _base.ReadHeights(line, first, part));
         return _base.HonouredPart(line);
+    }
+
+    /// <summary>Radii of a map; beyond its sides those of its outermost samples, which count little there.</summary>
+    private void ReadWithin(int line, int firstSample, Span<double> radii)
+    {
+        GridWindow window = _model.Window;
+        int row = Math.Clamp(line, window.FirstLine, window.EndLine - 1);
+        if (_around > 0)
+        {
+            _model.ReadRadii(row, firstSample, radii);
+            return;
+        }
+
+        int first = Math.Clamp(firstSample, window.FirstSample, window.EndSample - 1);
+        int end = Math.Clamp(firstSample + radii.Length, first + 1, window.EndSample);
+        int before = Math.Clamp(first - firstSample, 0, radii.Length - 1);
+        int count = Math.Min(end - first, radii.Length - before);
+        _model.ReadRadii(row, first, radii.Slice(before, count));
+        radii[..before].Fill(radii[before]);
+        radii[(before + count)..].Fill(radii[before + count - 1]);
     }
 
     private void ReadRing(int firstSample, Span<double> heights, ReadPart read)

@@ -10,7 +10,8 @@ internal readonly struct PlacedCrater
     public PlacedCrater(Crater crater)
     {
         Direction = crater.Direction;
-        Profile = new CraterProfile(crater);
+        Profile = new CraterProfile(crater, isSharp: true);
+        Freshness = crater.Freshness;
         Radius = crater.Radius / MoonConstants.ReferenceRadius;
         Diameter = 2.0 * crater.Radius;
     }
@@ -23,6 +24,9 @@ internal readonly struct PlacedCrater
 
     /// <summary>Centre to rim crest, radii of the Moon.</summary>
     public double Radius { get; }
+
+    /// <summary>Depth as a fraction of a new crater's depth.</summary>
+    public double Freshness { get; }
 
     /// <summary>m, rim crest to rim crest.</summary>
     public double Diameter { get; }

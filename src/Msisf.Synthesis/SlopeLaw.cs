@@ -17,6 +17,8 @@ internal sealed record SlopeLaw(double TangentAt17Metres, double HurstExponent)
     /// </summary>
     public const double LongestBaseline = 1000.0;
 
+    private const double BelowMetre = 0.86; // H at most
+
     private const double ReferenceBaseline = 17.0; // m: between LOLA's neighbouring spots
 
     /// <summary>The maria: 2.0 degrees at 17 m and H = 0.76.</summary>
@@ -28,6 +30,14 @@ internal sealed record SlopeLaw(double TangentAt17Metres, double HurstExponent)
     /// <summary>Tangent of the median slope at a baseline in m.</summary>
     public double TangentAt(double baseline) =>
         TangentAt17Metres * PortableMath.Pow(baseline / ReferenceBaseline, HurstExponent - 1.0);
+
+    /// <summary>
+    /// The same, but below a metre slopes grow at least as with H = 0.86: with the highlands' 0.95 ground would look like snow. Stereo
+    /// pictures of Apollo's show 0.5 to 0.8 over millimetres and centimetres (P. Helfenstein, M. K. Shepard, Icarus 141 (1999), 107).
+    /// </summary>
+    public double TangentOfGroundAt(double baseline) => baseline >= 1.0
+        ? TangentAt(baseline)
+        : TangentAt(1.0) * PortableMath.Pow(baseline, Math.Min(HurstExponent, BelowMetre) - 1.0);
 
     private static double TangentOfDegrees(double degrees)
     {

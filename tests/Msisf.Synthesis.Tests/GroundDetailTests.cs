@@ -32,6 +32,29 @@ public sealed class GroundDetailTests
         }
     }
 
+    /// <summary>Of a model that holds means, the mean of the ground over each cell is the model's own; here of 48 x 48 places.</summary>
+    [Fact]
+    public void RadiusAt_ModelOfMeans_HasTheMeansOfItsCells()
+    {
+        GridOfMeans means = new(Moon);
+        GroundDetail ground = new(Seed, [means]);
+        double[] radius = new double[1];
+        foreach ((int line, int sample) in new[] { (360, 700), (150, 1), (421, 1439) }.Take(TestLength.Of(2, 3)))
+        {
+            const int Side = 48;
+            double sum = 0.0;
+            for (int i = 0; i < Side * Side; i++)
+            {
+                sum += ground.RadiusAt(
+                    ((ITerrainGrid)means).Projection.DirectionOf(
+                        line - 0.5 + (((i / Side) + 0.5) / Side), sample - 0.5 + (((i % Side) + 0.5) / Side)), 128.0);
+            }
+
+            Moon.ReadRadii(line, sample, radius);
+            Assert.InRange((sum / (Side * Side)) - radius[0], -2.0, 2.0); // its samples would be some 100 m off
+        }
+    }
+
     [Fact]
     public void RadiusAt_SampleOfAMapInside_IsItsOwn()
     {
@@ -149,28 +172,6 @@ public sealed class GroundDetailTests
         }
     }
 
-    [Fact]
-    public void Boulders_InARegion_AreAsManyAsTheLawSaysAndStandOnTheGround()
-    {
-        BoulderPopulation boulders = new(Seed, 0.25, new CellMemory<Boulder>());
-        Boulder[] found = [.. boulders.Near(10.0, 10.01, 20.0, 0.01)]; // 303 m x 299 m, and some beside
-        double area = Math.Pow(MoonConstants.ReferenceRadius * Math.PI / 180.0 * 0.01, 2.0) * Math.Cos(10.005 * Math.PI / 180.0);
-        double expected = area * (BoulderPopulation.CountAbove(0.25) - BoulderPopulation.CountAbove(4.0));
-        Assert.Equal(2.3387e-3, BoulderPopulation.CountAbove(1.0), 1e-7); // 5e5 1000^-2.11 for each 100 m2
-        Assert.InRange(found.Length, 0.95 * expected, 1.15 * expected);
-        Assert.All(found, boulder =>
-        {
-            Assert.InRange(boulder.Radius, 0.125, 2.0);
-            Assert.InRange(boulder.Height, 0.6 * boulder.Radius, 1.8 * boulder.Radius);
-            Assert.Equal(boulder.Height, boulder.HeightAt(boulder.Centre), 1e-9);
-            Vector3D side = boulder.Radius / MoonConstants.ReferenceRadius * boulder.Narrow;
-            Assert.Equal(0.0, boulder.HeightAt(boulder.Centre + side));
-            Assert.True(boulder.HeightAt(boulder.Centre + (0.9 * boulder.WidthPart * side)) > 0.0);
-        });
-        double metres = found.Count(boulder => boulder.Radius > 0.5) / (double)found.Length;
-        Assert.InRange(metres, 0.035, 0.065); // 4^-2.11 = 0.054, less those above 4 m
-    }
-
     /// <summary>Fine lattices have more steps in a radius of the Moon than a 32-bit float counts.</summary>
     [Fact]
     public void Octave_OfCentimetres_IsSmooth()
@@ -193,5 +194,17 @@ public sealed class GroundDetailTests
             octave.AddTo(x, y, z, new float[8], height);
             return height[3];
         }
+    }
+
+    /// <summary>A model whose samples are means of cells.</summary>
+    private sealed class GridOfMeans(IGlobalGrid grid) : IGlobalGrid
+    {
+        public string ProductId => grid.ProductId;
+
+        public int PixelsPerDegree => grid.PixelsPerDegree;
+
+        public bool HoldsMeans => true;
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii) => grid.ReadRadii(line, firstSample, radii);
     }
 }

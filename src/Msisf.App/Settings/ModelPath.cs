@@ -16,12 +16,15 @@ internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacem
     private const string Scale = "scale";
     private const string Offset = "offset";
     private const string Shift = "shift";
+    private const string Values = "values";
+    private const string Means = "means";
+    private const string Samples = "samples";
 
     /// <summary>Value of <see cref="Offset"/> for a model that is raised to meet those around it.</summary>
     private const string Automatic = "auto";
 
     /// <summary>Parts that a text may have behind its path.</summary>
-    private const string ValidValues = "PATH[,scale=METRES][,offset=METRES|auto][,shift=EAST,NORTH] is needed";
+    private const string ValidValues = "PATH[,scale=METRES][,offset=METRES|auto][,shift=EAST,NORTH][,values=means|samples] is needed";
 
     /// <summary>Whether a text has options behind its path.</summary>
     public static bool HasOptions(string text) => Parse(text) is { Heights.IsEmpty: false } or { Placement: not (false, 0.0, 0.0) };
@@ -70,6 +73,14 @@ internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacem
                     placement = isFirst && Number(value) is { } east && Number(parts.ElementAtOrDefault(i)) is { } north
                         ? placement with { East = east, North = north }
                         : throw Wrong(text, "shift is two numbers, metres towards east and north, given once");
+                    break;
+                case Values:
+                    heights = heights with
+                    {
+                        HoldsMeans = isFirst && (value is Means or Samples)
+                            ? value == Means
+                            : throw Wrong(text, $"values, what --refine keeps, is {Means} or {Samples}, given once"),
+                    };
                     break;
                 default:
                     throw Wrong(text, $"'{option[0]}' is no option of a model");

@@ -31,7 +31,8 @@ internal static class SurfaceOptions
         "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels).AndTiles(),
         PathKind.Any,
         "Elevation model: its label, its image (of a split model any of them), any raster of a part of the Moon that GDAL reads, or a "
-            + "folder of models; behind the path of a raster ,scale=METRES and ,offset=METRES say what its values mean; "
+            + "folder of models; behind the path of a raster ,scale=METRES, ,offset=METRES and ,values=means|samples say what its "
+            + "values are; "
             + ",offset=METRES|auto and ,shift=EAST,NORTH (m) move a map; "
             + "given several times, the finest model wins where it has data")
     {

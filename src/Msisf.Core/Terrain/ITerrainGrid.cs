@@ -26,6 +26,9 @@ public interface ITerrainGrid : ITerrain
     /// <summary>The part of the grid that the model has.</summary>
     GridWindow Window => new(0, Lines, 0, Samples);
 
+    /// <summary>Whether a sample is the mean of its cell, as in LOLA's gridded products, and not the height in the cell's middle.</summary>
+    bool HoldsMeans => false;
+
     /// <summary>Whether samples may be without data (<see cref="ReadGaps"/>).</summary>
     bool MayHaveGaps => false;
 

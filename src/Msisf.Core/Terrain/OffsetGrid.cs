@@ -30,6 +30,9 @@ public sealed class OffsetGrid(ITerrainGrid grid, double offset) : ITerrainGrid
     public bool MayHaveGaps => grid.MayHaveGaps;
 
     /// <inheritdoc/>
+    public bool HoldsMeans => grid.HoldsMeans;
+
+    /// <inheritdoc/>
     public void ReadGaps(int line, int firstSample, Span<bool> isGap) => grid.ReadGaps(line, firstSample, isGap);
 
     /// <inheritdoc/>

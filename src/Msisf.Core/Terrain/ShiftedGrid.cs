@@ -56,6 +56,9 @@ public sealed class ShiftedGrid : ITerrainGrid
     /// <inheritdoc/>
     public bool MayHaveGaps => _grid.MayHaveGaps;
 
+    /// <inheritdoc/>
+    public bool HoldsMeans => _grid.HoldsMeans;
+
     private bool IsBetween => _below > 0.0 || _beside > 0.0;
 
     /// <summary>The map at another place.</summary>

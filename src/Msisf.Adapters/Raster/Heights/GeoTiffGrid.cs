@@ -41,6 +41,9 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public string ProductId { get; }
 
     /// <inheritdoc/>
+    public bool HoldsMeans => Given.HoldsMeans ?? RasterProducts.HoldsMeans(ProductId);
+
+    /// <inheritdoc/>
     public MapProjection Projection => _placement.Projection;
 
     /// <inheritdoc/>

@@ -36,6 +36,9 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
     public string ProductId => Set.ProductId;
 
     /// <inheritdoc/>
+    public bool HoldsMeans => RasterProducts.HoldsMeans(ProductId);
+
+    /// <inheritdoc/>
     public int PixelsPerDegree => _pixelsPerDegree;
 
     /// <inheritdoc/>

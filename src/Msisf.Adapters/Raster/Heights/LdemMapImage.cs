@@ -23,6 +23,9 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     public string ProductId => _image.ProductId;
 
     /// <inheritdoc/>
+    public bool HoldsMeans => RasterProducts.HoldsMeans(ProductId);
+
+    /// <inheritdoc/>
     public MapProjection Projection { get; }
 
     /// <inheritdoc/>

@@ -6,6 +6,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 internal static class RasterProducts
 {
+    private static readonly string[] OfMeans = ["LDEM", "SLDEM"];
+
     private static readonly RasterProduct[] Known =
     [
         // LROC's stereo models: 32-bit floats in m over 1737.4 km.
@@ -19,6 +21,10 @@ internal static class RasterProducts
         new("SLDEM2015_", ".JP2", MetresPerStep: 0.5),
         new("LDEM_", ".JP2", MetresPerStep: 0.5),
     ];
+
+    /// <summary>Whether the samples of a product are means of cells, by its name: LOLA's, and those merged with Kaguya's, are.</summary>
+    public static bool HoldsMeans(string productId) =>
+        Array.Exists(OfMeans, name => productId.StartsWith(name, StringComparison.OrdinalIgnoreCase));
 
     /// <summary>The product of a file; null if the name is none of them.</summary>
     public static RasterProduct? Find(string path)

@@ -27,6 +27,12 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <summary>Cells along a side of a window at most, before it is extended to whole blocks.</summary>
     private const int MostCells = 768;
 
+    /// <summary>Cells along a side of a map that a window is made to hold at most.</summary>
+    private const double MostHeld = 1280.0;
+
+    /// <summary>Cells of a window around a map that it holds: where finer facets join wider ones the map has ended.</summary>
+    private const int HeldMargin = 4;
+
     /// <summary>
     /// Cells of a window around what needs it: ground beside the image throws shadows into it, and the border is blended.
     /// </summary>
@@ -62,13 +68,27 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
         Vector3D nearest = seen.MinBy(ground => ground.Distance).Direction;
         LatticeFace face = LatticeFace.Of(nearest);
         List<WindowPlace> places = [];
-        for (int level = seen.Min(ground => ground.Level); level <= _widestLevel; level++)
+        int finest = seen.Min(ground => ground.Level);
+        foreach (FacetMesh mesh in _maps)
+        {
+            // Around a map that is seen from afar there is ground too, beyond a window as narrow as the map needs.
+            int level = WidestIn(mesh.Grid);
+            finest = level < finest && ToHold(mesh, face.Map(level), level, nearest).Length > 0 ? level : finest;
+        }
+
+        for (int level = finest; level <= _widestLevel; level++)
         {
             PolarStereographic map = face.Map(level);
-            (double, double)[] wanted = [.. seen.Where(ground => ground.Level <= level).Select(ground => map.PixelOf(ground.Direction))];
-            WindowPlace place = Around(face, level, wanted, map.PixelOf(nearest), places.Count == 0 ? null : places[^1].Cells);
+            (double, double)[] held = [.. _maps.SelectMany(mesh => ToHold(mesh, map, level, nearest))];
+            (double, double)[] wanted =
+            [
+                .. seen.Where(ground => ground.Level <= level).Select(ground => map.PixelOf(ground.Direction)),
+                .. held,
+            ];
+            CellRange? finer = places.Count == 0 ? null : places[^1].Cells;
+            WindowPlace place = Around(face, level, wanted, map.PixelOf(nearest), finer, held.Length > 0);
             bool isAtMapsEnd = places.Count > 0 && !HasMarginAround(place.Cells, places[^1].Cells);
-            if (isAtMapsEnd || _maps.Any(mesh => level > WidestIn(mesh.Grid) && Meets(mesh, place)))
+            if (isAtMapsEnd || _maps.Any(mesh => level > WidestIn(mesh.Grid) && Meets(mesh, place) && !IsHeld(mesh, places)))
             {
                 break; // where a finer model has data, it wins
             }
@@ -100,14 +120,59 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
             && range.FirstSample < all.EndSample && range.EndSample > all.FirstSample);
     }
 
+    /// <summary>
+    /// Corners of a map that is small enough for the widest window that may lie over it to hold it: wider windows around that one leave
+    /// the map as it is.
+    /// </summary>
+    private static (double Line, double Sample)[] ToHold(FacetMesh mesh, PolarStereographic map, int level, Vector3D nearest)
+    {
+        if (level != WidestIn(mesh.Grid))
+        {
+            return [];
+        }
+
+        (double Line, double Sample)[] corners = [.. CornersOf(mesh).Append(nearest).Select(map.PixelOf)];
+        double lines = corners.Max(at => at.Line) - corners.Min(at => at.Line);
+        double samples = corners.Max(at => at.Sample) - corners.Min(at => at.Sample);
+        return Math.Max(lines, samples) <= MostHeld ? corners : [];
+    }
+
+    private static IEnumerable<Vector3D> CornersOf(FacetMesh mesh)
+    {
+        CellRange all = mesh.Cells;
+        foreach (double line in (double[])[all.FirstLine, 0.5 * (all.FirstLine + all.EndLine), all.EndLine])
+        {
+            foreach (double sample in (double[])[all.FirstSample, 0.5 * (all.FirstSample + all.EndSample), all.EndSample])
+            {
+                yield return mesh.Grid.Projection.DirectionOf(line, sample);
+            }
+        }
+    }
+
+    /// <summary>Whether the last window holds a map with a margin.</summary>
+    private static bool IsHeld(FacetMesh mesh, List<WindowPlace> places)
+    {
+        if (places.Count == 0)
+        {
+            return false;
+        }
+
+        WindowPlace last = places[^1];
+        PolarStereographic map = last.Face.Map(last.Level);
+        return CornersOf(mesh).Select(map.PixelOf).All(at =>
+            at.Line >= last.Cells.FirstLine + HeldMargin && at.Line <= last.Cells.EndLine - HeldMargin
+            && at.Sample >= last.Cells.FirstSample + HeldMargin && at.Sample <= last.Cells.EndSample - HeldMargin);
+    }
+
     private static WindowPlace Around(
-        LatticeFace face, int level, (double Line, double Sample)[] wanted, (double Line, double Sample) nearest, CellRange? finer)
+        LatticeFace face, int level, (double Line, double Sample)[] wanted, (double Line, double Sample) nearest, CellRange? finer,
+        bool isHolding)
     {
         (int Low, int High)? holeLines = finer is { } a ? (a.FirstLine / 2, a.EndLine / 2) : null;
         (int Low, int High)? holeSamples = finer is { } b ? (b.FirstSample / 2, b.EndSample / 2) : null;
         int most = (int)(Extent * MoonConstants.ReferenceRadius / Math.ScaleB(1.0, level)) / Snap * Snap;
-        (int firstLine, int endLine) = Side([.. wanted.Select(at => at.Line)], nearest.Line, holeLines, most);
-        (int firstSample, int endSample) = Side([.. wanted.Select(at => at.Sample)], nearest.Sample, holeSamples, most);
+        (int firstLine, int endLine) = Side([.. wanted.Select(at => at.Line)], nearest.Line, holeLines, most, isHolding);
+        (int firstSample, int endSample) = Side([.. wanted.Select(at => at.Sample)], nearest.Sample, holeSamples, most, isHolding);
         return new WindowPlace(face, level, new CellRange(firstLine, endLine, firstSample, endSample));
     }
 
@@ -116,11 +181,13 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     /// <param name="nearest">The place that must be in it.</param>
     /// <param name="hole">The finer window in it.</param>
     /// <param name="most">The farthest line from the middle of the map.</param>
-    private static (int First, int End) Side(double[] wanted, double nearest, (int Low, int High)? hole, int most)
+    /// <param name="isHolding">Whether it has to hold a model's map, as wide as that is.</param>
+    private static (int First, int End) Side(
+        double[] wanted, double nearest, (int Low, int High)? hole, int most, bool isHolding)
     {
         double low = wanted.Append(hole?.Low ?? nearest).Min() - Margin;
         double high = wanted.Append(hole?.High ?? nearest).Max() + Margin;
-        if (high - low > MostCells)
+        if (high - low > Math.Max(MostCells, isHolding ? MostHeld + (2 * Margin) : 0.0))
         {
             double part = Math.Clamp((nearest - low) / (high - low), 0.0, 1.0);
             low = Math.Min(nearest - (part * MostCells), (hole?.Low ?? nearest) - Margin);
