@@ -95,7 +95,8 @@ internal sealed class FrameAnswers
         LayerProvenance provenance = session.Description.Provenance(metadata, rendered);
         if (plan.Layers is { } layers)
         {
-            AddLayers(answer, session, plan, layers, form, new LayersOf(metadata, provenance, rendered.Truth!), cancellation);
+            AddLayers(answer, session, plan, layers, form, new LayersOf(
+                metadata, provenance, FrameNavigation.Mark(rendered.Truth!, metadata.Navigation, layers)), cancellation);
         }
 
         if (plan.HasNumbers)

@@ -10,10 +10,10 @@ namespace Msisf.Server;
 /// </summary>
 internal static class MetadataJson
 {
-    private static readonly string[] Lists = ["Pixel", "Input"];
+    private static readonly string[] Lists = ["Pixel", "Input", "Crater", "CraterLeftOut", "Landmark"];
 
     /// <summary>Attributes that stay texts, even if they look like a number.</summary>
-    private static readonly string[] Texts = ["name", "product", "sha256"];
+    private static readonly string[] Texts = ["name", "id", "product", "sha256", "hiddenBy"];
     private static readonly XmlReaderSettings Reading = new() { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null };
 
     /// <summary>Writes the JSON.</summary>

@@ -32,6 +32,10 @@ class Frame(View):
         utc: Time, ISO 8601.
         meta: The meta file.
         warnings: What the server finds strange about the request.
+        craters: With ``craters="NAME"`` a record array of the craters in the image: id, name, latitude, longitude, diameter, h, v,
+            semiMajor, semiMinor, turn (degrees), inside, hidden, lit, incidence, emission; NaN where a number is not defined.
+        landmarks: With ``landmarks="NAME"`` a record array of the landmarks: id, name, x, y, z, h, v, visible, lit, range, pixelScale, and
+            the partial derivatives hByShift, hByTurn, hByPoint and those of v, [3] each.
     """
 
     def __init__(
@@ -56,6 +60,8 @@ class Frame(View):
         self.layers: Dict[str, "NDArray[Any]"] = dict(layers)
         self.meta = meta
         self.warnings = list(warnings)
+        self.craters = _records(meta, "CraterInformation", "Crater", _CRATER)
+        self.landmarks = _records(meta, "LandmarkInformation", "Landmark", _LANDMARK)
         quaternion = general["CameraOrientation"]["Quaternion"]
         self.quaternion: "NDArray[np.float64]" = np.array([quaternion[name] for name in ("x", "y", "z", "r")], dtype=float)
         self.sun_position = _vector(general["SunPosition"])
@@ -82,6 +88,26 @@ class Frame(View):
                 array: "NDArray[Any]" = layers[known]
                 return array
         raise AttributeError(f"the frame has no '{name}'; layers are asked for by render(layers=[...])")
+
+
+_NUMBERS = ("latitude", "longitude", "diameter", "minorDiameter", "angle", "height", "h", "v", "semiMajor", "semiMinor", "turn", "inside",
+            "hidden", "lit", "incidence", "emission", "residual")  # fmt: skip
+_CRATER = [("number", int), ("id", object), ("name", object), *((name, float) for name in _NUMBERS)]
+_PLACES = ("latitude", "longitude", "height", "x", "y", "z", "h", "v")
+_DERIVATIVES = ("hByShift", "hByTurn", "hByPoint", "vByShift", "vByTurn", "vByPoint")
+_LANDMARK = [("number", int), ("id", object), ("name", object), *((name, float) for name in _PLACES), ("visible", bool), ("lit", bool),
+             ("incidence", float), ("range", float), ("pixelScale", float), *((name, float, 3) for name in _DERIVATIVES)]  # fmt: skip
+
+
+def _records(meta: Mapping[str, Any], group: str, element: str, fields: Sequence[Any]) -> "NDArray[Any]":
+    """The elements of a group of the meta file as a record array; empty without the group."""
+    elements = meta.get(group, {}).get(element, [])
+    records = np.zeros(len(elements), dtype=fields)
+    for name, kind, *_ in fields if elements else ():
+        missing = float("nan") if kind is float else None
+        values = [each.get(name, missing) for each in elements]
+        records[name] = [value == "yes" for value in values] if kind is bool else values
+    return records.view(np.recarray)
 
 
 def _vector(element: Mapping[str, Any]) -> "NDArray[np.float64]":

@@ -6,11 +6,12 @@ import closed_loop
 import data_set
 import latency
 import numpy as np
+import pose_from_craters
 import pytest
 import soak
 
 
-@pytest.mark.parametrize("example", [closed_loop, data_set, latency, soak])
+@pytest.mark.parametrize("example", [closed_loop, data_set, latency, pose_from_craters, soak])
 def test_help_helps(example, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])

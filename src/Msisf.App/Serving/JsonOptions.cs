@@ -155,7 +155,11 @@ internal sealed class JsonOptions
             _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
             _ => JsonText.Of(value, option.Name),
         };
-        Put(option, option == AlbedoOptions.Map || option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!) : text);
+        Put(
+            option,
+            option == AlbedoOptions.Map || option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!)
+                : NavigationOptions.Lists.Contains(option) ? _names.Catalogue(option.Key, text!)
+                : text);
         if (option == RendererOptions.Renderer && RendererOptions.Renderer.Read(new OptionValues(_values)) != RendererKind.Native)
         {
             throw new UsageException($"{option.Name} {text}: the server draws with the native renderer only. Leave it out.").About(option);

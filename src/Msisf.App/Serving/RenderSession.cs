@@ -20,6 +20,8 @@ internal sealed class RenderSession : IDisposable
     private readonly NativeDrawing _drawing;
     private readonly NativeLevels _levels;
     private readonly ServedEphemeris _ephemeris;
+    private readonly FrameNavigation? _navigation;
+    private readonly IReadOnlyList<InputFile> _lists;
     private readonly ProgramHost _host;
 
     public RenderSession(
@@ -32,6 +34,9 @@ internal sealed class RenderSession : IDisposable
         _host = host;
         _levels = _model.LevelsFor(Settings.LevelOfDetailError);
         _drawing = new NativeDrawing(Settings.Native, _model.Opened.Grid, maps.Value, _levels, host.Times);
+        NavigationInputs? lists = NavigationInputs.Open(Settings.Native.Navigation, _model.Opened.Grid.ReferenceRadius);
+        _navigation = lists is null ? null : new FrameNavigation(lists);
+        _lists = lists?.Files ?? [];
         Description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
     }
 
@@ -98,7 +103,7 @@ internal sealed class RenderSession : IDisposable
 
     /// <summary>What the meta file says of a frame.</summary>
     public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>
-        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame));
+        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with { Navigation = _navigation?.Of(rendered) };
 
     /// <summary>Gives the maps back.</summary>
     public void Dispose() => _maps.Dispose();
@@ -111,6 +116,7 @@ internal sealed class RenderSession : IDisposable
     [
         .. _ephemeris.InputsOf(_model, Settings),
         .. _maps.Value.Files,
+        .. _lists,
         .. Settings.Camera is { } camera ? [RunInputs.Of(camera)] : (InputFile[])[],
     ];
 }

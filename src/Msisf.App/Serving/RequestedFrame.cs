@@ -29,9 +29,12 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
         bool hasTruth = settings.Native.Render.KeepGroundTruth;
         bool hasDetector = settings.Native.Detector is not null;
         return $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {MapsKeyOf(settings)} {settings.Camera?.Sha256} {hasTruth} "
-            + $"{hasDetector}";
+            + $"{hasDetector} {ListsKeyOf(settings)}";
     }
 
     private static string MapsKeyOf(RenderSettings settings) =>
         $"{settings.Albedo} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
+
+    private static string ListsKeyOf(RenderSettings settings) =>
+        $"{settings.Native.Navigation?.Craters} {settings.Native.Navigation?.Landmarks}";
 }

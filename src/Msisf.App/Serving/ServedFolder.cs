@@ -21,6 +21,7 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
     private static readonly HashSet<string> Known =
         [.. CommandTable.OptionsOfRequest.Except([
             RendererOptions.Renderer, NativeOptions.Layers, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
+            .. NavigationOptions.Group.Options,
         ]).Select(option => option.Key)];
 
     private readonly Lock _gate = new();

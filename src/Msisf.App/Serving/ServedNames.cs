@@ -16,6 +16,7 @@ namespace Msisf.App.Serving;
 internal sealed class ServedNames : IDisposable
 {
     private readonly Dictionary<string, string> _maps;
+    private readonly IReadOnlyDictionary<string, string> _catalogues;
     private readonly ConcurrentDictionary<string, CameraFile> _cameraFiles = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
@@ -31,6 +32,7 @@ internal sealed class ServedNames : IDisposable
             _maps.TryAdd(Path.GetFileName(path), path);
         }
 
+        _catalogues = settings.Catalogues;
         Cameras = CameraChoice.Presets(host.Installation);
     }
 
@@ -58,6 +60,13 @@ internal sealed class ServedNames : IDisposable
     /// <exception cref="UsageException">There is none.</exception>
     public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
         : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
+
+    /// <summary>The path of a catalogue of craters, or of a list of landmarks.</summary>
+    /// <param name="option">Key of the option, for the message.</param>
+    /// <param name="name">Its name.</param>
+    /// <exception cref="UsageException">There is none.</exception>
+    public string Catalogue(string option, string name) =>
+        _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);
 
     /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
     /// <exception cref="UsageException">There is none.</exception>

@@ -23,7 +23,8 @@ internal static class CommandTable
     /// <summary>The options that a request to the server may have. It names no file, only the server's maps by their names.</summary>
     public static IEnumerable<OptionSpec> OptionsOfRequest => OptionsOfRun.Where(
         option => option.Role is DecidesBytes { IsOfRequests: true } && !option.IsOfOneCall
-            && (option is not PathSpec || option == AlbedoOptions.Map || option == NativeOptions.HapkeMap));
+            && (option is not PathSpec || option == AlbedoOptions.Map || option == NativeOptions.HapkeMap
+                || NavigationOptions.Lists.Contains(option)));
 
     /// <summary>msis patterns.</summary>
     public static CommandSpec Patterns { get; } = new("patterns", "Make surface patterns for POV-Ray ahead of a run.")

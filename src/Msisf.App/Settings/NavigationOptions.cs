@@ -24,7 +24,7 @@ internal static class NavigationOptions
 
     /// <summary>Where rims lie.</summary>
     public static ChoiceSpec<CraterRim> Rim { get; } = new(
-        "--crater-rim", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.Rim).OfRuns(),
+        "--crater-rim", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.Rim),
         [new Choice("disc", CraterRim.Disc), new Choice("terrain", CraterRim.Terrain)],
         "The rim of a crater: the catalogue's circle or ellipse in the plane of its centre, or the highest ground about there")
     {
@@ -33,7 +33,7 @@ internal static class NavigationOptions
 
     /// <summary>Least diameter in the image.</summary>
     public static NumberSpec CraterSize { get; } = new(
-        "--crater-size", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.LeastDiameter).OfRuns(), "PX",
+        "--crater-size", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.LeastDiameter), "PX",
         "Least diameter in the image of craters that are listed; smaller ones are counted")
     {
         Default = DefaultCraterSize,
@@ -53,7 +53,7 @@ internal static class NavigationOptions
 
     /// <summary>The other frame of the flow.</summary>
     public static TextSpec Flow { get; } = new(
-        "--flow", DecidesBytes.ByStates, $"{NextFrame}|{PreviousFrame}|FILE|STATE",
+        "--flow", DecidesBytes.ByStatesOfRun, $"{NextFrame}|{PreviousFrame}|FILE|STATE",
         "Where each pixel's surface point lies in another image, whether that shows it, and how the light differs: of the run's next or "
             + "previous image, of a meta file's, or of a state {MJD,rx,ry,rz,qx,qy,qz,q0}")
     {
@@ -62,7 +62,7 @@ internal static class NavigationOptions
 
     /// <summary>m: baseline to a second camera.</summary>
     public static NumberSpec Stereo { get; } = new(
-        "--stereo", DecidesBytes.As(frame => frame.Native?.Navigation?.Stereo), "METRES",
+        "--stereo", DecidesBytes.As(frame => frame.Native?.Navigation?.Stereo).OfRuns(), "METRES",
         "Disparity of each pixel to a camera so far to the right of this one that looks the same way")
     {
         Limits = new NumberRange(0.0, MaxBaseline) { ExcludesMin = true },
@@ -70,13 +70,16 @@ internal static class NavigationOptions
 
     /// <summary>File formats of flow and disparity.</summary>
     public static TextSpec FlowFormat { get; } = new(
-        "--flow-format", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.FlowFormatNames), "LIST",
+        "--flow-format", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.FlowFormatNames).OfRuns(), "LIST",
         "Formats of flow and disparity, separated by commas: fits and npy (double precision), flo (Middlebury), kitti (PNG)")
     {
         Default = DefaultFlowFormat,
         Separator = ",",
         Words = ["fits", "npy", "flo", "kitti"],
     };
+
+    /// <summary>The options that name a list of places; in a request it is a name of the server's.</summary>
+    public static IReadOnlyList<PathSpec> Lists => [Craters, Landmarks];
 
     /// <summary>The options that are of use with a catalogue only.</summary>
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];

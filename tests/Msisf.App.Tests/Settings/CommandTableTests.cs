@@ -42,11 +42,11 @@ public sealed class CommandTableTests
 
     /// <summary>A client names no file of the server's computer.</summary>
     [Fact]
-    public void OptionsOfARequest_SayWhatOneImageIs_AndNameNoFileButMaps()
+    public void OptionsOfARequest_SayWhatOneImageIs_AndNameNoFileButMapsAndLists()
     {
         OptionSpec[] options = [.. CommandTable.OptionsOfRequest];
 
-        Assert.Equal([AlbedoOptions.Map, NativeOptions.HapkeMap], options.OfType<PathSpec>());
+        Assert.Equal([AlbedoOptions.Map, NativeOptions.HapkeMap, .. NavigationOptions.Lists], options.OfType<PathSpec>());
         Assert.All(options, option => Assert.IsType<DecidesBytes>(option.Role));
         OptionSpec[] some =
             [CameraOptions.FixedState, PointingOptions.Position, ImageOptions.Camera, OutputOptions.Grid, NativeOptions.NoiseSeed];
