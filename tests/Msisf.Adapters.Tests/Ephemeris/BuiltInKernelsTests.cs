@@ -32,6 +32,7 @@ public sealed class BuiltInKernelsTests : IDisposable
 
         Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd));
 
+        // 55289 is a whole day, at which both have the same double: some ulps are left; elsewhere see above.
         Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, mjd == 55289.0 ? 1e-15 : 2e-12);
     }
 

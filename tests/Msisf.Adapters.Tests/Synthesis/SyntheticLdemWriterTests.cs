@@ -125,7 +125,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         double Largest(float[] heights, int line) => Enumerable.Range(22 * Resolution, 36 * Resolution).Max(
             sample => Math.Abs(heights[((line + 1) * Samples) + sample] - heights[(line * Samples) + sample]));
         double typical = Enumerable.Range(85 * Resolution, 4 * Resolution).Max(line => Largest(whole, line));
-        Assert.InRange(Largest(filled, (90 * Resolution) - 1), 0.0, 1.5 * typical);
+        Assert.InRange(Largest(filled, (90 * Resolution) - 1), 0.0, 1.5 * typical); // one pair of lines against the largest of many
     }
 
     [Fact]
@@ -252,7 +252,7 @@ public sealed partial class SyntheticLdemWriterTests : IDisposable
         SyntheticLdemWriter.Write(Options(4, ".") with { Threads = 1 }, new Progress(fractions.Add), CancellationToken.None);
         Assert.Equal(1.0, fractions[^1]);
         Assert.Equal(fractions.Order(), fractions);
-        Assert.InRange(fractions.Count, 10, 1000);
+        Assert.InRange(fractions.Count, 10, 1000); // one for each block of some degrees
     }
 
     [Fact]
