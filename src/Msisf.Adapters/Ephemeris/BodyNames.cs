@@ -10,7 +10,7 @@ public sealed class BodyNames
     private const string CodesVariable = "NAIF_BODY_CODE";
 
     /// <summary>Those of CSPICE's own list that a camera near the Moon may meet (NAIF Integer ID Codes); the usual name first.</summary>
-    private static readonly (string Name, int Number)[] BuiltIn =
+    internal static IReadOnlyList<(string Name, int Number)> BuiltIn { get; } =
     [
         ("SOLAR SYSTEM BARYCENTER", 0), ("SSB", 0), ("MERCURY BARYCENTER", 1), ("VENUS BARYCENTER", 2),
         ("EARTH BARYCENTER", 3), ("EMB", 3), ("EARTH MOON BARYCENTER", 3), ("MARS BARYCENTER", 4), ("JUPITER BARYCENTER", 5),
@@ -20,10 +20,10 @@ public sealed class BodyNames
         ("NEPTUNE", 899), ("PLUTO", 999),
         ("LRO", -85), ("LUNAR RECONNAISSANCE ORBITER", -85), ("LUNAR RECON ORBITER", -85), ("LCROSS", -18), ("LADEE", -12),
         ("LUNAR PROSPECTOR", -25), ("LP", -25), ("CLEMENTINE", -40), ("CHANDRAYAAN-1", -86), ("SELENE", -131), ("KAGUYA", -131),
-        ("GRAIL-A", -177), ("GRAIL-B", -181), ("SMART-1", -238), ("SMART1", -238), ("KPLO", -155), ("DANURI", -155),
-        ("THEMIS-B", -192), ("THEMIS-C", -193), ("GALILEO ORBITER", -77), ("GLL", -77), ("CASSINI", -82), ("ROSETTA", -226),
+        ("GRAIL-A", -177), ("GRAIL-B", -181), ("SMART-1", -238), ("SMART1", -238), ("KPLO", -155),
+        ("GALILEO ORBITER", -77), ("GLL", -77), ("CASSINI", -82), ("ROSETTA", -226),
         ("MARS EXPRESS", -41), ("MEX", -41), ("MESSENGER", -236), ("BEPICOLOMBO MPO", -121), ("JUNO", -61), ("JUICE", -28),
-        ("EUROPA CLIPPER", -159), ("CHANDRAYAAN-2", -152),
+        ("EUROPA CLIPPER", -159),
     ];
 
     private readonly Dictionary<string, int> _numbers = new(StringComparer.Ordinal);

@@ -18,7 +18,10 @@ internal static class DafSegments
             file.IdWord == "DAF/SPK" ? Position(file, summary, frameFromJ2000) : Orientation(file, summary));
 
     /// <summary>The segments of a CK, in the order of the file.</summary>
-    public static IEnumerable<CkSegment> OfCk(DafFile file) => file.Summaries.Select<DafSummary, CkSegment>(summary =>
+    public static IEnumerable<CkSegment> OfCk(DafFile file) => file.Summaries.Select(summary => OfCk(file, summary));
+
+    /// <summary>A segment of a CK.</summary>
+    public static CkSegment OfCk(DafFile file, DafSummary summary) =>
         summary.Integers[2] switch
         {
             1 => new CkDiscrete(file, summary),
@@ -29,7 +32,7 @@ internal static class DafSegments
             6 => new CkPieces(file, summary),
             int type => new CkUnknown(
                 file, summary, $"{file.FileName}: the attitude of {summary.Integers[0]} is given by CK type {type}; 1 to 6 are known"),
-        });
+        };
 
     private static IEphemerisSegment Position(DafFile file, DafSummary summary, Func<int, double, RotationMatrix> frameFromJ2000)
     {
@@ -54,7 +57,8 @@ internal static class DafSegments
     /// <summary>The SPK types that can be read, for messages.</summary>
     private const string KnownTypes = "the types 1, 2, 3, 5, 8, 9, 12, 13, 18 and 21";
 
-    private static IEphemerisSegment Orientation(DafFile file, DafSummary summary)
+    /// <summary>The segment of a binary PCK.</summary>
+    public static IEphemerisSegment Orientation(DafFile file, DafSummary summary)
     {
         (int body, int frame, int type) = (summary.Integers[0], summary.Integers[1], summary.Integers[2]);
         if (frame != J2000 || type != ChebyshevAngles)

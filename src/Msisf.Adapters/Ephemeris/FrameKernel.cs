@@ -16,7 +16,13 @@ public static class FrameKernel
     /// <param name="pool">Holds the frame kernels.</param>
     /// <param name="name">The frame, e.g. "MOON_ME".</param>
     /// <exception cref="BadInputException">The frame is not defined, defined by itself, or of a kind that can't be read.</exception>
-    public static BodyFixedFrame ReadBodyFixedFrame(KernelPool pool, string name)
+    public static BodyFixedFrame ReadBodyFixedFrame(KernelPool pool, string name) => ReadBodyFixedFrame(pool, name, []);
+
+    /// <inheritdoc cref="ReadBodyFixedFrame(KernelPool, string)"/>
+    /// <param name="pool">Holds the frame kernels.</param>
+    /// <param name="name">The frame, e.g. "MOON_ME".</param>
+    /// <param name="variables">Gets the names of the variables that define it.</param>
+    internal static BodyFixedFrame ReadBodyFixedFrame(KernelPool pool, string name, List<string> variables)
     {
         RotationMatrix frameFromCurrent = RotationMatrix.Identity;
         List<string> names = [];
@@ -40,11 +46,16 @@ public static class FrameKernel
 
             int id = pool.WholeNumber($"FRAME_{current}");
             string classVariable = Variable(pool, "FRAME", id, current, "CLASS");
+            variables.AddRange([$"FRAME_{current}", classVariable]);
             switch (pool.WholeNumber(classVariable))
             {
                 case PckClass:
-                    return new BodyFixedFrame(pool.WholeNumber(Variable(pool, "FRAME", id, current, "CLASS_ID")), frameFromCurrent);
+                    variables.Add(Variable(pool, "FRAME", id, current, "CLASS_ID"));
+                    return new BodyFixedFrame(pool.WholeNumber(variables[^1]), frameFromCurrent);
                 case TkClass:
+                    string[] items = ["RELATIVE", "SPEC", "MATRIX", "ANGLES", "AXES", "UNITS", "Q"];
+                    variables.AddRange(
+                        items.Select(item => Variable(pool, "TKFRAME", id, current, item)).Where(item => pool.Find(item) is not null));
                     frameFromCurrent *= ReadRelativeFromFrame(pool, id, current).Transposed;
                     current = pool.Text(Variable(pool, "TKFRAME", id, current, "RELATIVE"));
                     break;

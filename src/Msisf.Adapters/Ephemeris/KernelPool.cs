@@ -9,6 +9,7 @@ namespace Msisf.Adapters.Ephemeris;
 public sealed class KernelPool
 {
     private readonly Dictionary<string, KernelVariable> _variables = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, string> _replaced = new(StringComparer.Ordinal);
 
     /// <summary>What the text kernels among some kernels assign.</summary>
     /// <param name="paths">Kernels of all kinds, no meta-kernels, in load order.</param>
@@ -29,7 +30,19 @@ public sealed class KernelPool
     public IReadOnlyCollection<string> Names => _variables.Keys;
 
     /// <summary>Assigns (=).</summary>
-    public void Assign(string name, KernelVariable values) => _variables[name] = values;
+    public void Assign(string name, KernelVariable values)
+    {
+        if (_variables.TryGetValue(name, out KernelVariable? before)
+            && !(before.Numbers.SequenceEqual(values.Numbers) && before.Texts.SequenceEqual(values.Texts)))
+        {
+            _replaced.TryAdd(name, before.Source);
+        }
+
+        _variables[name] = values;
+    }
+
+    /// <summary>Where a name was first assigned, if it was later assigned another value; else null.</summary>
+    public string? FirstSource(string name) => _replaced.GetValueOrDefault(name);
 
     /// <summary>Appends (+=); a new name is assigned.</summary>
     /// <exception cref="BadInputException">Numbers are appended to texts, or the reverse.</exception>

@@ -60,24 +60,25 @@ internal sealed class SpacecraftAttitudes
     /// <summary>The times at which the attitude of an instrument is known.</summary>
     /// <param name="instrument">NAIF's number.</param>
     /// <exception cref="BadInputException">The clock is missing, or a kernel is damaged.</exception>
-    public TdbCover CoverOf(int instrument)
-    {
-        List<TdbInterval> intervals = [];
-        foreach (CkSegment segment in _segments.Value[instrument])
-        {
-            SpacecraftClock clock = ClockOf(instrument);
-            foreach (TdbInterval ticks in segment.Intervals)
-            {
-                (double start, double end) = (Math.Max(ticks.Start, segment.Ticks.Start), Math.Min(ticks.End, segment.Ticks.End));
-                if (start <= end)
-                {
-                    intervals.Add(Inside(clock, start, end));
-                }
-            }
-        }
+    public TdbCover CoverOf(int instrument) =>
+        TdbCover.Union(_segments.Value[instrument].SelectMany(segment => CoverOf(segment).Intervals));
 
-        return TdbCover.Union(intervals);
+    /// <summary>The times at which a segment has an attitude.</summary>
+    /// <param name="segment">The segment.</param>
+    /// <exception cref="BadInputException">The clock is missing, or the kernel is damaged.</exception>
+    public TdbCover CoverOf(CkSegment segment)
+    {
+        SpacecraftClock clock = ClockOf(segment.Instrument);
+        return TdbCover.Union(
+            from ticks in segment.Intervals
+            let start = Math.Max(ticks.Start, segment.Ticks.Start)
+            let end = Math.Min(ticks.End, segment.Ticks.End)
+            where start <= end
+            select Inside(clock, start, end));
     }
+
+    /// <summary>Whether the clock in whose ticks an instrument's attitudes count is among the kernels.</summary>
+    public bool HasClockOf(int instrument) => SpacecraftClock.IsIn(_pool, NumberOfClock(instrument));
 
     /// <summary>Turns ticks into TDB. Both are rounded, so the ends are moved inwards by two steps of a double (1.2e-7 s).</summary>
     private static TdbInterval Inside(SpacecraftClock clock, double start, double end)
@@ -92,7 +93,7 @@ internal sealed class SpacecraftAttitudes
         instrument, id => SpacecraftClock.Read(_pool, NumberOfClock(id), LeapSecondsKernel.ReadScale(_pool)));
 
     /// <summary>The clock's number as a frame kernel says it, or as in SPICE that of the spacecraft whose instrument it is.</summary>
-    private int NumberOfClock(int instrument)
+    public int NumberOfClock(int instrument)
     {
         string variable = string.Create(CultureInfo.InvariantCulture, $"CK_{instrument}_SCLK");
         return _pool.Find(variable) is not null ? _pool.WholeNumber(variable) : instrument / 1000;

@@ -26,8 +26,13 @@ internal static class OriginXml
             '\n',
             [
                 .. Body(frame.Globe, digits), Model(frame.Elevation), .. frame.Elevation.Parts.Select(Part),
-                .. Camera(CameraMatrix.Of(frame.Camera), digits), .. frame.Inputs.Select(Input),
+                .. Camera(CameraMatrix.Of(frame.Camera), digits), .. Orientation(frame), .. frame.Inputs.Select(Input),
             ]);
+
+    /// <summary>A comment that says which kernels give the body's frame, where the user names kernels.</summary>
+    private static IEnumerable<string> Orientation(FrameMetadata frame) => frame.Orientation is { } orientation
+        ? [$"    <!-- {frame.Globe.Body.Frame}: {orientation.Replace("--", "- -", StringComparison.Ordinal)} -->"]
+        : [];
 
     /// <summary>The word by which an Input element names its kind.</summary>
     public static string WordOf(InputKind kind) => kind switch

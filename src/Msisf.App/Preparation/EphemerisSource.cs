@@ -3,6 +3,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
 
@@ -22,6 +23,9 @@ internal sealed class EphemerisSource : IDisposable
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
 
+    /// <summary>Which kernels give the Moon's frame, where the user names kernels; null before they are opened.</summary>
+    public string? Orientation { get; private set; }
+
     /// <summary>The engine, opened on first use.</summary>
     public IEphemeris Engine()
     {
@@ -33,6 +37,7 @@ internal sealed class EphemerisSource : IDisposable
                 Body = _settings.Body,
             }));
             _host.Log.Note(Opened.Notice);
+            Orientation = NamedOrientation(Opened);
         }
 
         return Opened.Engine;
@@ -49,4 +54,25 @@ internal sealed class EphemerisSource : IDisposable
     public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(() => KernelList.Expand(KernelNames));
 
     public void Dispose() => Opened?.Dispose();
+
+    /// <summary>Which kernels give the Moon's frame; null for those of the installation.</summary>
+    /// <exception cref="BadInputException">Two of them give different ones.</exception>
+    private string? NamedOrientation(OpenedEphemeris opened)
+    {
+        if (!_settings.Body.IsMoon || (_settings.Kernels.Count == 0 && _settings.TrajectoryKernels.Count == 0))
+        {
+            return null;
+        }
+
+        try
+        {
+            _ = opened.Catalogue;
+        }
+        catch (BadInputException) when (!_settings.IsMission)
+        {
+            return null; // CSPICE takes kernels that the built-in reader does not know
+        }
+
+        return LightOptions.Kernels.NamedInErrors(() => LunarOrientation.Of(opened.Catalogue));
+    }
 }

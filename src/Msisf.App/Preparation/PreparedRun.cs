@@ -15,6 +15,9 @@ namespace Msisf.App.Preparation;
 internal sealed record PreparedRun(
     IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames, ElevationModel Model) : IDisposable
 {
+    /// <summary>Which kernels give the body's frame, for cameras on the trajectory of a mission; null for others.</summary>
+    public string? Orientation { get; private init; }
+
     /// <summary>Reads the states, sets up the frames, opens the elevation model, and checks all of it.</summary>
     /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
@@ -31,7 +34,10 @@ internal sealed record PreparedRun(
             RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, model, host, cancellation);
             GroundCheck.Refuse(run.Frames, model.Opened, settings.ShutterSpan, cancellation, settings.Body, trajectory);
             run.WarnOfCamera(settings, host, model.Opened.Grid.ReferenceRadius);
-            return new PreparedRun(run.States, run.Names, run.Frames, model.Opened);
+            return new PreparedRun(run.States, run.Names, run.Frames, model.Opened)
+            {
+                Orientation = settings.IsMission ? ephemeris.Orientation : null,
+            };
         }
         catch
         {

@@ -16,6 +16,9 @@ namespace Msisf.App.Rendering;
 internal sealed class FrameDescription(
     RenderSettings settings, ElevationModel model, string version, Func<IReadOnlyList<InputFile>> inputs)
 {
+    /// <summary>Which kernels give the body's frame, for cameras on the trajectory of a mission; null for others.</summary>
+    public string? Orientation { get; init; }
+
     /// <summary>What the meta file says of the whole frame.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="rendered">The result of the renderer.</param>
@@ -37,6 +40,7 @@ internal sealed class FrameDescription(
         inputs())
     {
         Globe = new DrawnGlobe(settings.Body, model.Grid.ReferenceRadius),
+        Orientation = Orientation,
     };
 
     /// <summary>The pixels that the meta file lists.</summary>

@@ -108,7 +108,10 @@ internal sealed class RenderRun
         int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
         ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
         InputComparison comparison = new(_host.Log);
-        FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All);
+        FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All)
+        {
+            Orientation = run.Orientation,
+        };
         FrameFiles files = new(_settings, description, comparison, ledger, _times, navigation);
         ExposureNote? exposure = _settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: run.States[0].Noise is not null)

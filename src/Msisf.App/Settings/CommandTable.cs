@@ -165,6 +165,20 @@ internal static class CommandTable
         MakeGroups = () => [OnlyHelp],
     };
 
+    /// <summary>msis kernels.</summary>
+    public static CommandSpec Kernels { get; } = new("kernels", "List what SPICE kernels hold: objects, times, types, frames, byte order.")
+    {
+        Details =
+            "A line for each segment of SPK, CK and binary PCK, and for each text kernel. Times are UTC, by the installed leap seconds. "
+                + "Those of a CK need the spacecraft's clock (SCLK) among the kernels; frames are named where a frame kernel is.",
+        MakeArgument = () => new ArgumentSpec("FILE", "Kernels and meta-kernels")
+        {
+            TakesSeveralWords = true,
+        },
+        Examples = [("When LRO's attitude is known:", "msis kernels moc42r_2009181_2009213_v14.bc lro_clkcor_2019239_v00.tsc")],
+        MakeGroups = () => [new OptionGroup("Output", [KernelsOptions.Format]), OnlyHelp],
+    };
+
     /// <summary>msis serve.</summary>
     public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")
     {
@@ -252,7 +266,11 @@ internal static class CommandTable
             }
         ],
         Commands =
-            [Patterns, BatchConvert, Submit, States, Status, Verify, Merge, Ldem, Serve, View, Cameras, Config, Completion, Man, Help],
+        Commands =
+        [
+            Patterns, BatchConvert, Submit, States, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Config,
+            Completion, Man, Help,
+        ],
     };
 
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>

@@ -26,6 +26,7 @@ internal static class CommandActions
         [CommandTable.Serve] = ServeCommand.RunAsync,
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
         [CommandTable.Cameras] = Printing(CamerasCommand.Print),
+        [CommandTable.Kernels] = Printing(KernelsCommand.Print),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),
         [CommandTable.Help] = Printing(HelpCommand.Run),
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),

@@ -48,14 +48,16 @@ internal sealed class CommandTree
     public OptionValues ValuesOf(ParseResult line)
     {
         ParsedCommand command = _commands[line.CommandResult.Command];
+        string[] words = command.Argument is not null && line.GetResult(command.Argument) is { } given
+            ? [.. given.Tokens.Select(token => token.Value)]
+            : [];
         return new OptionValues(
             command.Options
                 .Select(option => KeyValuePair.Create(option.Name, line.GetResult(option)))
                 .Where(pair => pair.Value is { Implicit: false })
                 .Select(pair => KeyValuePair.Create(pair.Key, new OptionValue([.. pair.Value!.Tokens.Select(token => token.Value)]))),
-            command.Argument is not null && line.GetResult(command.Argument) is { Tokens.Count: > 0 } given
-                ? string.Join(' ', given.Tokens.Select(token => token.Value))
-                : null);
+            words.Length > 0 ? string.Join(' ', words) : null,
+            words);
     }
 
     private Command Create(string path, CommandSpec spec, Command command, Func<CommandSpec, ParseResult, CancellationToken, Task<int>> run)

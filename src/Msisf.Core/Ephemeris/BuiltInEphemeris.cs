@@ -87,8 +87,17 @@ public sealed class BuiltInEphemeris : IEphemeris
         _orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(_scale.ToUtc(tdbSeconds));
 
     /// <inheritdoc/>
-    public StateVector StateOf(int naifNumber, double tdbSeconds) =>
-        MetresPerKilometre * (_chain.StateKm(naifNumber, _body.NaifNumber, tdbSeconds) ?? throw NoState(naifNumber, tdbSeconds));
+    public StateVector StateOf(int naifNumber, double tdbSeconds)
+    {
+        StateVector state = MetresPerKilometre
+            * (_chain.StateKm(naifNumber, _body.NaifNumber, tdbSeconds) ?? throw NoState(naifNumber, tdbSeconds));
+        return state.Position.IsFinite && state.Velocity.IsFinite
+            ? state
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The kernels put body {naifNumber} out of all bounds at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: they are damaged. "
+                    + $"Use other kernels."));
+    }
 
     private SpiceException NoState(int body, double tdbSeconds)
     {

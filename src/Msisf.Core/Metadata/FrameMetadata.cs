@@ -32,6 +32,9 @@ public sealed record FrameMetadata(
     /// <summary>The body that the frame shows; positions and directions are in its frame.</summary>
     public DrawnGlobe Globe { get; init; } = DrawnGlobe.Moon;
 
+    /// <summary>Which kernels give the body's frame; null where they are those of the installation.</summary>
+    public string? Orientation { get; init; }
+
     /// <summary>Craters of the frame; null without such truth.</summary>
     public NavigationTruth? Navigation { get; init; }
 

@@ -12,6 +12,9 @@ internal static class CkSamples
     private static readonly byte[] Frame = SpiceItself.Bytes("J2000");
     private static readonly byte[] Id = SpiceItself.Bytes("test");
 
+    public static string[] Kinds { get; } =
+        ["1", "2", "3", "3 rates", "4", "5 subtype 0", "5 subtype 1", "5 subtype 2", "5 subtype 3", "6", "6 earlier"];
+
     /// <summary>Unevenly spaced, about 10 s.</summary>
     public static double[] Ticks { get; } =
         [.. Enumerable.Range(0, Count).Select(i => Math.Floor(TestClock.FirstTick + (Second * ((10.0 * i) + (3.0 * Math.Sin(i))))))];

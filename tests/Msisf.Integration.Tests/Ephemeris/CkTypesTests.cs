@@ -18,8 +18,7 @@ public sealed class CkTypesTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
-    public static TheoryData<string> Kinds { get; } =
-        ["1", "2", "3", "3 rates", "4", "5 subtype 0", "5 subtype 1", "5 subtype 2", "5 subtype 3", "6", "6 earlier"];
+    public static TheoryData<string> Kinds { get; } = [.. CkSamples.Kinds];
 
     public void Dispose() => _folder.Dispose();
 

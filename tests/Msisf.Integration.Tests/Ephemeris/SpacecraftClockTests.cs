@@ -25,6 +25,21 @@ public sealed class SpacecraftClockTests : IDisposable
         Compare(LroNac.Clock, -85, 3.011e8, 3.0145e8);
     }
 
+    /// <summary>The built-in reader's list of names is a part of CSPICE's.</summary>
+    [RequiresFact(Part.CSpice)]
+    public void NumberOf_BuiltInNames_IsThatOfCSpice()
+    {
+        using OpenedEphemeris cspice = Engines.CSpice();
+        Assert.NotNull(cspice.Engine.EngineName);
+        BodyNames own = new(new KernelPool());
+        foreach ((string name, int _) in BodyNames.BuiltIn)
+        {
+            SpiceItself.bods2c_c(SpiceItself.Bytes(name), out int number, out int isFound);
+            Assert.True(isFound != 0, name);
+            Assert.Equal(number, own.NumberOf(name.ToLowerInvariant()));
+        }
+    }
+
     private static void Compare(string clock, int number, double first, double last)
     {
         using OpenedEphemeris cspice = Engines.CSpice(Engines.MetaKernel, clock);

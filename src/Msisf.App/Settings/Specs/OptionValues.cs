@@ -10,14 +10,20 @@ internal sealed class OptionValues
     /// <summary>Collects the options.</summary>
     /// <param name="values">Values by long name.</param>
     /// <param name="argument">The positional argument, e.g. the folder of msis status; null if there is none.</param>
-    public OptionValues(IEnumerable<KeyValuePair<string, OptionValue>> values, string? argument = null)
+    /// <param name="arguments">The words of the positional argument; null for one word.</param>
+    public OptionValues(
+        IEnumerable<KeyValuePair<string, OptionValue>> values, string? argument = null, IReadOnlyList<string>? arguments = null)
     {
+        Arguments = arguments ?? (argument is null ? [] : [argument]);
         _values = new Dictionary<string, OptionValue>(values, StringComparer.Ordinal);
         Argument = argument;
     }
 
     /// <summary>The positional argument; null if there is none.</summary>
     public string? Argument { get; }
+
+    /// <summary>The words of the positional argument.</summary>
+    public IReadOnlyList<string> Arguments { get; }
 
     /// <summary>Whether the option is given on the command line.</summary>
     public bool IsGiven(OptionSpec option) => _values.TryGetValue(option.Name, out OptionValue? value) && value.Place is null;
@@ -29,7 +35,7 @@ internal sealed class OptionValues
     public string? Text(OptionSpec option) => Words(option) is { } words ? string.Join(' ', words) : null;
 
     /// <summary>Returns these options together with others that are not among them.</summary>
-    public OptionValues With(IEnumerable<KeyValuePair<string, OptionValue>> more) => new([.. _values, .. more], Argument);
+    public OptionValues With(IEnumerable<KeyValuePair<string, OptionValue>> more) => new([.. _values, .. more], Argument, Arguments);
 
     /// <summary>
     /// The exit code of an exception: a wrong option is a wrong content of a file if all options that it is about were set in files.
