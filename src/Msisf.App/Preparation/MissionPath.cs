@@ -49,7 +49,12 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
                 aem.Axes?.InstrumentFromCamera ?? UnitQuaternion.Identity, aem.Path, kernels.Engine.TimeScale),
             _ => throw new ArgumentException($"no attitude is known of {settings.Attitude.GetType().Name}", nameof(settings)),
         };
-        return new MissionPath(new SpacecraftPath(trajectory, attitude, kernels.Engine), kernels.Engine.TimeScale);
+        SpacecraftPath path = new(trajectory, attitude, kernels.Engine)
+        {
+            OfGround = settings.OfGround,
+            GroundRadius = scene.ReferenceRadius,
+        };
+        return new MissionPath(path, kernels.Engine.TimeScale);
     }
 
     /// <summary>The times of the images.</summary>

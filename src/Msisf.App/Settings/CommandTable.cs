@@ -266,7 +266,6 @@ internal static class CommandTable
             }
         ],
         Commands =
-        Commands =
         [
             Patterns, BatchConvert, Submit, States, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Config,
             Completion, Man, Help,

@@ -1,4 +1,5 @@
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 
 namespace Msisf.App.Settings;
 
@@ -50,6 +51,16 @@ internal static class MissionOptions
         "--aem", DecidesBytes.ByStatesOfRun, PathKind.File,
         "With a mission's trajectory: attitudes as a CCSDS attitude ephemeris message (AEM 1.0 or 2.0; lines or XML; .gz too)");
 
+    /// <summary>Light time and stellar aberration of the ground.</summary>
+    public static ChoiceSpec<Aberration> OfGround { get; } = new(
+        "--ground-aberration", DecidesBytes.ByStates,
+        [("none", Aberration.None), ("lt", Aberration.LightTime), ("lt+s", Aberration.LightTimeAndStellar)],
+        "With a mission's files: where the ground is seen: where it is, where it was when it sent the light, or turned by stellar "
+            + "aberration too, as in a real image")
+    {
+        Default = Aberration.None,
+    };
+
     /// <summary>Steps of the cover.</summary>
     public static NumberSpec Every { get; } = new(
         "--every", DecidesBytes.ByStatesOfRun, "SECONDS",
@@ -62,5 +73,5 @@ internal static class MissionOptions
     public static OptionSpec[] Ways { get; } = [Spacecraft, Oem];
 
     /// <summary>The options that have a meaning with a mission's files only.</summary>
-    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Oem, Ck, Instrument, InstrumentAxes, Aem, Every];
+    public static OptionSpec[] All { get; } = [Spk, Spacecraft, Oem, Ck, Instrument, InstrumentAxes, Aem, OfGround, Every];
 }

@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
@@ -9,7 +10,11 @@ namespace Msisf.App.Settings;
 /// <param name="Times">Times of the images, UTC; null for steps of the files' cover.</param>
 /// <param name="Every">s: step between images; null if <paramref name="Times"/> are given.</param>
 internal sealed record MissionSettings(
-    PositionSource Position, AttitudeChoice Attitude, IEnumerable<ModifiedJulianDate>? Times, double? Every) : TrajectorySettings;
+    PositionSource Position, AttitudeChoice Attitude, IEnumerable<ModifiedJulianDate>? Times, double? Every) : TrajectorySettings
+{
+    /// <summary>What the finite speed of light does to the ground that is seen.</summary>
+    public Aberration OfGround { get; init; }
+}
 
 /// <summary>Which file says where the spacecraft is.</summary>
 internal abstract record PositionSource;

@@ -35,7 +35,10 @@ internal sealed class MissionSettingsReader(
 
         double? every = MissionOptions.Every.ReadIfGiven(values);
         return new MissionSettings(
-            Position(way), Attitude(way), every is null ? readTimes() : null, every);
+            Position(way), Attitude(way), every is null ? readTimes() : null, every)
+        {
+            OfGround = MissionOptions.OfGround.Read(values),
+        };
     }
 
     private PositionSource Position(OptionSpec way) => way == MissionOptions.Oem

@@ -2,7 +2,9 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Scene;
@@ -13,6 +15,12 @@ namespace Msisf.Core.Scene;
 /// <param name="ephemeris">How the Moon turns; counts the times.</param>
 public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attitude, IEphemeris ephemeris) : ICameraPath
 {
+    /// <summary>What the finite speed of light does to the ground that is seen.</summary>
+    public Aberration OfGround { get; init; }
+
+    /// <summary>m: radius of the sphere that the ground is taken for.</summary>
+    public double GroundRadius { get; init; } = MoonConstants.ReferenceRadius;
+
     /// <inheritdoc/>
     public TdbCover Cover { get; } = trajectory.Cover.Intersect(attitude.Cover);
 
@@ -21,7 +29,9 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
     {
         TrajectoryPoint point = new(
             tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), trajectory.StateJ2000(tdbSeconds), ephemeris.MoonMeFromJ2000(tdbSeconds));
-        return new CameraState(point.PositionMoonMe, attitude.MoonFromCamera(point));
+        (Vector3D position, UnitQuaternion moonFromCamera) = GroundAberration.Pose(
+            point, attitude.MoonFromCamera(point), OfGround, ephemeris, GroundRadius);
+        return new CameraState(position, moonFromCamera);
     }
 
     /// <summary>The state of a frame.</summary>

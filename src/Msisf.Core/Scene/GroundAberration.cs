@@ -1,0 +1,66 @@
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Scene;
+
+/// <summary>
+/// What the finite speed of light does to the ground that a camera sees, as a change of the camera: it sees the Moon where and as it was
+/// when the light left it, and, moving itself, turned towards its motion.
+/// </summary>
+/// <remarks>
+/// The light time is that from the ground on the line of sight, for the whole image; without ground there, from the nearest point of the
+/// sphere. The stellar aberration is that of the line of sight, too: at an angle a from it the image is off by 20 arcseconds times
+/// 1 - cos a.
+/// </remarks>
+public static class GroundAberration
+{
+    private const double MetresPerKilometre = 1000.0;
+
+    /// <summary>The pose of a camera that sees without light time what the camera at a point of its path really sees.</summary>
+    /// <param name="point">The camera's place.</param>
+    /// <param name="moonFromCamera">How it points.</param>
+    /// <param name="aberration">What is taken in.</param>
+    /// <param name="ephemeris">Where the solar system's barycentre is, and how the Moon turns.</param>
+    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <returns>Position (m, MOON_ME) and orientation.</returns>
+    public static (Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera) Pose(
+        in TrajectoryPoint point, UnitQuaternion moonFromCamera, Aberration aberration, IEphemeris ephemeris, double radius)
+    {
+        if (aberration == Aberration.None)
+        {
+            return (point.PositionMoonMe, moonFromCamera);
+        }
+
+        double seconds = LightSpeed.TimeOver(Distance(point.PositionMoonMe, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
+        StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds);
+        Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds - seconds).Position - center.Position;
+        RotationMatrix moonThen = ephemeris.MoonMeFromJ2000(point.TdbSeconds - seconds);
+        UnitQuaternion j2000FromCamera = UnitQuaternion.FromMatrix(point.MoonMeFromJ2000.Transposed) * moonFromCamera;
+        if (aberration == Aberration.LightTimeAndStellar)
+        {
+            // The sine of the angle is that of CSPICE's STELAB; the camera looks along a direction in which light seems to come.
+            Vector3D forward = j2000FromCamera * -Vector3D.UnitX;
+            Vector3D inC = (point.StateJ2000.Velocity - center.Velocity) / (MetresPerKilometre * LightSpeed.KilometresPerSecond);
+            Vector3D axis = Vector3D.Cross(forward, inC);
+            double sine = axis.Length;
+            j2000FromCamera = sine == 0.0
+                ? j2000FromCamera
+                : UnitQuaternion.FromAxisAngle(axis, -Math.Atan2(sine, Math.Sqrt(1.0 - (sine * sine)))) * j2000FromCamera;
+        }
+
+        return (
+            moonThen * (point.StateJ2000.Position + moonMoved),
+            UnitQuaternion.FromMatrix(moonThen) * j2000FromCamera);
+    }
+
+    /// <summary>m: along the line of sight to the sphere, or to the nearest point of the sphere.</summary>
+    private static double Distance(Vector3D position, Vector3D forward, double radius)
+    {
+        double along = -Vector3D.Dot(position, forward);
+        double miss = (position + (along * forward)).Length;
+        return along > 0.0 && miss < radius
+            ? along - Math.Sqrt((radius - miss) * (radius + miss))
+            : Math.Max(0.0, position.Length - radius);
+    }
+}
