@@ -67,6 +67,27 @@ public class FolderTests
         await later.DisposeAsync();
     }
 
+    /// <summary>A trajectory is looked at in even steps: three minutes, a frame a second, with the camera at the nadir.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Oem_Frames_AreEvenlyOverItsCover()
+    {
+        using TemporaryFolder folder = new();
+        string lines = string.Concat(Enumerable.Range(0, 4).Select(i => $"2024-01-19T12:0{i}:00 {2000 + (60 * i)} 0 0 1 0 0\n"));
+        string oem = folder.Write(
+            "orbit.oem",
+            "CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\n"
+                + $"META_STOP\n{lines}");
+        using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, oem));
+
+        JsonElement frames = (await JsonAsync(server, "/v1/folders/orbit.oem")).GetProperty("frames");
+        double[] last = [.. frames[180].GetProperty("state").EnumerateArray().Select(number => number.GetDouble())];
+
+        Assert.Equal(181, frames.GetArrayLength());
+        Assert.Equal(60328.5 + (180.0 / 86400.0), last[0], 1e-9);
+        Assert.Equal(2_180_000.0, Math.Sqrt((last[1] * last[1]) + (last[2] * last[2]) + (last[3] * last[3])), 1e-2);
+        await server.DisposeAsync();
+    }
+
     [RequiresFact(Part.Ldem4)]
     public async Task BatchFileWithColumns_Frames_ArePlacedOverTheTerrain()
     {

@@ -24,6 +24,7 @@ internal enum Part
     PolarPieces,
     MariaDb,
     LroNac,
+    Artemis,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -45,7 +46,8 @@ internal static class MissingParts
     public static string? ReasonToSkip(Part[] parts)
     {
         // These are published by nobody who could be asked for them by a script.
-        if (Environment.GetEnvironmentVariable("CI") == "true" && !parts.Contains(Part.PolarPieces) && !parts.Contains(Part.LroNac))
+        if (Environment.GetEnvironmentVariable("CI") == "true" && !parts.Contains(Part.PolarPieces) && !parts.Contains(Part.LroNac)
+            && !parts.Contains(Part.Artemis))
         {
             return null;
         }
@@ -75,6 +77,7 @@ internal static class MissingParts
         Part.Chromium => TestParts.Program("chromium") is not null,
         Part.MariaDb => TestParts.MariaDb is not null && TestParts.Program("mariadb-install-db") is not null,
         Part.LroNac => LroNac.IsThere,
+        Part.Artemis => TestParts.ArtemisOem is not null,
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

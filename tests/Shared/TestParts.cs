@@ -22,6 +22,10 @@ internal static class TestParts
         ? Directory.EnumerateFiles(PolarPieces, name + "*.tif").Order(StringComparer.Ordinal).FirstOrDefault()
         : null;
 
+    /// <summary>Orion's flight of Artemis I as flown, CCSDS OEM (NASA/JSC).</summary>
+    public static string? ArtemisOem => FirstFile(Path.Combine(
+        RepositoryRoot, "..", "shared", "missions", "artemis1", "Post_TLI_Orion_AsFlown_20221213_EPH_OEM.asc.gz"));
+
     /// <summary>The folder of the kernels that the project ships.</summary>
     public static string Kernels => Path.Combine(RepositoryRoot, "kernels");
 

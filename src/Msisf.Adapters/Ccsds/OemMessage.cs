@@ -24,12 +24,16 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     ];
 
     private readonly List<TrajectoryBlock> _blocks = [];
+    private readonly OemJoints _joints = new();
     private StateSamples _samples = new();
     private Interpolation? _said;
     private string? _object;
 
     /// <summary>The blocks so far.</summary>
     public IReadOnlyList<TrajectoryBlock> Blocks => _blocks;
+
+    /// <summary>What is to be said of lines that contradict each other; null if none do.</summary>
+    public string? Warning => _joints.Warning is { } warning ? $"{Place.FileName}{warning}" : null;
 
     /// <summary>The spacecraft's name; null if the file has none.</summary>
     public string? ObjectName => _object;
@@ -118,6 +122,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         }
 
         _samples = new StateSamples { Useable = ReadUseable() };
+        _joints.BeginBlock();
     }
 
     /// <inheritdoc/>
@@ -131,8 +136,10 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         }
 
         RequireLater(_samples.Times, tdbSeconds);
-        _samples.Add(tdbSeconds, new StateVector(
+        StateVector state = new(
             MetresPerKilometre * new Vector3D(numbers[0], numbers[1], numbers[2]),
-            MetresPerKilometre * new Vector3D(numbers[3], numbers[4], numbers[5])));
+            MetresPerKilometre * new Vector3D(numbers[3], numbers[4], numbers[5]));
+        _samples.Add(tdbSeconds, state);
+        _joints.Add(tdbSeconds, state, Place.Line);
     }
 }

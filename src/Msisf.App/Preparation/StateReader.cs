@@ -191,6 +191,13 @@ internal sealed class StateReader
 
     private SpacecraftState[] OnMission(MissionSettings settings, CancellationToken cancellation)
     {
+        if (settings.Position is OemPosition && !Body.IsMoon)
+        {
+            throw new UsageException(
+                $"{MissionOptions.Oem.Name} reads trajectories about Moon and Earth, but {Body.NameInText} is drawn. Give an SPK.")
+                .About(MissionOptions.Oem);
+        }
+
         OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");
         MissionPath mission = MissionPath.Open(settings, kernels, _scene, _host.Log.Note);
         return [.. mission.Times(settings).Select(time =>

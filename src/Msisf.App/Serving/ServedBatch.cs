@@ -1,15 +1,23 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ccsds;
+using Msisf.Adapters.Ephemeris;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
+using Msisf.Core.Attitude;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;
 
-/// <summary>The states of a batch file, for the viewer's time line.</summary>
+/// <summary>The states of a batch file or of a trajectory (OEM), for the viewer's time line.</summary>
 internal static class ServedBatch
 {
+    /// <summary>Frames of a trajectory, which has states at all times.</summary>
+    private const double MostFrames = 1000.0;
+
+    private const double LeastStep = 1.0; // s
+
     /// <summary>Reads the states as a run does; named columns may need the terrain.</summary>
     /// <param name="path">The file.</param>
     /// <param name="requested">Options, and the model whose terrain it is.</param>
@@ -22,10 +30,31 @@ internal static class ServedBatch
     {
         RunGeometry geometry = new(
             () => requested.Model.Opened, () => ephemeris.Of(requested.Settings).Engine(), requested.Settings.Aberration);
-        StateReader reader = new(() => ephemeris.Of(requested.Settings).Engine(), geometry, host);
-        return [.. reader.Read(new BatchFileSettings(path, CameraOptions.BatchFile), cancellation).Select(
+        StateReader reader = new(() => ephemeris.Of(requested.Settings).Engine(), geometry, host)
+        {
+            Kernels = () => ephemeris.Of(requested.Settings).Kernels(),
+        };
+        TrajectorySettings trajectory = IsOem(path)
+            ? OfOem(path, () => ephemeris.Of(requested.Settings).Kernels(), geometry)
+            : new BatchFileSettings(path, CameraOptions.BatchFile);
+        return [.. reader.Read(trajectory, cancellation).Select(
             (state, index) => new ServedFrame(
                 index + 1, state with { Motion = null }, new Dictionary<string, string>(), new Dictionary<string, string>()))];
+    }
+
+    private static bool IsOem(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
+    {
+        using FileStream stream = File.OpenRead(path);
+        return CcsdsFile.IsOem(stream);
+    });
+
+    /// <summary>Evenly over the file's cover, the nadir in the middle.</summary>
+    private static MissionSettings OfOem(string path, Func<OpenedEphemeris> kernels, RunGeometry geometry)
+    {
+        MissionSettings settings = new(new OemPosition(path), new PointedChoice(new CameraPointing()), Times: null, LeastStep);
+        double seconds = MissionPath.Open(settings, kernels(), geometry, _ => { }).Path.Cover.Intervals.Sum(
+            interval => interval.End - interval.Start);
+        return settings with { Every = Math.Max(LeastStep, seconds / MostFrames) };
     }
 }
 

@@ -10,7 +10,8 @@ internal static class ViewOptions
     /// <summary>Output folders and batch files for the time line.</summary>
     public static TextSpec Folders { get; } = new(
         "--folders", OptionRole.HowItRuns, ListOfPaths,
-        "Output folders and batch files for the viewer's time line, separated by commas; the name is the path's last part if none is given")
+        "Output folders, batch files and trajectories (OEM) for the viewer's time line, separated by commas; the name is the path's last "
+            + "part if none is given")
     {
         Separator = ",",
     };
@@ -27,7 +28,7 @@ internal static class ViewOptions
     public static FlagSpec NoBrowser { get; } = new("--no-browser", OptionRole.HowItRuns, "Open no browser; only print the address");
 
     /// <summary>What to open first.</summary>
-    public static ArgumentSpec Opened { get; } = new("PATH", "An output folder or a batch file for the time line")
+    public static ArgumentSpec Opened { get; } = new("PATH", "An output folder, a batch file or a trajectory (OEM) for the time line")
     {
         IsOptional = true,
     };

@@ -152,6 +152,31 @@ public sealed class OemTests
         Assert.StartsWith("orbit.oem, line ", notes[0]);
     }
 
+    /// <summary>Heads as GMAT (with its name of the Moon) and Orekit write them.</summary>
+    [Theory]
+    [InlineData(
+        "CCSDS_OEM_VERS = 1.0\nCREATION_DATE  = 2024-01-18T12:13:46\nORIGINATOR     = GMAT USER\n\nMETA_START\n"
+            + "OBJECT_NAME          = DefaultSC\nOBJECT_ID            = SatId\nCENTER_NAME          = Luna\n"
+            + "REF_FRAME            = ICRF\nTIME_SYSTEM          = UTC\nSTART_TIME           = 2024-01-19T12:00:00.000\n"
+            + "USEABLE_START_TIME   = 2024-01-19T12:00:00.000\nUSEABLE_STOP_TIME    = 2024-01-19T12:03:00.000\n"
+            + "STOP_TIME            = 2024-01-19T12:03:00.000\nINTERPOLATION        = Lagrange\nINTERPOLATION_DEGREE = 3\nMETA_STOP\n")]
+    [InlineData(
+        "CCSDS_OEM_VERS = 3.0\nCREATION_DATE = 2024-01-18T12:13:46.123\nORIGINATOR = OREKIT\nMESSAGE_ID = 1\n\nMETA_START\n"
+            + "OBJECT_NAME = ORBITER\nOBJECT_ID = 2024-001A\nCENTER_NAME = MOON\nREF_FRAME = GCRF\nTIME_SYSTEM = UTC\n"
+            + "START_TIME = 2024-01-19T12:00:00.0\nSTOP_TIME = 2024-01-19T12:03:00.0\nINTERPOLATION = HERMITE\n"
+            + "INTERPOLATION_DEGREE = 3\nMETA_STOP\n")]
+    public void ReadOem_HeadsOfOtherPrograms_AreReadWithoutANote(string head)
+    {
+        List<string> notes = [];
+        string lines = CcsdsTexts.Oem[CcsdsTexts.Oem.IndexOf("2024-01-19T12:00:00.000 2000", StringComparison.Ordinal)..];
+
+        TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(head + lines, notes));
+
+        Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-3);
+        Assert.Equal(301, block.Center);
+        Assert.Empty(notes);
+    }
+
     [Fact]
     public void ReadOem_NoVelocities_TakesPositionsAlone()
     {
@@ -164,6 +189,20 @@ public sealed class OemTests
 
         Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-6);
         Assert.Contains("LAGRANGE of that degree is used", notes[0]);
+    }
+
+    /// <summary>Parts that were joined without a new block, as in Artemis I's file; or velocities in m/s.</summary>
+    [Theory]
+    [InlineData(
+        " 2120.0 4.0", " 2140.0 4.0", "orbit.oem, line 19: position and velocity contradict those of the line before, and so 2 times")]
+    [InlineData(" 0.0666666666667 ", " 66.6666666667 ", "so 2 times, most in line 20 by ")]
+    public void ReadOem_LinesThatContradictEachOther_AreNamed(string right, string wrong, string expected)
+    {
+        List<string> notes = [];
+
+        CcsdsTexts.ReadOem(CcsdsTexts.Oem.Replace(right, wrong, StringComparison.Ordinal), notes);
+
+        Assert.Contains(expected, Assert.Single(notes));
     }
 
     /// <summary>Time, position and velocity are 56 bytes; nothing else is allocated for a line, so ten million need 560 MB.</summary>

@@ -114,6 +114,26 @@ public sealed class StatesTests : IDisposable
         Assert.False(File.Exists(_folder["out/states.oem"]));
     }
 
+    /// <summary>A trajectory about the Moon is none about Mars.</summary>
+    [Fact]
+    public void OemOfTheMoon_WithAnotherBody_IsRefused()
+    {
+        Succeed(["states", "--format", "oem", "--to", _folder.Path, .. Orbit.Split(' ')]);
+
+        CommandLineRun model = CommandLineRun.Of(
+            ["ldem", "synthesize", "--res", "1", "--body", "mars", "--seed", "1", "--output-dir", _folder.Path, "--batch"]);
+        Assert.True(model.ExitCode == 0, model.Error);
+
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "states", "--oem", _folder["states.oem"], "--every", "600", "--body", "mars", "--renderer", "native", "--res", "1", "--ldem",
+            _folder["MARS_DEM_1_SYNTHETIC.LBL"],
+        ]);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("--oem reads trajectories about Moon and Earth, but Mars is drawn. Give an SPK.", run.Error);
+    }
+
     private static double[][] Rows(string csv) =>
     [
         .. csv.TrimEnd().Split('\n').Where(line => line[0] is >= '0' and <= '9')
