@@ -66,6 +66,9 @@ internal class OutwardBlend : IBlendedGrid
     public (double Min, double Max) RadiusLimits { get; }
 
     /// <inheritdoc/>
+    public bool HoldsMeans => _grid.HoldsMeans;
+
+    /// <inheritdoc/>
     public bool MayHaveGaps => _grid.MayHaveGaps;
 
     /// <summary>The model with what it gets; itself if that is nothing.</summary>
