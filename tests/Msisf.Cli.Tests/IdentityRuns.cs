@@ -26,7 +26,7 @@ public sealed class IdentityRuns : IDisposable
         + "  gain: 200\n  adc-bits: 12\n  fits: no\n";
 
     /// <summary>The ways to say where the camera is: another one takes the place of the common one.</summary>
-    private static readonly string[] Ways = 
+    private static readonly string[] Ways =
         ["--batch-file", "--kepler-set", "--state-vectors", "--position", "--oem", "--spacecraft"];
 
     /// <summary>Of the common options, what a camera file says itself.</summary>
