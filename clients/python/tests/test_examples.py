@@ -9,9 +9,10 @@ import numpy as np
 import pose_from_craters
 import pytest
 import soak
+import visual_odometry
 
 
-@pytest.mark.parametrize("example", [closed_loop, data_set, latency, pose_from_craters, soak])
+@pytest.mark.parametrize("example", [closed_loop, data_set, latency, pose_from_craters, soak, visual_odometry])
 def test_help_helps(example, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])
@@ -21,6 +22,15 @@ def test_help_helps(example, monkeypatch, capsys, tmp_path):
     help_text = capsys.readouterr().out
     assert help_text.startswith(f"usage: {example.__name__}.py [-h]") and example.__doc__.splitlines()[0][:40] in help_text
     assert not list(tmp_path.iterdir())
+
+
+def test_visual_odometry_follows_the_camera(tmp_path):
+    (tmp_path / "exact").mkdir()
+    (tmp_path / "noisy").mkdir()
+    error, way = visual_odometry.run(tmp_path / "exact", frames=3, noise=0.0)
+    assert way > 5e3 and error < 1e-3
+    error, way = visual_odometry.run(tmp_path / "noisy", frames=3, noise=0.2)
+    assert error < 0.01 * way
 
 
 def test_closed_loop_finds_its_position(moon):
