@@ -19,7 +19,7 @@ internal static class BandKeys
 
     /// <summary>Reads the keys.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static Band Read(CameraSection section)
+    public static SpectralResponse Read(CameraSection section)
     {
         double[]? wavelengths = Wavelengths(section);
         double[]? limits = section.Numbers("band", 2, 2);
@@ -36,7 +36,7 @@ internal static class BandKeys
         }
 
         RequireNanometres(section, section.Has("band") ? "band" : "wavelengths", "the band begins at", limits[0]);
-        return new Band(
+        return new SpectralResponse(
             limits[0],
             limits[1],
             Curve(section, "transmission", wavelengths, 1.0),

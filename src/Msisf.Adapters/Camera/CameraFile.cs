@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 
 namespace Msisf.Adapters.Camera;
 
@@ -24,3 +25,9 @@ public sealed record CameraFile(
     /// <summary>px: height that the file does not say, but the user; null if the file says it.</summary>
     public int? AddedHeight { get; init; }
 }
+
+/// <summary>What the section "detector" of a camera file says.</summary>
+/// <param name="Settings">Optics and detector.</param>
+/// <param name="WritesFits">Whether the digital numbers are written as FITS too.</param>
+/// <param name="KernelSha256">Checksum of the file of the PSF's kernel, hexadecimal; null if there is none.</param>
+public sealed record CameraFileDetector(DetectorSettings Settings, bool WritesFits, string? KernelSha256);

@@ -39,7 +39,7 @@ internal static class DetectorSection
         DetectorSettings settings = new()
         {
             ApertureArea = Math.PI / 4.0 * diameter * diameter,
-            Band = BandKeys.Read(section),
+            Response = BandKeys.Read(section),
             ExposureTime = exposureTime,
             Shutter = ShutterKeys.Read(section),
             IsFlatFielded = section.Word("vignetting", ["natural", "none"]) == "none",
@@ -166,3 +166,13 @@ internal static class DetectorSection
         };
     }
 }
+
+/// <summary>What the section of the detector needs to know of the rest of a camera file.</summary>
+/// <param name="Path">Path of the file; a kernel's path is relative to its folder.</param>
+/// <param name="Width">px.</param>
+/// <param name="Height">px.</param>
+/// <param name="FocalLength">m; null if the file does not give it in mm.</param>
+/// <param name="PixelPitch">m; null if the file does not give it.</param>
+/// <param name="MayNameFiles">Whether the file may name another one, the PSF's kernel.</param>
+internal sealed record DetectorGeometry(
+    string Path, int Width, int Height, double? FocalLength, (double X, double Y)? PixelPitch, bool MayNameFiles = true);

@@ -134,3 +134,8 @@ internal static unsafe partial class CairoNative
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial void cairo_paint(CairoContextHandle context);
 }
+
+/// <summary>cairo_text_extents_t, px: where a text's ink lies relative to its start, and where the next text starts.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal readonly record struct CairoTextExtents(
+    double BearingX, double BearingY, double Width, double Height, double AdvanceX, double AdvanceY);

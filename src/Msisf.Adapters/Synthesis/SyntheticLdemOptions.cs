@@ -41,3 +41,29 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
     /// </summary>
     public int Threads { get; init; } = Environment.ProcessorCount;
 }
+
+/// <summary>The map projection of a synthetic model.</summary>
+public enum SyntheticProjection
+{
+    /// <summary>Latitude and longitude.</summary>
+    Cylindrical,
+
+    /// <summary>Polar stereographic around the south pole.</summary>
+    PolarSouth,
+
+    /// <summary>Polar stereographic around the north pole.</summary>
+    PolarNorth,
+}
+
+/// <summary>What a synthetic model has outside its region.</summary>
+public enum SyntheticRest
+{
+    /// <summary>The base, interpolated; the detail fades out beyond the region's border.</summary>
+    Base,
+
+    /// <summary>The reference sphere: zeros, which a sparse file does not store.</summary>
+    Flat,
+
+    /// <summary>Nothing: the product is a part of the Moon, as those of NASA's split products.</summary>
+    None,
+}

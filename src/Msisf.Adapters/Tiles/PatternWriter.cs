@@ -167,3 +167,15 @@ public static class PatternWriter
         writer.Write(decimals % DecimalsInKilometre, digits: 10);
     }
 }
+
+/// <summary>How a pattern file writes its mesh (docs/pattern-format.md).</summary>
+public enum PatternFormat
+{
+    /// <summary>POV-Ray's mesh2 with whole lattice steps: exact, the default.</summary>
+    Mesh2,
+
+    /// <summary>
+    /// POV-Ray's mesh with one triangle after the other in kilometres, as in the thesis: larger, and rounded to 0.1 m by POV-Ray.
+    /// </summary>
+    Mesh,
+}

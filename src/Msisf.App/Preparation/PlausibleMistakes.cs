@@ -95,7 +95,7 @@ internal static class PlausibleMistakes
 
     /// <summary>The note that a detector's band deserves.</summary>
     /// <param name="band">The band; null without a detector.</param>
-    public static IEnumerable<string> Band(Band? band)
+    public static IEnumerable<string> Band(SpectralResponse? band)
     {
         if (band is not null && (band.Shortest < UsualBand.Min || band.Longest > UsualBand.Max))
         {

@@ -62,7 +62,7 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public void WarnOfCamera(RenderSettings settings, ProgramHost host, double referenceRadius)
     {
-        foreach (string note in PlausibleMistakes.Band(settings.Native.Detector?.Settings.Band))
+        foreach (string note in PlausibleMistakes.Band(settings.Native.Detector?.Settings.Response))
         {
             host.Log.Note(note);
         }

@@ -20,3 +20,23 @@ public readonly record struct AttitudeConvention(CameraAxes Axes, RotationDirect
         return Axes == CameraAxes.OpenCv ? frameFromAxes * OpenCvFromCamera : frameFromAxes;
     }
 }
+
+/// <summary>The axes of a camera in which its attitude is given.</summary>
+public enum CameraAxes
+{
+    /// <summary>The thesis's: the camera looks along -x, y is to the right in the image, z up; the default.</summary>
+    Camera,
+
+    /// <summary>OpenCV's: x is to the right in the image, y down, the camera looks along z.</summary>
+    OpenCv,
+}
+
+/// <summary>Which way the rotation of an attitude turns vectors.</summary>
+public enum RotationDirection
+{
+    /// <summary>From the camera's axes into those of the reference frame; the default.</summary>
+    FromCamera,
+
+    /// <summary>From the axes of the reference frame into the camera's, as SPICE's C-matrices and OpenCV's R.</summary>
+    ToCamera,
+}

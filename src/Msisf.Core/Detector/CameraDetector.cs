@@ -32,7 +32,7 @@ public sealed class CameraDetector
         _settings = settings;
         Margin = settings.PointSpread?.Radius ?? 0;
         _ = WindowOf(camera);
-        _electronsPerSteradian = settings.ApertureArea * settings.ExposureTime * settings.Band.ElectronRate(SolarSpectrum.IrradianceAt);
+        _electronsPerSteradian = settings.ApertureArea * settings.ExposureTime * settings.Response.ElectronRate(SolarSpectrum.IrradianceAt);
         _throughput = PixelThroughput.Of(camera, settings.IsFlatFielded, threads);
         _pass = new DetectorPass(settings, new FixedPattern(settings, camera.Width, camera.Height, threads));
     }

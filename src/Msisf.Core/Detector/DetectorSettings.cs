@@ -9,7 +9,7 @@ public sealed record DetectorSettings
     public required double ApertureArea { get; init; }
 
     /// <summary>Wavelengths, transmission and quantum efficiency.</summary>
-    public required Band Band { get; init; }
+    public required SpectralResponse Response { get; init; }
 
     /// <summary>Seconds.</summary>
     public required double ExposureTime { get; init; }
@@ -73,4 +73,56 @@ public sealed record DetectorSettings
 
     /// <summary>The highest DN.</summary>
     public int MaxNumber => (1 << ConverterBits) - 1;
+}
+
+/// <summary>Charged particles that leave electrons along straight lines through the detector. Immutable.</summary>
+public sealed record CosmicRays
+{
+    /// <summary>Hits per cm^2 and second; in free space some 5 (solar minimum).</summary>
+    public required double Rate { get; init; }
+
+    /// <summary>Micrometres: thickness of the layer whose electrons are collected.</summary>
+    public double Thickness { get; init; } = 10.0;
+
+    /// <summary>Electrons per micrometre of the path in silicon: 80 for a particle of minimum ionisation.</summary>
+    public double ElectronsPerMicrometre { get; init; } = 80.0;
+}
+
+/// <summary>
+/// When the rows of a detector are exposed, for images with the camera's motion. The frame's time is the middle of the exposure, of a
+/// rolling shutter that of its middle row. Immutable.
+/// </summary>
+public sealed record Shutter
+{
+    /// <summary>px: the default of <see cref="MaxStep"/>.</summary>
+    public const double DefaultMaxStep = 0.25;
+
+    /// <summary>Seconds from the exposure of a row to that of the row below; 0 for a global shutter.</summary>
+    public double LineTime { get; init; }
+
+    /// <summary>Whether the rows are exposed one after another.</summary>
+    public bool IsRolling => LineTime > 0.0;
+
+    /// <summary>px: how far the image may move from one sub-exposure to the next.</summary>
+    public double MaxStep { get; init; } = DefaultMaxStep;
+
+    /// <summary>Seconds from the start of the first row's exposure to the end of the last row's.</summary>
+    /// <param name="exposureTime">s, of one row.</param>
+    /// <param name="height">px.</param>
+    public double Span(double exposureTime, int height) => exposureTime + (LineTime * (height - 1));
+}
+
+/// <summary>Light that falls on the rows while a frame-transfer detector shifts them. Immutable.</summary>
+public sealed record Smear
+{
+    /// <summary>Seconds in which a row is shifted by one row.</summary>
+    public required double RowTime { get; init; }
+
+    /// <summary>Whether the image is shifted towards its lower border; otherwise to the upper one.</summary>
+    public bool TowardsBottom { get; init; } = true;
+
+    /// <summary>
+    /// Whether the rows were shifted in light before the exposure too, at the same speed, so that each row has passed all others.
+    /// </summary>
+    public bool BeforeExposure { get; init; } = true;
 }

@@ -32,7 +32,7 @@ public sealed class DetectorSectionTests : IDisposable
             "adc-bits: 14", "seed: 18446744073709551615", "fits: no",
         ]).Settings;
         Assert.Equal(Math.PI / 4.0 * 0.01 * 0.01, settings.ApertureArea, 15);
-        Assert.Equal((400.0, 700.0, 0.02), (settings.Band.Shortest, settings.Band.Longest, settings.ExposureTime));
+        Assert.Equal((400.0, 700.0, 0.02), (settings.Response.Shortest, settings.Response.Longest, settings.ExposureTime));
         Assert.True(settings.IsFlatFielded && settings.IsBlooming);
         Assert.Equal(4, settings.PointSpread!.Radius);
         Assert.Equal((0.02, 0.001, 2, 2.5, 8.0), (
@@ -88,7 +88,7 @@ public sealed class DetectorSectionTests : IDisposable
     public void Read_UnusualButPossible_IsTaken()
     {
         string[] others = [.. Right.Where(line => !line.StartsWith("band", StringComparison.Ordinal))];
-        Assert.Equal(100.0, Read([.. others, "band: [100, 14000]"]).Settings.Band.Shortest);
+        Assert.Equal(100.0, Read([.. others, "band: [100, 14000]"]).Settings.Response.Shortest);
         Assert.Equal(
             Math.PI / 4.0 * 0.1 * 0.1,
             Read(["f-number: 0.5", .. others[1..], "band: [500, 600]"]).Settings.ApertureArea, 15);

@@ -14,7 +14,7 @@ internal sealed class DetectorChain
     private static readonly DetectorSettings WithoutSpread = new()
     {
         ApertureArea = 1e-4,
-        Band = new Band(500.0, 650.0, new SpectralCurve(0.8), new SpectralCurve(0.45)),
+        Response = new SpectralResponse(500.0, 650.0, new SpectralCurve(0.8), new SpectralCurve(0.45)),
         ExposureTime = 0.01,
         ResponseNonuniformity = 0.01,
         Dark = new DarkCurrent { Rate = 100.0, Nonuniformity = 0.2 },

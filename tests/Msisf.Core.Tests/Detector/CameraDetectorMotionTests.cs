@@ -139,7 +139,7 @@ public sealed class CameraDetectorMotionTests
     private static DetectorSettings Settings(double exposureTime) => new()
     {
         ApertureArea = 1e-4,
-        Band = new Band(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(0.5)),
+        Response = new SpectralResponse(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(0.5)),
         ExposureTime = exposureTime,
         Shutter = new Shutter(),
         IsFlatFielded = true,

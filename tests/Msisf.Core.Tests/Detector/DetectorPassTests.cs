@@ -14,7 +14,7 @@ public sealed class DetectorPassTests
     private static readonly DetectorSettings Plain = new()
     {
         ApertureArea = 1e-4,
-        Band = new Band(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(0.5)),
+        Response = new SpectralResponse(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(0.5)),
         ExposureTime = 0.5,
         Gain = 2.5,
         ConverterBits = 16,

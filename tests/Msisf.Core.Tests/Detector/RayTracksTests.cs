@@ -9,7 +9,7 @@ public sealed class RayTracksTests
     private static readonly DetectorSettings Settings = new()
     {
         ApertureArea = 1.0,
-        Band = new Band(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(1.0)),
+        Response = new SpectralResponse(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(1.0)),
         ExposureTime = 100.0,
         Gain = 1.0,
         ConverterBits = 16,

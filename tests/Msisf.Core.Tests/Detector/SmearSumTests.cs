@@ -16,7 +16,7 @@ public sealed class SmearSumTests
         DetectorSettings settings = new()
         {
             ApertureArea = 1.0,
-            Band = new Band(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(1.0)),
+            Response = new SpectralResponse(500.0, 600.0, new SpectralCurve(1.0), new SpectralCurve(1.0)),
             ExposureTime = 0.1,
             Gain = 1.0,
             ConverterBits = 8,

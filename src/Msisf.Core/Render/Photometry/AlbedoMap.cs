@@ -34,3 +34,36 @@ public sealed class AlbedoMap
     /// <summary>The geometry of the reflectances.</summary>
     public ReferenceGeometry Reference { get; }
 }
+
+/// <summary>A level of a map: the same extent with fewer pixels, each the mean of its area.</summary>
+/// <param name="Width">Pixels from west to east.</param>
+/// <param name="Height">Pixels from north to south.</param>
+/// <param name="Codes">The values, row by row from the north-west; 0 is no data, others are linear in the reflectance.</param>
+public sealed record AlbedoMapLevel(int Width, int Height, ReadOnlyMemory<ushort> Codes)
+{
+    /// <summary>The size of the next coarser level; the same size if there is none.</summary>
+    public static (int Width, int Height) Below(int width, int height) => ((width + 1) / 2, (height + 1) / 2);
+}
+
+/// <summary>The part of the Moon that an equirectangular map shows; longitudes east, all in rad.</summary>
+/// <param name="West">Longitude of the left edge.</param>
+/// <param name="North">Latitude of the upper edge.</param>
+/// <param name="Width">From the left edge to the right edge, up to 2 pi.</param>
+/// <param name="Height">From the upper edge to the lower edge, up to pi.</param>
+public readonly record struct MapExtent(double West, double North, double Width, double Height)
+{
+    /// <summary>rad: labels round their edges to fractions of a pixel; a gap smaller than this is none.</summary>
+    private const double Seam = 1e-6;
+
+    /// <summary>All of the Moon, with the prime meridian as left edge.</summary>
+    public static MapExtent WholeMoon => new(0.0, Math.PI / 2.0, 2.0 * Math.PI, Math.PI);
+
+    /// <summary>The left and the right edge are the same meridian.</summary>
+    public bool IsFullCircle => Width > (2.0 * Math.PI) - Seam;
+
+    /// <summary>The upper edge is the north pole.</summary>
+    public bool ReachesNorthPole => IsFullCircle && North > (Math.PI / 2.0) - Seam;
+
+    /// <summary>The lower edge is the south pole.</summary>
+    public bool ReachesSouthPole => IsFullCircle && North - Height < (-Math.PI / 2.0) + Seam;
+}

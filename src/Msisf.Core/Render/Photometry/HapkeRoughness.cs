@@ -87,3 +87,9 @@ internal sealed class HapkeRoughness
     /// <summary>The values of one direction that the formulas use; Eta is its effective cosine at azimuth 0.</summary>
     private readonly record struct Slant(double Cosine, double Sine, double OneMinusE1, double OneMinusE2, double Eta);
 }
+
+/// <summary>The smooth surface that replaces a rough surface in Hapke's law.</summary>
+/// <param name="CosIncidence">Cosine of the effective incidence angle, mu_0e.</param>
+/// <param name="CosEmission">Cosine of the effective emission angle, mu_e.</param>
+/// <param name="Shadowing">Shadowing factor S: the fraction of the light that remains after shadowing.</param>
+internal readonly record struct RoughSurface(double CosIncidence, double CosEmission, double Shadowing);

@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Visibility;
 internal sealed class BandWorker
 {
     private readonly ProjectedBlock _block = new();
-    private readonly CellSieve _sieve = new();
+    private readonly CellRasterizer _sieve = new();
     private readonly NearPlaneCells _crossing = new();
     private readonly List<VisibleBlock> _touching = [];
     private double[] _sampleColumns = [];

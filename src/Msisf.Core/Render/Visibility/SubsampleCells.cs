@@ -9,7 +9,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Draws a block's cells into the further samples of a band. Each cell is tested against eight samples of a pixel at a time, with the edge
-/// functions of <see cref="CellSieve"/>; cells whose box holds no pixel with samples are dropped.
+/// functions of <see cref="CellRasterizer"/>; cells whose box holds no pixel with samples are dropped.
 /// </summary>
 internal sealed class SubsampleCells
 {
@@ -189,7 +189,7 @@ internal sealed class SubsampleCells
                         continue;
                     }
 
-                    // As in CellSieve: a sample in both facets is on the diagonal, where both have the same depth.
+                    // As in CellRasterizer: a sample in both facets is on the diagonal, where both have the same depth.
                     Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
                     Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
                     Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);

@@ -82,3 +82,10 @@ public sealed class PartSelector
 
     private double DeviationOf(SurfacePart part) => _deviations.GetOrAdd(part, known => LevelDeviation.Of(_levels, known));
 }
+
+/// <summary>The pieces of surface that an image needs, each at a level of detail.</summary>
+/// <param name="Tiles">The tiles from which they were taken.</param>
+/// <param name="Parts">
+/// By tile, then fineness, then place; they do not overlap, except for the additional rings of cells of coarser levels.
+/// </param>
+public sealed record PartSelection(TileSelection Tiles, IReadOnlyList<SurfacePart> Parts);

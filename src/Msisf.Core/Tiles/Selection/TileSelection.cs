@@ -15,3 +15,46 @@ public sealed class TileSelection
     /// <summary>The tiles to load, by latitude, then longitude.</summary>
     public IReadOnlyList<TileChoice> Kept { get; }
 }
+
+/// <summary>The decision whether a scene needs a tile.</summary>
+/// <param name="Tile">The tile.</param>
+/// <param name="Reason">Reason for the decision.</param>
+public readonly record struct TileChoice(TileId Tile, TileReason Reason)
+{
+    /// <summary>Whether the scene needs the tile.</summary>
+    public bool IsKept => Reason is TileReason.Visible or TileReason.DarkButCovering or TileReason.CastsShadow;
+
+    /// <summary>The reason in words for a list.</summary>
+    public string ReasonText => Reason switch
+    {
+        TileReason.Visible => "visible",
+        TileReason.DarkButCovering => "dark, covers what lies behind",
+        TileReason.CastsShadow => "casts shadow",
+        TileReason.OutsideFrame => "outside the frame",
+        TileReason.Hidden => "behind the limb",
+        TileReason.Night => "night",
+        _ => throw new InvalidOperationException($"No text for {Reason}."),
+    };
+}
+
+/// <summary>Why a tile is kept or dropped.</summary>
+public enum TileReason
+{
+    /// <summary>Kept: some of it can be seen, perhaps in sunlight.</summary>
+    Visible,
+
+    /// <summary>Kept: it can be seen and is dark, but without it ground behind it would show.</summary>
+    DarkButCovering,
+
+    /// <summary>Kept: its shadow can fall on visible ground.</summary>
+    CastsShadow,
+
+    /// <summary>Dropped: no ray of the image passes through it.</summary>
+    OutsideFrame,
+
+    /// <summary>Dropped: nearer terrain or the limb hides all of it that is in the image.</summary>
+    Hidden,
+
+    /// <summary>Dropped: all of it that can be seen is certainly dark, as black as the sky.</summary>
+    Night,
+}

@@ -3,7 +3,7 @@ using Msisf.Core.Errors;
 namespace Msisf.Core.Detector;
 
 /// <summary>The wavelengths to which a camera responds, and how much: transmission and quantum efficiency. Immutable.</summary>
-public sealed class Band
+public sealed class SpectralResponse
 {
     /// <summary>J s (SI, exact).</summary>
     private const double PlanckConstant = 6.62607015e-34;
@@ -24,7 +24,7 @@ public sealed class Band
     /// <param name="transmission">Part of the light that reaches the detector.</param>
     /// <param name="quantumEfficiency">Electrons per photon.</param>
     /// <exception cref="BadInputException">The band is empty.</exception>
-    public Band(double shortest, double longest, SpectralCurve transmission, SpectralCurve quantumEfficiency)
+    public SpectralResponse(double shortest, double longest, SpectralCurve transmission, SpectralCurve quantumEfficiency)
     {
         Shortest = Guard.Positive(shortest, "The band's shortest wavelength (nm)");
         Longest = Guard.Finite(longest, "The band's longest wavelength (nm)");

@@ -15,7 +15,7 @@ namespace Msisf.Core.Render.Visibility;
 /// The signs of the <see cref="CellEdges"/> tell whether a pixel lies in a facet; they leave no gap between two facets. The edge values are
 /// also the weights of the corners, by which the inverse depth, which is linear in the image, is interpolated.
 /// </remarks>
-internal sealed class CellSieve
+internal sealed class CellRasterizer
 {
     private const int Lanes = 8;
 

@@ -3,7 +3,7 @@ using Xunit;
 
 namespace Msisf.Core.Tests.Detector;
 
-public sealed class BandTests
+public sealed class SpectralResponseTests
 {
     private const double Relative = 1e-12; // rounding of some hundred terms
 
@@ -14,7 +14,7 @@ public sealed class BandTests
     [Fact]
     public void ElectronRate_LinearEfficiency_IsTheIntegral()
     {
-        Band band = new(400.0, 600.0, new SpectralCurve(0.9), new SpectralCurve([(400.0, 0.2), (600.0, 0.6)]));
+        SpectralResponse band = new(400.0, 600.0, new SpectralCurve(0.9), new SpectralCurve([(400.0, 0.2), (600.0, 0.6)]));
         double expected = 74_400.0 * 1e-9 / (6.62607015e-34 * 299792458.0);
         double found = band.ElectronRate(_ => 2.0);
         Assert.InRange(found, expected * (1.0 - Relative), expected * (1.0 + Relative));
@@ -23,8 +23,8 @@ public sealed class BandTests
     [Fact]
     public void ElectronRate_TableNarrowerThanTheBand_CountsTheTableOnly()
     {
-        Band wide = new(300.0, 900.0, new SpectralCurve(1.0), new SpectralCurve([(500.0, 0.5), (510.0, 0.5)]));
-        Band narrow = new(500.0, 510.0, new SpectralCurve(1.0), new SpectralCurve(0.5));
+        SpectralResponse wide = new(300.0, 900.0, new SpectralCurve(1.0), new SpectralCurve([(500.0, 0.5), (510.0, 0.5)]));
+        SpectralResponse narrow = new(500.0, 510.0, new SpectralCurve(1.0), new SpectralCurve(0.5));
         Assert.InRange(wide.ElectronRate(_ => 1.0) / narrow.ElectronRate(_ => 1.0), 1.0 - Relative, 1.0 + Relative);
     }
 }
