@@ -17,8 +17,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
 
     private const string Kernels = "--spk FILE:near/states.bsp --spacecraft -999 --time 55289.01";
 
-    private const string Pointed = Kernels + " --ck FILE:near/states.bc --kernels FILE:near/states.tsc --kernels FILE:near/states.tf --kernels FILE:other.tf "
-        + "--instrument -999001 --instrument-axes +x,+y";
+    private const string Pointed = Kernels + " --ck FILE:near/states.bc --kernels FILE:near/states.tsc --kernels FILE:near/states.tf "
+        + "--kernels FILE:other.tf --instrument -999001 --instrument-axes +x,+y";
 
     private const string Map =
         "--albedo-map FILE:WAC_A.IMG --albedo-map-properties scale=0.001,incidence=60,emission=0,phase=60";
@@ -63,6 +63,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--ck", Pointed, "--ck FILE:far/states.bc" },
         { "--instrument", Pointed, "--instrument MSISF_OTHER" },
         { "--instrument-axes", Pointed, "--instrument-axes -x,-y" },
+        { "--ground-aberration", Kernels, "--ground-aberration lt+s" },
         { "--look-at", Place, "--look-at 11,21" },
         { "--off-nadir", Place, "--off-nadir 10" },
         { "--up", Place, "--up sun" },

@@ -21,7 +21,7 @@ internal static class MissionOptions
 
     /// <summary>Attitudes.</summary>
     public static PathSpec Ck { get; } = new(
-        "--ck", DecidesBytes.ByStates, PathKind.File,
+        "--ck", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Attitude as a SPICE kernel (CK), with --instrument; may be given several times: the later one wins")
     {
         TakesSeveral = true,
@@ -29,13 +29,13 @@ internal static class MissionOptions
 
     /// <summary>The instrument.</summary>
     public static TextSpec Instrument { get; } = new(
-        "--instrument", DecidesBytes.ByStates, "NAME|ID",
+        "--instrument", DecidesBytes.ByStatesOfRun, "NAME|ID",
         "The instrument whose attitude by CK and frame kernel the camera has, e.g. LRO_LROCNACL or -85600; its instrument kernel also "
             + "gives the camera, if neither --camera nor a size or field of view is given");
 
     /// <summary>How the image lies in the instrument's axes.</summary>
     public static TextSpec InstrumentAxes { get; } = new(
-        "--instrument-axes", DecidesBytes.ByStates, "RIGHT,DOWN",
+        "--instrument-axes", DecidesBytes.ByStatesOfRun, "RIGHT,DOWN",
         "How the image lies in the instrument's axes, or with --aem in the spacecraft's, e.g. +x,+y; the camera looks along right x down")
     {
         DefaultNote = "ITRANSS and ITRANSL of the instrument kernel",
@@ -53,7 +53,7 @@ internal static class MissionOptions
 
     /// <summary>Light time and stellar aberration of the ground.</summary>
     public static ChoiceSpec<Aberration> OfGround { get; } = new(
-        "--ground-aberration", DecidesBytes.ByStates,
+        "--ground-aberration", DecidesBytes.ByStatesOfRun,
         [("none", Aberration.None), ("lt", Aberration.LightTime), ("lt+s", Aberration.LightTimeAndStellar)],
         "With a mission's files: where the ground is seen: where it is, where it was when it sent the light, or turned by stellar "
             + "aberration too, as in a real image")
