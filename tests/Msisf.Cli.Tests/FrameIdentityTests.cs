@@ -62,6 +62,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--spacecraft", Kernels, "--spacecraft 399" },
         { "--ck", Pointed, "--ck FILE:far/states.bc" },
         { "--instrument", Pointed, "--instrument MSISF_OTHER" },
+        { "--ground-aberration", Message, "--ground-aberration lt+s" },
         { "--instrument-axes", Pointed, "--instrument-axes -x,-y" },
         { "--ground-aberration", Kernels, "--ground-aberration lt+s" },
         { "--look-at", Place, "--look-at 11,21" },

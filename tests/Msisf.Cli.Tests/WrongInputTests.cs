@@ -22,7 +22,7 @@ public sealed class WrongInputTests : IDisposable
     // The command line itself.
     [InlineData("--widht 5", 1, "--widht")]
     [InlineData("render", 1, "'render' is no command. See msis --help.")]
-    [InlineData("statsu a", 1, "'statsu' is no command: did you mean status? See msis --help.")]
+    [InlineData("statsu a", 1, "'statsu' is no command: did you mean states? See msis --help.")]
     [InlineData("ldem synthesise", 1, "'synthesise' is no command: did you mean synthesize? See msis ldem --help.")]
     [InlineData("--rendrer native", 1, "--rendrer is no option: did you mean --renderer? See msis --help.")]
     [InlineData("--rendrer=native", 1, "--rendrer is no option: did you mean --renderer?")]

@@ -199,7 +199,9 @@ internal static partial class ServeOptions
                     + "are needed, e.g. from 'openssl rand -hex 16'.");
     });
 
-    [GeneratedRegex("^tcp://([0-9.]+|localhost|\\*|\\[[0-9a-fA-F:]+\\]):[0-9]{1,5}$")]
+    /// <summary>With a port of 0 to 65535.</summary>
+    [GeneratedRegex("^tcp://([0-9.]+|localhost|\\*|\\[[0-9a-fA-F:]+\\]):"
+        + "(?:[0-9]{1,4}|[1-5][0-9]{4}|6(?:[0-4][0-9]{3}|5(?:[0-4][0-9]{2}|5(?:[0-2][0-9]|3[0-5]))))$")]
     private static partial Regex ZeroMqAddress();
 
     [GeneratedRegex("^[A-Za-z0-9.-]+(,[A-Za-z0-9.-]+)*$")]

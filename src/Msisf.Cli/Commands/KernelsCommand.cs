@@ -22,9 +22,10 @@ internal static class KernelsCommand
             throw new UsageException("msis kernels needs one kernel or more: name their files.");
         }
 
+        bool asJson = KernelsOptions.Format.Read(call.Values);
         (IReadOnlyList<KernelContent> contents, TdbScale scale) = KernelContent.Of(
             KernelList.Expand(call.Values.Arguments), KernelList.Expand([call.Host.Installation.MetaKernel]));
-        foreach (string line in KernelsOptions.Format.Read(call.Values) ? Json(contents, scale) : Table(contents, scale))
+        foreach (string line in asJson ? Json(contents, scale) : Table(contents, scale))
         {
             call.Host.Results.WriteLine(line);
         }

@@ -68,7 +68,7 @@ public sealed class SampledTrajectoryTests
         BadInputException failure = Assert.Throws<BadInputException>(() => trajectory.StateJ2000(900.0));
 
         Assert.Equal(
-            "orbit.oem: 2000-01-01T12:13:55.816Z (MJD 51544.509673797146) is between two blocks, of which one ends at "
+            "orbit.oem: 2000-01-01T12:13:55.816Z (MJD 51544.50967379713) is between two blocks, of which one ends at "
                 + "2000-01-01T12:08:55.816Z and the next begins at 2000-01-01T12:18:55.816Z; nothing is known between them. "
                 + "Choose a time inside a block.",
             failure.Message);

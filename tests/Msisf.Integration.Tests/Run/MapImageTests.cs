@@ -22,7 +22,10 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
 
     public void Dispose() => _folder.Dispose();
 
-    /// <summary>From the side a ray gets below a map, whose facets are met from outside only.</summary>
+    /// <summary>
+    /// From the side a ray gets below a map, whose facets are met from outside only. The site's plateau of 4 km stands alone where the map is
+    /// blended inwards: outwards, the ridges around it rise with it.
+    /// </summary>
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
     [InlineData("map alone, over the pole", "COARSE", "-89,30,150000", "-89.5,40", 60, "2000")]
     [InlineData("map alone, from the side and below", "COARSE", "-50,250,1500000", "-88,20", 25, "2000")]
@@ -47,7 +50,7 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
             $"--position={position}", $"--look-at={target}", "--time", "2026-01-07T00:00:00Z", "--lod", lod,
             "--fov", fieldOfView.ToString(CultureInfo.InvariantCulture), "--width", $"{Side}", "--height", $"{Side}",
             "--output-dir", _folder["out"], "--ephemeris", "builtin", "--surface", "terrain", "--grid", "15",
-            "--batch",
+            "--batch", .. models.EndsWith("SITE", StringComparison.Ordinal) ? (string[])["--nest-blend", "inward"] : [],
         ];
         CommandLineRun povRay = CommandLineRun.Of(
             [.. arguments, "--output-name", "povray", "--pov-options", "Antialias=Off", "--pattern-repos", maps.Repository]);
