@@ -109,6 +109,7 @@ def expected_layers(camera, sun, samples=1):
         "illumination-direction": np.degrees(np.arctan2(x, y)) % 360.0,
         "mask": nothing + 1,
         "sun-visibility": nothing + 1,
+        "source": np.tile([0.0, 1.0], (line.size, 1)),
         "tile": 72 * ((180 * 4 - 1 - line) // 20) + sample // 20,
         "cell": np.stack([line, sample], axis=1),
         "pixel-scale": distance * np.sqrt(solid_angle),

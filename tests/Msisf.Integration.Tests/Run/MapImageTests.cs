@@ -23,8 +23,8 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
     public void Dispose() => _folder.Dispose();
 
     /// <summary>
-    /// From the side a ray gets below a map, whose facets are met from outside only. The site's plateau of 4 km stands alone where the map is
-    /// blended inwards: outwards, the ridges around it rise with it.
+    /// From the side a ray gets below a map, whose facets are met from outside only. The site's plateau of 4 km stands alone where the map
+    /// is blended inwards: outwards, the ridges around it rise with it.
     /// </summary>
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
     [InlineData("map alone, over the pole", "COARSE", "-89,30,150000", "-89.5,40", 60, "2000")]
