@@ -12,9 +12,7 @@ internal sealed class BlockReceivers : IReceiverBounds
     /// <summary>m: the night zone begins at the depth 0; above it by more than rounding.</summary>
     private const float Dusk = (float)SureLight.Margin;
 
-    private readonly DepthPyramid _depths = new();
-    private readonly LightAxis _u;
-    private readonly LightAxis _v;
+    private readonly DepthGrid _depths = new();
 
     /// <summary>Finds the bounds.</summary>
     /// <param name="surface">The surface.</param>
@@ -35,13 +33,12 @@ internal sealed class BlockReceivers : IReceiverBounds
         Frame = new LightFrame(sunMoonMe, sum);
         List<LightBounds> bounds = [.. nodes.Select(node => LightBounds.Of(Frame, node)).Where(node => !IsNight(node.Box, node.MinDepth))];
         Box = bounds.Aggregate(LightBox.Empty, (box, node) => LightBox.Union(box, node.Box));
-        (_u, _v) = (new LightAxis(Box.MinU, Box.MaxU, Size), new LightAxis(Box.MinV, Box.MaxV, Size));
-        _depths.Prepare(Size, Size);
+        _depths.Lay(Box, Size, Size);
         _depths.Bins.AsSpan(0, Size * Size).Fill(float.NegativeInfinity);
         foreach (LightBounds node in bounds)
         {
             float depth = MathF.BitIncrement((float)node.MaxDepth);
-            GridRange bins = BinsOf(node.Box);
+            GridRange bins = _depths.BinsOf(node.Box);
             for (int row = bins.FirstRow; row <= bins.LastRow; row++)
             {
                 for (int column = bins.FirstColumn; column <= bins.LastColumn; column++)
@@ -70,13 +67,11 @@ internal sealed class BlockReceivers : IReceiverBounds
     public LightBox Box { get; }
 
     /// <inheritdoc/>
-    public double MaxDepth => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
+    public double MaxDepth => _depths.Max();
 
     /// <inheritdoc/>
-    public double MaxDepthIn(in LightBox box) => _depths.Max(BinsOf(in box));
+    public double MaxDepthIn(in LightBox box) => _depths.Max(_depths.BinsOf(in box));
 
-    private GridRange BinsOf(in LightBox box) => new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
-
-    private LightBox BoxOf(int column, int row) =>
-        new(_u.StartOf(column), _u.StartOf(column + 1), _v.StartOf(row), _v.StartOf(row + 1));
+    private LightBox BoxOf(int column, int row) => new(
+        _depths.AxisU.StartOf(column), _depths.AxisU.StartOf(column + 1), _depths.AxisV.StartOf(row), _depths.AxisV.StartOf(row + 1));
 }

@@ -7,20 +7,14 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class CasterDepths
 {
-    private readonly DepthPyramid _before = new(); // minus the depths: the pyramid finds maxima
-    private LightAxis _u;
-    private LightAxis _v;
-    private int _size;
+    private readonly DepthGrid _before = new(); // minus the depths: the grid finds maxima
 
     /// <summary>Begins a frame, without facets.</summary>
     /// <param name="box">Bounds of what may be in shadow.</param>
     /// <param name="size">Number of bins along each edge of the grid.</param>
     public void Lay(LightBox box, int size)
     {
-        _size = size;
-        _u = new LightAxis(box.MinU, box.MaxU, size);
-        _v = new LightAxis(box.MinV, box.MaxV, size);
-        _before.Prepare(size, size);
+        _before.Lay(box, size, size);
         _before.Bins.AsSpan(0, size * size).Fill(float.NegativeInfinity);
     }
 
@@ -28,7 +22,7 @@ internal sealed class CasterDepths
     public void Add(in LightFacet facet)
     {
         LightBox box = facet.Box;
-        GridRange bins = BinsOf(in box);
+        GridRange bins = _before.BinsOf(in box);
         double minDepth = facet.MinDepth;
         (double ub, double vb, double wb) = (facet.Ub - facet.Ua, facet.Vb - facet.Va, facet.Wb - facet.Wa);
         (double uc, double vc, double wc) = (facet.Uc - facet.Ua, facet.Vc - facet.Va, facet.Wc - facet.Wa);
@@ -39,19 +33,20 @@ internal sealed class CasterDepths
         // The corners are rounded, and with them the plane: the more, the nearer the facet is to a line.
         double sides = Math.Max((ub * ub) + (vb * vb), (uc * uc) + (vc * vc));
         double rounding = Tolerances.LightPoint * (1.0 + (8.0 * (Math.Abs(perU) + Math.Abs(perV)) * sides / Math.Abs(area)));
+        (LightAxis u, LightAxis v) = (_before.AxisU, _before.AxisV);
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
-            (double minV, double maxV) = Within(_v, row, box.MinV, box.MaxV);
+            (double minV, double maxV) = Within(v, row, box.MinV, box.MaxV);
             (double minU, double maxU) = facet.Between(minV, maxV);
             double ofRow = facet.Wa - rounding + (perV * ((perV > 0.0 ? minV : maxV) - facet.Va));
-            int last = Math.Min(bins.LastColumn, _u.BinOf(maxU + Tolerances.LightPoint));
-            for (int column = Math.Max(bins.FirstColumn, _u.BinOf(minU - Tolerances.LightPoint)); column <= last; column++)
+            int last = Math.Min(bins.LastColumn, u.BinOf(maxU + Tolerances.LightPoint));
+            for (int column = Math.Max(bins.FirstColumn, u.BinOf(minU - Tolerances.LightPoint)); column <= last; column++)
             {
-                (double first, double end) = Within(_u, column, box.MinU, box.MaxU);
+                (double first, double end) = Within(u, column, box.MinU, box.MaxU);
                 double nearest = ofRow + (perU * ((perU > 0.0 ? first : end) - facet.Ua));
 
                 // An edge-on facet has no plane over the bins: then the comparison with NaN leaves its nearest corner.
-                SetLeast((row * _size) + column, nearest > minDepth ? nearest : minDepth);
+                SetLeast((row * _before.Size) + column, nearest > minDepth ? nearest : minDepth);
             }
         }
     }
@@ -62,15 +57,12 @@ internal sealed class CasterDepths
     /// <summary>Whether a facet that was added may hide something from the Sun.</summary>
     /// <param name="box">Its bounds, m.</param>
     /// <param name="maxDepth">Its maximum depth, m.</param>
-    public bool MayHide(in LightBox box, double maxDepth) => !(-maxDepth > _before.Max(BinsOf(in box)));
-
-    private GridRange BinsOf(in LightBox box) =>
-        new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
+    public bool MayHide(in LightBox box, double maxDepth) => !(-maxDepth > _before.Max(_before.BinsOf(in box)));
 
     /// <summary>What a facet with some limits has of a bin along one axis; the outermost bins extend to infinity.</summary>
     private (double Min, double Max) Within(LightAxis axis, int bin, double min, double max) => (
         bin == 0 ? min : Math.Max(min, axis.StartOf(bin) - Tolerances.LightPoint),
-        bin == _size - 1 ? max : Math.Min(max, axis.StartOf(bin + 1) + Tolerances.LightPoint));
+        bin == _before.Size - 1 ? max : Math.Min(max, axis.StartOf(bin + 1) + Tolerances.LightPoint));
 
     private void SetLeast(int bin, double depth)
     {

@@ -42,19 +42,18 @@ internal sealed class CasterScan
 
     /// <summary>Marks the bins in which a block may hide receivers, so that they are sorted.</summary>
     /// <param name="block">The block.</param>
-    /// <param name="receivers">The receivers, read but not sorted yet.</param>
-    public void WantBins(CellBlock block, ReceiverSort receivers)
+    /// <param name="receivers">The receivers.</param>
+    public void WantBins(CellBlock block, PlacedReceivers receivers)
     {
         Load(block, receivers.Frame);
-        ReceiverGrid grid = receivers.Grid;
         LightBox box = receivers.Box;
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (TrySetStrip(line, sample, grid, in box, out GridRange bins))
+                if (TrySetStrip(line, sample, receivers.Bins, in box, out GridRange bins))
                 {
-                    grid.Want(bins);
+                    receivers.Want(bins);
                 }
             }
         }
@@ -92,18 +91,17 @@ internal sealed class CasterScan
 
     /// <summary>Marks the receivers that a block hides from the Sun.</summary>
     /// <param name="block">The block.</param>
-    /// <param name="receivers">The receivers, sorted.</param>
+    /// <param name="grid">The receivers.</param>
     /// <param name="hidden">One value for each pixel, row by row; set to 1 where terrain hides the Sun.</param>
-    public void Cast(CellBlock block, ReceiverSort receivers, byte[] hidden)
+    public void Cast(CellBlock block, SortedReceivers grid, byte[] hidden)
     {
-        Load(block, receivers.Frame);
-        ReceiverGrid grid = receivers.Grid;
-        LightBox box = receivers.Box;
+        Load(block, grid.Frame);
+        LightBox box = grid.Box;
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!TrySetStrip(line, sample, grid, in box, out GridRange bins))
+                if (!TrySetStrip(line, sample, grid.Bins, in box, out GridRange bins))
                 {
                     continue;
                 }
@@ -129,7 +127,7 @@ internal sealed class CasterScan
     }
 
     /// <summary>Sets the strip to eight cells and tells whether a receiver may be behind them.</summary>
-    private bool TrySetStrip(int line, int sample, ReceiverGrid grid, in LightBox box, out GridRange bins)
+    private bool TrySetStrip(int line, int sample, DepthGrid receivers, in LightBox box, out GridRange bins)
     {
         bins = default;
         if (!_strip.TrySet(line, sample, in box, slope: 0.0))
@@ -137,11 +135,11 @@ internal sealed class CasterScan
             return false;
         }
 
-        bins = grid.BinsOf(in _strip.Box);
-        return _strip.MinDepth < grid.MaxDepth(bins);
+        bins = receivers.BinsOf(in _strip.Box);
+        return _strip.MinDepth < receivers.Max(bins);
     }
 
-    private void CastStrip(ReceiverGrid grid, GridRange bins, byte[] hidden)
+    private void CastStrip(SortedReceivers grid, GridRange bins, byte[] hidden)
     {
         ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
         ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
@@ -160,7 +158,7 @@ internal sealed class CasterScan
                 Tries++;
                 Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
                 Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                uint isInBox = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), minDepth)
+                uint isInBox = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), minDepth)
                     & Vector512.GreaterThanOrEqual(u, minU)
                     & Vector512.LessThanOrEqual(u, maxU)
                     & Vector512.GreaterThanOrEqual(v, minV)
@@ -184,7 +182,7 @@ internal sealed class CasterScan
         }
     }
 
-    private void CastFacets(ReceiverGrid grid, byte[] hidden)
+    private void CastFacets(SortedReceivers grid, byte[] hidden)
     {
         for (uint away = _strip.SouthWestAway; away != 0; away &= away - 1)
         {

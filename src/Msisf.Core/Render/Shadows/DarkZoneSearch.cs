@@ -49,12 +49,12 @@ internal sealed class DarkZoneSearch
     /// <param name="receivers">The receivers.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
     /// <param name="casters">Number of blocks that may cast a shadow.</param>
-    public bool Pays(ReceiverSort receivers, double slope, int casters)
+    public bool Pays(PlacedReceivers receivers, double slope, int casters)
     {
         LightBox box = receivers.Box;
-        double reach = slope * (receivers.Grid.MaxDepth() - MinDepth(box));
+        double reach = slope * (receivers.MaxDepth - MinDepth(box));
         return _solidRadius > 0.0 && casters > ManyBlocks
-            && receivers.Grid.Length * 4.0 * reach * reach > ManyReceivers * (box.MaxU - box.MinU) * (box.MaxV - box.MinV);
+            && receivers.Length * 4.0 * reach * reach > ManyReceivers * (box.MaxU - box.MinU) * (box.MaxV - box.MinV);
     }
 
     /// <summary>Finds the zones.</summary>
@@ -66,10 +66,10 @@ internal sealed class DarkZoneSearch
     /// <returns>
     /// The zones, valid until the next search; null if they would cost too much, or the surface is not closed.
     /// </returns>
-    public DarkZones? Find(ReceiverSort receivers, double slope, int casters, int threads, CancellationToken cancellation)
+    public DarkZones? Find(PlacedReceivers receivers, double slope, int casters, int threads, CancellationToken cancellation)
     {
         LightBox box = receivers.Box;
-        double deepest = receivers.Grid.MaxDepth();
+        double deepest = receivers.MaxDepth;
         double minDepth = MinDepth(box);
         if (!(_solidRadius > 0.0 && deepest > minDepth && box.MaxV > box.MinV && box.MinU < _maxRadius))
         {

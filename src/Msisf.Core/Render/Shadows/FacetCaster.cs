@@ -14,11 +14,11 @@ internal static class FacetCaster
     /// <param name="grid">The receivers.</param>
     /// <param name="hidden">One value for each pixel, row by row; set to 1 where the facet hides the Sun.</param>
     /// <returns>Number of vectors of eight receivers that were tested.</returns>
-    public static int Cast(in LightFacet facet, ReceiverGrid grid, byte[] hidden)
+    public static int Cast(in LightFacet facet, SortedReceivers grid, byte[] hidden)
     {
         LightBox box = facet.Box;
-        GridRange bins = grid.BinsOf(box);
-        if (!(facet.MinDepth < grid.MaxDepth(bins)))
+        GridRange bins = grid.Bins.BinsOf(in box);
+        if (!(facet.MinDepth < grid.Bins.Max(bins)))
         {
             return 0;
         }
@@ -28,12 +28,12 @@ internal static class FacetCaster
         {
             // The first and the last row also hold the receivers beyond the grid, so there the facet is cut on one side only.
             (double min, double max) = facet.Between(
-                row == bins.FirstRow ? double.NegativeInfinity : grid.AxisV.StartOf(row) - Tolerances.LightPoint,
-                row == bins.LastRow ? double.PositiveInfinity : grid.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
+                row == bins.FirstRow ? double.NegativeInfinity : grid.Bins.AxisV.StartOf(row) - Tolerances.LightPoint,
+                row == bins.LastRow ? double.PositiveInfinity : grid.Bins.AxisV.StartOf(row + 1) + Tolerances.LightPoint);
             (int first, int end) = grid.Run(
                 row,
-                Math.Max(bins.FirstColumn, grid.AxisU.BinOf(min - Tolerances.LightPoint)),
-                Math.Min(bins.LastColumn, grid.AxisU.BinOf(max + Tolerances.LightPoint)));
+                Math.Max(bins.FirstColumn, grid.Bins.AxisU.BinOf(min - Tolerances.LightPoint)),
+                Math.Min(bins.LastColumn, grid.Bins.AxisU.BinOf(max + Tolerances.LightPoint)));
             if (end > first)
             {
                 Hide(in facet, grid, first, end, hidden);
@@ -45,7 +45,7 @@ internal static class FacetCaster
     }
 
     /// <summary>Marks the hidden receivers of a range with the sums of <see cref="CellStrip.IsInFrontOf"/>, in the same order.</summary>
-    private static void Hide(in LightFacet facet, ReceiverGrid grid, int first, int end, byte[] hidden)
+    private static void Hide(in LightFacet facet, SortedReceivers grid, int first, int end, byte[] hidden)
     {
         ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
         ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
@@ -75,7 +75,7 @@ internal static class FacetCaster
                 + (weightB * (Vector512.Create(facet.Wb) - w))
                 + (weightC * (Vector512.Create(facet.Wc) - w));
             uint isHidden = (uint)(isInside & Vector512.LessThan(deeper, Vector512<double>.Zero)).ExtractMostSignificantBits();
-            for (isHidden &= ReceiverGrid.Meant(i, end); isHidden != 0; isHidden &= isHidden - 1)
+            for (isHidden &= SortedReceivers.Meant(i, end); isHidden != 0; isHidden &= isHidden - 1)
             {
                 hidden[grid.Pixels[i + BitOperations.TrailingZeroCount(isHidden)]] = 1;
             }

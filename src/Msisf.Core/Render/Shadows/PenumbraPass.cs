@@ -43,7 +43,7 @@ internal sealed class PenumbraPass
     }
 
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
-    public long ReplacedBytes => _receivers.Grid.ReplacedBytes;
+    public long ReplacedBytes => _receivers.ReplacedBytes;
 
     /// <summary>Marks the points of the disc that terrain hides from each receiver.</summary>
     /// <param name="receivers">The points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
@@ -63,41 +63,35 @@ internal sealed class PenumbraPass
 
         LightSource sun = new(disc.CentreMoonMe, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
-        void Hide(int pixel) => hidden[pixel] = SunDisc.All;
-        _receivers.Read(receivers, sun, night, Hide, threads, cancellation);
-        IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
-        DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(_receivers, sun.Slope, blocks.Count)
-            ? _darkZones.Find(_receivers, sun.Slope, blocks.Count, threads, cancellation)
+        ReceiverJob job = new(receivers, night, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
+        PlacedReceivers placed = _receivers.Read(job, sun);
+        IReadOnlyList<CellBlock> blocks = placed.Box.IsEmpty ? [] : _search.Find(placed, sun.Slope, threads, cancellation);
+        DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(placed, sun.Slope, blocks.Count)
+            ? _darkZones.Find(placed, sun.Slope, blocks.Count, threads, cancellation)
             : null;
-        if (dark is not null)
-        {
-            _receivers.LeaveOut(receivers, dark.Whole, night, Hide, threads, cancellation);
-        }
-
-        _receivers.Grid.WantAll();
-        _receivers.Sort(receivers, threads, cancellation);
-        if (_receivers.Box.IsEmpty)
+        SortedReceivers sorted = (dark is null ? placed : placed.LeaveOut(dark.Whole)).Sort();
+        if (sorted.Box.IsEmpty)
         {
             return;
         }
 
-        DiscRays rays = new(disc, _receivers.Frame);
+        DiscRays rays = new(disc, sorted.Frame);
         if (dark is not null)
         {
-            MarkHiddenParts(dark, rays, hidden, threads, cancellation);
+            MarkHiddenParts(sorted, dark, rays, hidden, threads, cancellation);
         }
 
         WorkerTeam.Run(
             threads,
             blocks.Count,
-            (worker, item) => _scans[worker].Cast(blocks[item], _receivers, rays, sun.Slope, hidden),
+            (worker, item) => _scans[worker].Cast(blocks[item], sorted, rays, sun.Slope, hidden),
             cancellation);
     }
 
     /// <summary>Marks the points of the disc that the zones show to be hidden, so that few facets are left to be tested.</summary>
-    private void MarkHiddenParts(DarkZones dark, DiscRays rays, ulong[] hidden, int threads, CancellationToken cancellation)
+    private static void MarkHiddenParts(
+        SortedReceivers grid, DarkZones dark, DiscRays rays, ulong[] hidden, int threads, CancellationToken cancellation)
     {
-        ReceiverGrid grid = _receivers.Grid;
         WorkerTeam.Run(threads, (grid.Length + Chunk - 1) / Chunk, (_, chunk) =>
         {
             for (int i = chunk * Chunk; i < Math.Min((chunk + 1) * Chunk, grid.Length); i++)

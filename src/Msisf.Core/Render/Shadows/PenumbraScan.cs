@@ -25,18 +25,17 @@ internal sealed class PenumbraScan
 
     /// <summary>Marks the points of the disc that a block hides from the receivers.</summary>
     /// <param name="block">The block.</param>
-    /// <param name="receivers">The receivers, sorted.</param>
+    /// <param name="grid">The receivers.</param>
     /// <param name="rays">The rays to the points of the disc.</param>
     /// <param name="slope">Radius of the disc over its distance.</param>
     /// <param name="hidden">For each pixel, row by row, the mask of the disc's points that terrain hides; bits are added.</param>
-    public void Cast(CellBlock block, ReceiverSort receivers, DiscRays rays, double slope, ulong[] hidden)
+    public void Cast(CellBlock block, SortedReceivers grid, DiscRays rays, double slope, ulong[] hidden)
     {
         _vertices.Load(_surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
-        receivers.Frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
-        ReceiverGrid grid = receivers.Grid;
-        double deepest = grid.MaxDepth();
-        LightBox reach = receivers.Box.Widened(slope * Math.Max(0.0, deepest - MinDepth(length)));
+        grid.Frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        double deepest = grid.Bins.Max();
+        LightBox reach = grid.Box.Widened(slope * Math.Max(0.0, deepest - MinDepth(length)));
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
@@ -47,7 +46,7 @@ internal sealed class PenumbraScan
                 }
 
                 // The deeper a receiver is behind the facets, the farther to their side they can hide a part of the disc from it.
-                double depth = grid.MaxDepth(grid.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.MinDepth))));
+                double depth = grid.Bins.Max(grid.Bins.BinsOf(_strip.Box.Widened(slope * (deepest - _strip.MinDepth))));
                 if (_strip.MinDepth < depth)
                 {
                     CastStrip(grid, _strip.Box.Widened(slope * (depth - _strip.MinDepth)), rays, slope, hidden);
@@ -56,9 +55,9 @@ internal sealed class PenumbraScan
         }
     }
 
-    private void CastStrip(ReceiverGrid grid, LightBox reach, DiscRays rays, double slope, ulong[] hidden)
+    private void CastStrip(SortedReceivers grid, LightBox reach, DiscRays rays, double slope, ulong[] hidden)
     {
-        GridRange bins = grid.BinsOf(in reach);
+        GridRange bins = grid.Bins.BinsOf(in reach);
         ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
         ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
         ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
@@ -71,7 +70,7 @@ internal sealed class PenumbraScan
                 Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
                 Vector512<double> behind = Vector512.LoadUnsafe(ref ws, (nuint)i) - Vector512.Create(_strip.MinDepth);
                 Vector512<double> margin = Vector512.Create(slope) * behind;
-                uint isNear = ReceiverGrid.Meant(i, end) & (uint)(Vector512.GreaterThan(behind, Vector512<double>.Zero)
+                uint isNear = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(behind, Vector512<double>.Zero)
                     & Vector512.GreaterThanOrEqual(u + margin, Vector512.Create(_strip.Box.MinU))
                     & Vector512.LessThanOrEqual(u - margin, Vector512.Create(_strip.Box.MaxU))
                     & Vector512.GreaterThanOrEqual(v + margin, Vector512.Create(_strip.Box.MinV))
@@ -85,7 +84,7 @@ internal sealed class PenumbraScan
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
-    private void Hide(ReceiverGrid grid, int receiver, DiscRays rays, double slope, ulong[] hidden)
+    private void Hide(SortedReceivers grid, int receiver, DiscRays rays, double slope, ulong[] hidden)
     {
         Vector3D point = new(grid.U[receiver], grid.V[receiver], grid.W[receiver]);
         if (double.IsNegativeInfinity(point.Z))

@@ -1,15 +1,11 @@
-using System.Diagnostics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Shadows;
 
 /// <summary>
-/// The receivers of a frame, sorted into a grid of rectangular bins across the Sun's rays. Receivers in neighbouring bins of a row are
-/// contiguous in the arrays, so that a facet can be tested against eight of them at a time. A counting sort: call <see cref="Lay"/>,
-/// <see cref="Count"/> for each row, <see cref="Place"/>, <see cref="Want"/> for the bins, then <see cref="Sort"/> for each row.
+/// Sorts the receivers of a frame into a grid of bins across the Sun's rays, by counting. Each step hands out what the next one needs, so
+/// that none can be left out: <see cref="Lay"/> the rows to count, <see cref="Counting.Place"/> the bins to mark, and
+/// <see cref="Placed.MakeRoom"/> the rows to sort.
 /// </summary>
 internal sealed class ReceiverGrid
 {
@@ -17,52 +13,26 @@ internal sealed class ReceiverGrid
     private const int MaxBins = 2048;
     private const int NoBin = -1;
 
-    private readonly DepthPyramid _depths = new();
-    private LightAxis _u;
-    private LightAxis _v;
+    private readonly DepthGrid _depths = new();
+    private readonly ReceiverArrays _arrays = new();
     private int[] _bins = []; // of each column of each row; below 0 without receiver
     private ReceiverBin[][] _parts = [];
     private byte[] _isWanted = [];
     private bool _wantsAll;
     private int[] _starts = [];
-    private readonly RecentUse _use = new();
-
-    /// <summary>Number of bins along each edge of the grid.</summary>
-    public int Size { get; private set; }
-
-    /// <summary>Number of receivers in the grid.</summary>
-    public int Length { get; private set; }
-
-    /// <summary>
-    /// Coordinate of each receiver in light space, m. The array has room for eight unused values after the last receiver, so that a
-    /// vector can be read from any receiver of a <see cref="Run"/> without range checks. Values are set by <see cref="Sort"/>.
-    /// </summary>
-    public double[] U { get; private set; } = [];
-
-    /// <inheritdoc cref="U"/>
-    public double[] V { get; private set; } = [];
-
-    /// <inheritdoc cref="U"/>
-    public double[] W { get; private set; } = [];
-
-    /// <summary>Pixel of each receiver: row of the image times its width plus column.</summary>
-    public int[] Pixels { get; private set; } = [];
+    private int _length;
 
     /// <summary>Bytes of the arrays that the grid has replaced by smaller or larger ones.</summary>
-    public long ReplacedBytes { get; private set; }
+    public long ReplacedBytes => _arrays.ReplacedBytes;
 
-    /// <summary>The bins along u, the columns of the grid.</summary>
-    public LightAxis AxisU => _u;
-
-    /// <summary>The bins along v, the rows of the grid.</summary>
-    public LightAxis AxisV => _v;
+    private int Size => _depths.Size;
 
     /// <summary>Begins a frame: sets the bins and clears their counts.</summary>
     /// <param name="box">Bounds of most receivers; a wrong estimate makes the search slower but not wrong.</param>
     /// <param name="receivers">Approximate number of receivers.</param>
     /// <param name="parts">Number of groups of rows that are counted and sorted at the same time.</param>
     /// <param name="length">Maximum number of receivers, with whole vectors in each row.</param>
-    public void Lay(LightBox box, int receivers, int parts, int length)
+    public Counting Lay(LightBox box, int receivers, int parts, int length)
     {
         if (_bins.Length < length)
         {
@@ -70,15 +40,13 @@ internal sealed class ReceiverGrid
         }
 
         // A bin of about 2 x 2 pixels: with larger bins facets test more receivers in vain, with smaller ones they visit more bins.
-        Size = SizeFor(receivers);
-        _u = new LightAxis(box.MinU, box.MaxU, Size);
-        _v = new LightAxis(box.MinV, box.MaxV, Size);
+        int size = SizeFor(receivers);
 
         // Room for as many receivers as there are pixels: what no frame uses takes no memory, and arrays that grew with the frames of an
         // orbit would leave their predecessors behind.
-        int maxSize = Math.Max(Size, SizeFor(length));
+        int maxSize = Math.Max(size, SizeFor(length));
         int room = maxSize * maxSize;
-        _depths.Prepare(Size, maxSize);
+        _depths.Lay(box, size, maxSize);
         if (_starts.Length < room + 1)
         {
             _starts = new int[room + 1];
@@ -92,19 +60,13 @@ internal sealed class ReceiverGrid
 
         foreach (ReceiverBin[] part in _parts)
         {
-            Array.Fill(part, ReceiverBin.Empty, 0, Size * Size);
+            Array.Fill(part, ReceiverBin.Empty, 0, size * size);
         }
+
+        return new Counting(this);
     }
 
-    /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
-    /// <param name="row">The receivers.</param>
-    /// <param name="start">Where the row begins among all columns, with whole vectors in each row.</param>
-    /// <param name="number">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
-    /// <param name="night">The zone in which every point is in shadow.</param>
-    /// <param name="dark">A second zone in which every point is in shadow; null for none.</param>
-    /// <param name="hide">Called with the column of each receiver in one of the zones.</param>
-    /// <returns>Bounds of the receivers that are not left out.</returns>
-    public LightBox Count(ReceiverRow row, int start, int number, NightZone night, DarkZone? dark, Action<int> hide)
+    private LightBox Count(ReceiverRow row, int start, int number, NightZone night, DarkZone? dark, Action<int> hide)
     {
         int count = row.Count;
         Span<float> depths = stackalloc float[LaneCount];
@@ -116,6 +78,7 @@ internal sealed class ReceiverGrid
         Vector512<double> maxU = -minU;
         Vector512<double> maxV = -minU;
         Vector512<double> size = Vector512.Create((double)Size);
+        (LightAxis axisU, LightAxis axisV) = (_depths.AxisU, _depths.AxisV);
         for (int i = 0; i < count; i += LaneCount)
         {
             Vector512<double> u = Vector512.LoadUnsafe(ref row.U[0], (nuint)i);
@@ -128,7 +91,7 @@ internal sealed class ReceiverGrid
             maxU = Vector512.ConditionalSelect(isOut, maxU, Vector512.MaxNative(maxU, u));
             maxV = Vector512.ConditionalSelect(isOut, maxV, Vector512.MaxNative(maxV, v));
             Vector512<double> all = Vector512.ConditionalSelect(
-                isNight, Vector512.Create((double)NoBin), (_v.BinsOf(v) * size) + _u.BinsOf(u));
+                isNight, Vector512.Create((double)NoBin), (axisV.BinsOf(v) * size) + axisU.BinsOf(u));
             Vector512<long> whole = Vector512.ConvertToInt64Native(all);
             Vector512.Narrow(whole, whole).GetLower().CopyTo(numbers);
             Vector512.Narrow(w, w).GetLower().CopyTo(depths);
@@ -138,8 +101,7 @@ internal sealed class ReceiverGrid
         return new LightBox(Lanes.Min(minU), -Lanes.Min(-maxU), Lanes.Min(minV), -Lanes.Min(-maxV));
     }
 
-    /// <summary>Gives each bin, and each part in it, its range in the arrays; finds the bins' depths; unmarks all bins.</summary>
-    public void Place()
+    private Placed Place()
     {
         int next = 0;
         for (int bin = 0; bin < Size * Size; bin++)
@@ -159,42 +121,22 @@ internal sealed class ReceiverGrid
         _wantsAll = false;
         Array.Clear(_isWanted, 0, Size * Size);
         _starts[Size * Size] = next;
-        Length = next;
+        _length = next;
+        return new Placed(this);
     }
 
-    /// <summary>Makes room for the receivers of the marked bins; gives back memory that the last frames did not need.</summary>
-    public void MakeRoom()
+    private Sorting MakeRoom()
     {
         if (!_wantsAll)
         {
             LeaveOutUnmarked();
         }
 
-        int used = _starts[Size * Size] + LaneCount;
-        int length = used > U.Length ? Math.Min(RecentUse.WithReserve(used), _bins.Length + LaneCount) : U.Length;
-        if (_use.Note(used, ref length) || length != U.Length)
-        {
-            Replace(length);
-        }
+        _arrays.MakeRoom(_starts[Size * Size] + LaneCount, _bins.Length + LaneCount);
+        return new Sorting(this);
     }
 
-    /// <summary>Marks bins, so that <see cref="Sort"/> sorts their receivers. Several threads may call it.</summary>
-    public void Want(GridRange bins)
-    {
-        for (int row = bins.FirstRow; row <= bins.LastRow; row++)
-        {
-            _isWanted.AsSpan((row * Size) + bins.FirstColumn, bins.LastColumn - bins.FirstColumn + 1).Fill(1);
-        }
-    }
-
-    /// <summary>Marks all bins for sorting.</summary>
-    public void WantAll() => _wantsAll = true;
-
-    /// <summary>Finds the columns of a row's receivers whose bins are marked, from left to right.</summary>
-    /// <param name="start">The same place as in <see cref="Count"/>.</param>
-    /// <param name="columns">Receives them; as long as the image is wide.</param>
-    /// <returns>Their number.</returns>
-    public int FindMarked(int start, Span<int> columns)
+    private int FindMarked(int start, Span<int> columns)
     {
         ReadOnlySpan<int> bins = _bins.AsSpan(start, columns.Length);
         (byte[] isWanted, bool wantsAll) = (_isWanted, _wantsAll);
@@ -208,17 +150,12 @@ internal sealed class ReceiverGrid
         return count;
     }
 
-    /// <summary>Puts a row's marked receivers into their bins.</summary>
-    /// <param name="row">The receivers, in any order.</param>
-    /// <param name="start">The same place as in <see cref="Count"/>.</param>
-    /// <param name="part">The same index as in <see cref="Count"/>.</param>
-    /// <param name="firstPixel">Index of the row's first pixel.</param>
-    public void Sort(ReceiverRow row, int start, int part, int firstPixel)
+    private void Sort(ReceiverRow row, int start, int part, int firstPixel)
     {
         ReceiverBin[] next = _parts[part];
         ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Width);
         ReadOnlySpan<int> columns = row.Columns.AsSpan(0, row.Count);
-        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (U, V, W, Pixels); // read once, not for each receiver
+        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (_arrays.U, _arrays.V, _arrays.W, _arrays.Pixels); // read once, not for each receiver
         (double[] u, double[] v, double[] w) = (row.U, row.V, row.W);
         for (int i = 0; i < columns.Length; i++)
         {
@@ -228,35 +165,6 @@ internal sealed class ReceiverGrid
             toW[place] = w[i];
             toPixels[place] = firstPixel + columns[i];
         }
-    }
-
-    /// <summary>The bins that a box overlaps.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public GridRange BinsOf(in LightBox box) =>
-        new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
-
-    /// <summary>Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none.</summary>
-    public float MaxDepth(GridRange bins) => _depths.Max(bins);
-
-    /// <summary>Upper bound of the depth of all receivers, m.</summary>
-    public float MaxDepth() => _depths.Max(new GridRange(0, Size - 1, 0, Size - 1));
-
-    /// <summary>Mask of the lanes before <paramref name="end"/> in a vector that begins at <paramref name="receiver"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Meant(int receiver, int end) => (1u << Math.Min(end - receiver, LaneCount)) - 1;
-
-    /// <summary>Excludes a receiver from further tests: its depth becomes minus infinity. Several threads may call it.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void TakeOut(int receiver) => W[receiver] = double.NegativeInfinity;
-
-    /// <summary>The range in the arrays of the receivers in neighbouring bins of a row.</summary>
-    /// <returns>Index of the first receiver and one past the last.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (int First, int End) Run(int row, int firstColumn, int lastColumn)
-    {
-        Debug.Assert(row >= 0 && row < Size && firstColumn >= 0 && lastColumn < Size, "A bin lies outside the grid.");
-        ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_starts), row * Size);
-        return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
     }
 
     /// <summary>Gives the bins that are not marked empty ranges.</summary>
@@ -284,14 +192,68 @@ internal sealed class ReceiverGrid
         _starts[Size * Size] = next;
     }
 
-    private void Replace(int length)
+    private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
+
+    /// <summary>The bins are laid; the rows are counted.</summary>
+    public readonly struct Counting(ReceiverGrid grid)
     {
-        ReplacedBytes += U.Length * ((3L * sizeof(double)) + sizeof(int));
-        U = GC.AllocateUninitializedArray<double>(length);
-        V = GC.AllocateUninitializedArray<double>(length);
-        W = GC.AllocateUninitializedArray<double>(length);
-        Pixels = GC.AllocateUninitializedArray<int>(length);
+        /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
+        /// <param name="row">The receivers.</param>
+        /// <param name="start">Where the row begins among all columns, with whole vectors in each row.</param>
+        /// <param name="number">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
+        /// <param name="night">The zone in which every point is in shadow.</param>
+        /// <param name="dark">A second zone in which every point is in shadow; null for none.</param>
+        /// <param name="hide">Called with the column of each receiver in one of the zones.</param>
+        /// <returns>Bounds of the receivers that are not left out.</returns>
+        public LightBox Count(ReceiverRow row, int start, int number, NightZone night, DarkZone? dark, Action<int> hide) =>
+            grid.Count(row, start, number, night, dark, hide);
+
+        /// <summary>Gives each bin, and each part in it, its range in the arrays; finds the bins' depths; unmarks all bins.</summary>
+        public Placed Place() => grid.Place();
     }
 
-    private static int SizeFor(int receivers) => Math.Clamp((int)Math.Sqrt(0.25 * receivers), 1, MaxBins);
+    /// <summary>All rows are counted; bins are marked.</summary>
+    public readonly struct Placed(ReceiverGrid grid)
+    {
+        /// <summary>The bins.</summary>
+        public DepthGrid Bins => grid._depths;
+
+        /// <summary>Number of receivers.</summary>
+        public int Length => grid._length;
+
+        /// <summary>Marks bins, so that their receivers are sorted. Several threads may call it.</summary>
+        public void Want(GridRange bins)
+        {
+            for (int row = bins.FirstRow; row <= bins.LastRow; row++)
+            {
+                grid._isWanted.AsSpan((row * grid.Size) + bins.FirstColumn, bins.LastColumn - bins.FirstColumn + 1).Fill(1);
+            }
+        }
+
+        /// <summary>Marks all bins.</summary>
+        public void WantAll() => grid._wantsAll = true;
+
+        /// <summary>Finds the columns of a row's receivers whose bins are marked, from left to right.</summary>
+        /// <param name="start">The same place as in <see cref="Counting.Count"/>.</param>
+        /// <param name="columns">Receives them; as long as the image is wide.</param>
+        /// <returns>Their number.</returns>
+        public int FindMarked(int start, Span<int> columns) => grid.FindMarked(start, columns);
+
+        /// <summary>Makes room for the receivers of the marked bins; gives back memory that the last frames did not need.</summary>
+        public Sorting MakeRoom() => grid.MakeRoom();
+    }
+
+    /// <summary>Bins are marked; the rows are sorted.</summary>
+    public readonly struct Sorting(ReceiverGrid grid)
+    {
+        /// <summary>Puts a row's marked receivers into their bins.</summary>
+        /// <param name="row">The receivers, in any order.</param>
+        /// <param name="start">The same place as in <see cref="Counting.Count"/>.</param>
+        /// <param name="part">The same index as in <see cref="Counting.Count"/>.</param>
+        /// <param name="firstPixel">Index of the row's first pixel.</param>
+        public void Sort(ReceiverRow row, int start, int part, int firstPixel) => grid.Sort(row, start, part, firstPixel);
+
+        /// <summary>The receivers, once all rows are sorted.</summary>
+        public SortedReceivers Finish(PlacedReceivers placed) => new(placed, grid._arrays, grid._starts);
+    }
 }

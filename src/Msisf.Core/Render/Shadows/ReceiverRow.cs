@@ -47,7 +47,7 @@ internal sealed class ReceiverRow
     /// <param name="row">Row of the image.</param>
     /// <param name="grid">Knows which are marked.</param>
     /// <param name="start">Where the row begins in the grid.</param>
-    public void ReadMarked(IReceiverRows receivers, int row, ReceiverGrid grid, int start)
+    public void ReadMarked(IReceiverRows receivers, int row, ReceiverGrid.Placed grid, int start)
     {
         EnsureWidth(receivers.Width);
         Count = grid.FindMarked(start, Columns.AsSpan(0, Width));

@@ -7,157 +7,105 @@ namespace Msisf.Core.Render.Shadows;
 /// Reads the receivers of a frame, chooses light space for them and sorts them into a grid. Only their bins are kept from the first reading
 /// to the sorting: what is sorted is computed again, which is as quick as to fetch it from memory.
 /// </summary>
-internal sealed class ReceiverSort : IReceiverBounds
+internal sealed class ReceiverSort
 {
     /// <summary>Spacing, in rows of the image, of the rows that are read first to choose light space and its bins.</summary>
     private const int ScoutSpacing = 16;
 
-    /// <summary>Maximum number of groups of rows sorted at the same time; limits memory, because each group counts every bin.</summary>
-    private const int MaxParts = 8;
-
+    private readonly ReceiverGrid _grid = new();
     private readonly List<ReceiverRow> _scouts = [];
     private readonly List<ReceiverRow> _scratch = [];
     private LightBox[] _boxes = [];
 
-    /// <summary>The sorted receivers, without those in the night zone.</summary>
-    public ReceiverGrid Grid { get; } = new();
-
-    /// <summary>Light space of the frame.</summary>
-    public LightFrame Frame { get; private set; } = null!;
-
-    /// <summary>Bounds of all receivers in the grid, m; empty if there are none.</summary>
-    public LightBox Box { get; private set; }
-
-    /// <inheritdoc/>
-    public double MaxDepth => Grid.MaxDepth();
-
-    /// <inheritdoc/>
-    public double MaxDepthIn(in LightBox box) => Grid.MaxDepth(Grid.BinsOf(in box));
+    /// <summary>Bytes of the arrays of receivers that were replaced since the first frame.</summary>
+    public long ReplacedBytes => _grid.ReplacedBytes;
 
     /// <summary>Reads the receivers and finds their number and maximum depth in each bin of the grid.</summary>
-    /// <param name="receivers">The points that may be lit.</param>
+    /// <param name="job">The receivers, and what to do with those that are dark.</param>
     /// <param name="sun">The Sun.</param>
-    /// <param name="night">The zone in which every point is in shadow.</param>
-    /// <param name="hide">Called with each pixel in the night zone, from several threads.</param>
-    /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void Read(
-        IReceiverRows receivers, LightSource sun, NightZone night, Action<int> hide, int threads, CancellationToken cancellation)
+    /// <returns>Valid until the next frame.</returns>
+    public PlacedReceivers Read(ReceiverJob job, LightSource sun)
     {
-        int rows = receivers.Rows;
-        if (_boxes.Length < rows)
+        if (_boxes.Length < job.Receivers.Rows)
         {
-            _boxes = new LightBox[rows];
+            _boxes = new LightBox[job.Receivers.Rows];
         }
 
-        Scout(receivers, sun, threads, cancellation);
-        RunParts(receivers, threads, (part, row) =>
+        (LightFrame frame, ReceiverGrid.Counting counting) = Scout(job, sun);
+        job.ForRows((part, row) =>
         {
             bool isScout = row % ScoutSpacing == 0;
             ReceiverRow points = isScout ? _scouts[row / ScoutSpacing] : _scratch[part];
             if (!isScout)
             {
-                points.Read(receivers, row);
-                points.ToLight(Frame);
+                points.Read(job.Receivers, row);
+                points.ToLight(frame);
             }
 
-            _boxes[row] = CountRow(points, receivers, row, part, night, dark: null, hide);
-        }, cancellation);
-        Place(rows);
+            CountRow(counting, job, points, row, part, dark: null);
+        });
+        return Place(counting, job, frame);
     }
 
     /// <summary>Leaves out the receivers in a further zone; they count as those in the night zone.</summary>
-    /// <param name="receivers">The same receivers as in <see cref="Read"/>, which must have had the same number of threads.</param>
-    /// <param name="dark">The zone.</param>
-    /// <param name="night">The same zone as in <see cref="Read"/>.</param>
-    /// <param name="hide">Called with each pixel in one of the zones, from several threads.</param>
-    /// <param name="threads">The same number of threads as in <see cref="Read"/>.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void LeaveOut(
-        IReceiverRows receivers, DarkZone dark, NightZone night, Action<int> hide, int threads, CancellationToken cancellation)
+    internal PlacedReceivers LeaveOut(PlacedReceivers all, ReceiverGrid.Placed placed, ReceiverJob job, DarkZone dark)
     {
-        Grid.WantAll();
-        Grid.Lay(Box, Grid.Length, PartsOf(threads), Start(receivers, receivers.Rows));
-        RunParts(receivers, threads, (part, row) =>
-        {
-            ReceiverRow points = ReadMarked(receivers, row, part);
-            _boxes[row] = CountRow(points, receivers, row, part, night, dark, hide);
-        }, cancellation);
-        Place(receivers.Rows);
+        placed.WantAll();
+        ReceiverGrid.Counting counting = _grid.Lay(all.Box, all.Length, job.Parts, job.StartOf(job.Receivers.Rows));
+        job.ForRows((part, row) => CountRow(counting, job, ReadMarked(all, placed, job, row, part), row, part, dark));
+        return Place(counting, job, all.Frame);
     }
 
     /// <summary>Sorts the receivers into the bins of the grid that are marked.</summary>
-    /// <param name="receivers">The same receivers as in <see cref="Read"/>, which must have had the same number of threads.</param>
-    /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
-    public void Sort(IReceiverRows receivers, int threads, CancellationToken cancellation)
+    internal SortedReceivers Sort(PlacedReceivers all, ReceiverGrid.Placed placed, ReceiverJob job)
     {
-        Grid.MakeRoom();
-        RunParts(receivers, threads, (part, row) =>
-        {
-            Grid.Sort(ReadMarked(receivers, row, part), Start(receivers, row), part, row * receivers.Width);
-        }, cancellation);
+        ReceiverGrid.Sorting sorting = placed.MakeRoom();
+        job.ForRows((part, row) => sorting.Sort(
+            ReadMarked(all, placed, job, row, part), job.StartOf(row), part, row * job.Receivers.Width));
+        return sorting.Finish(all);
     }
 
-    private static int PartsOf(int threads) => Math.Min(threads, MaxParts);
-
-    /// <summary>Where a row begins among the columns of all rows.</summary>
-    private static int Start(IReceiverRows receivers, int row) => row * ReceiverRow.Padded(receivers.Width);
-
-    /// <summary>Does something with each row; the rows of a part from top to bottom.</summary>
-    private static void RunParts(IReceiverRows receivers, int threads, Action<int, int> work, CancellationToken cancellation)
+    private void CountRow(ReceiverGrid.Counting counting, ReceiverJob job, ReceiverRow points, int row, int part, DarkZone? dark)
     {
-        int parts = PartsOf(threads);
-        WorkerTeam.Run(threads, parts, (_, part) =>
-        {
-            for (int row = part; row < receivers.Rows; row += parts)
-            {
-                cancellation.ThrowIfCancellationRequested();
-                work(part, row);
-            }
-        }, cancellation);
+        int firstPixel = row * job.Receivers.Width;
+        _boxes[row] = counting.Count(points, job.StartOf(row), part, job.Night, dark, column => job.Hide(firstPixel + column));
     }
 
-    private LightBox CountRow(
-        ReceiverRow points, IReceiverRows receivers, int row, int part, NightZone night, DarkZone? dark, Action<int> hide)
-    {
-        int firstPixel = row * receivers.Width;
-        return Grid.Count(points, Start(receivers, row), part, night, dark, column => hide(firstPixel + column));
-    }
-
-    private ReceiverRow ReadMarked(IReceiverRows receivers, int row, int part)
+    private ReceiverRow ReadMarked(PlacedReceivers all, ReceiverGrid.Placed placed, ReceiverJob job, int row, int part)
     {
         ReceiverRow points = _scratch[part];
-        points.ReadMarked(receivers, row, Grid, Start(receivers, row));
-        points.ToLight(Frame);
+        points.ReadMarked(job.Receivers, row, placed, job.StartOf(row));
+        points.ToLight(all.Frame);
         return points;
     }
 
-    private void Place(int rows)
+    private PlacedReceivers Place(ReceiverGrid.Counting counting, ReceiverJob job, LightFrame frame)
     {
-        Grid.Place();
-        Box = LightBox.Empty;
-        for (int row = 0; row < rows; row++)
+        ReceiverGrid.Placed placed = counting.Place();
+        LightBox box = LightBox.Empty;
+        for (int row = 0; row < job.Receivers.Rows; row++)
         {
-            Box = LightBox.Union(Box, _boxes[row]);
+            box = LightBox.Union(box, _boxes[row]);
         }
+
+        return new PlacedReceivers(this, job, placed, frame, box);
     }
 
     /// <summary>Chooses light space and its bins from some of the rows; a poor choice makes the frame slower but not wrong.</summary>
-    private void Scout(IReceiverRows receivers, LightSource sun, int threads, CancellationToken cancellation)
+    private (LightFrame Frame, ReceiverGrid.Counting Counting) Scout(ReceiverJob job, LightSource sun)
     {
-        int scouts = (receivers.Rows + ScoutSpacing - 1) / ScoutSpacing;
+        int scouts = (job.Receivers.Rows + ScoutSpacing - 1) / ScoutSpacing;
         while (_scouts.Count < scouts)
         {
             _scouts.Add(new ReceiverRow());
         }
 
-        while (_scratch.Count < PartsOf(threads))
+        while (_scratch.Count < job.Parts)
         {
             _scratch.Add(new ReceiverRow());
         }
 
-        WorkerTeam.Run(threads, scouts, (_, scout) => _scouts[scout].Read(receivers, scout * ScoutSpacing), cancellation);
+        WorkerTeam.Run(job.Threads, scouts, (_, scout) => _scouts[scout].Read(job.Receivers, scout * ScoutSpacing), job.Cancellation);
         Vector3D sum = default;
         int count = 0;
         for (int scout = 0; scout < scouts; scout++)
@@ -166,14 +114,88 @@ internal sealed class ReceiverSort : IReceiverBounds
             count += _scouts[scout].Count;
         }
 
-        Frame = new LightFrame(sun.PositionMoonMe, sum);
+        LightFrame frame = new(sun.PositionMoonMe, sum);
         LightBox box = LightBox.Empty;
         for (int scout = 0; scout < scouts; scout++)
         {
-            _scouts[scout].ToLight(Frame);
+            _scouts[scout].ToLight(frame);
             box = LightBox.Union(box, _scouts[scout].Box());
         }
 
-        Grid.Lay(box.IsEmpty ? default : box, count * ScoutSpacing, PartsOf(threads), Start(receivers, receivers.Rows));
+        return (frame, _grid.Lay(
+            box.IsEmpty ? default : box, count * ScoutSpacing, job.Parts, job.StartOf(job.Receivers.Rows)));
     }
+}
+
+/// <summary>The receivers of a frame that are sorted.</summary>
+/// <param name="Receivers">The points that may be lit.</param>
+/// <param name="Night">The zone in which every point is in shadow.</param>
+/// <param name="Hide">Called with each pixel in a dark zone, from several threads.</param>
+/// <param name="Threads">Maximum number of threads.</param>
+/// <param name="Cancellation">Cancels the work.</param>
+internal sealed record ReceiverJob(
+    IReceiverRows Receivers, NightZone Night, Action<int> Hide, int Threads, CancellationToken Cancellation)
+{
+    /// <summary>Maximum number of groups of rows sorted at the same time; limits memory, because each group counts every bin.</summary>
+    private const int MaxParts = 8;
+
+    /// <summary>Number of groups of rows sorted at the same time.</summary>
+    public int Parts => Math.Min(Threads, MaxParts);
+
+    /// <summary>Where a row begins among the columns of all rows.</summary>
+    public int StartOf(int row) => row * ReceiverRow.Padded(Receivers.Width);
+
+    /// <summary>Does something with each part and row; the rows of a part from top to bottom.</summary>
+    public void ForRows(Action<int, int> work) => WorkerTeam.Run(Threads, Parts, (_, part) =>
+    {
+        for (int row = part; row < Receivers.Rows; row += Parts)
+        {
+            Cancellation.ThrowIfCancellationRequested();
+            work(part, row);
+        }
+    }, Cancellation);
+}
+
+/// <summary>The receivers of a frame without those in the night zone, counted but not sorted yet; valid until they are sorted.</summary>
+/// <param name="sort">Sorts them.</param>
+/// <param name="job">The receivers.</param>
+/// <param name="placed">Their bins.</param>
+/// <param name="frame">Light space.</param>
+/// <param name="box">Bounds of them, m; empty if there are none.</param>
+internal sealed class PlacedReceivers(
+    ReceiverSort sort, ReceiverJob job, ReceiverGrid.Placed placed, LightFrame frame, LightBox box) : IReceiverBounds
+{
+    /// <inheritdoc/>
+    public LightFrame Frame => frame;
+
+    /// <inheritdoc/>
+    public LightBox Box => box;
+
+    /// <inheritdoc/>
+    public double MaxDepth => Bins.Max();
+
+    /// <summary>The bins.</summary>
+    public DepthGrid Bins => placed.Bins;
+
+    /// <summary>Number of receivers.</summary>
+    public int Length { get; } = placed.Length;
+
+    /// <inheritdoc/>
+    public double MaxDepthIn(in LightBox box) => Bins.Max(Bins.BinsOf(in box));
+
+    /// <summary>Marks bins, so that their receivers are sorted. Several threads may call it.</summary>
+    public void Want(GridRange bins) => placed.Want(bins);
+
+    /// <summary>Sorts the receivers of the marked bins.</summary>
+    public SortedReceivers SortMarked() => sort.Sort(this, placed, job);
+
+    /// <summary>Sorts all receivers.</summary>
+    public SortedReceivers Sort()
+    {
+        placed.WantAll();
+        return SortMarked();
+    }
+
+    /// <summary>The receivers without those in a further zone, which count as those in the night zone.</summary>
+    public PlacedReceivers LeaveOut(DarkZone dark) => sort.LeaveOut(this, placed, job, dark);
 }

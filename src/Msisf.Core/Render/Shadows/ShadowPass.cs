@@ -41,7 +41,7 @@ internal sealed class ShadowPass
     public ShadowStatistics Statistics { get; private set; }
 
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
-    public long ReplacedBytes => _receivers.Grid.ReplacedBytes;
+    public long ReplacedBytes => _receivers.ReplacedBytes;
 
     /// <summary>Marks the receivers that are in shadow.</summary>
     /// <param name="receivers">The points whose facet faces the Sun.</param>
@@ -57,21 +57,19 @@ internal sealed class ShadowPass
 
         LightSource sun = new(sunMoonMe, Slope: 0.0);
         NightZone night = new(_search.SolidRadius, sun.Slope);
-        _receivers.Read(receivers, sun, night, pixel => hidden[pixel] = 1, threads, cancellation);
-        IReadOnlyList<CellBlock> blocks = _receivers.Box.IsEmpty ? [] : _search.Find(_receivers, sun.Slope, threads, cancellation);
-        if (blocks.Count <= FewBlocks)
+        ReceiverJob job = new(receivers, night, pixel => hidden[pixel] = 1, threads, cancellation);
+        PlacedReceivers placed = _receivers.Read(job, sun);
+        IReadOnlyList<CellBlock> blocks = placed.Box.IsEmpty ? [] : _search.Find(placed, sun.Slope, threads, cancellation);
+        bool areFew = blocks.Count <= FewBlocks;
+        if (areFew)
         {
-            WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].WantBins(blocks[item], _receivers), cancellation);
-        }
-        else
-        {
-            _receivers.Grid.WantAll();
+            WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].WantBins(blocks[item], placed), cancellation);
         }
 
-        _receivers.Sort(receivers, threads, cancellation);
-        WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], _receivers, hidden), cancellation);
+        SortedReceivers sorted = areFew ? placed.SortMarked() : placed.Sort();
+        WorkerTeam.Run(threads, blocks.Count, (worker, item) => _scans[worker].Cast(blocks[item], sorted, hidden), cancellation);
         Statistics = new ShadowStatistics(
-            _receivers.Grid.Length, _search.Groups, blocks.Count, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
+            placed.Length, _search.Groups, blocks.Count, _scans.Sum(scan => scan.Strips), _scans.Sum(scan => scan.Tries));
     }
 
     /// <summary>Prepares to tell the light of pieces of facets, without looking at their points one by one.</summary>

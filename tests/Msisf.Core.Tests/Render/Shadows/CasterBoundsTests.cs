@@ -66,8 +66,8 @@ public sealed class CasterBoundsTests
 
     private static CasterBounds Bounds(Vector3D receiver, double slope)
     {
-        ReceiverSort receivers = new();
-        receivers.Read(new PointReceivers([receiver], 1), new LightSource(Sun, slope), new NightZone(1e6, slope), _ => { }, 1, default);
+        ReceiverJob job = new(new PointReceivers([receiver], 1), new NightZone(1e6, slope), Hide: _ => { }, Threads: 1, default);
+        PlacedReceivers receivers = new ReceiverSort().Read(job, new LightSource(Sun, slope));
         return new CasterBounds(receivers, slope, Radius + 10e3);
     }
 }

@@ -68,14 +68,13 @@ public sealed class DarkZonesTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixt
         SunDisc disc = new(SurfacePoints.Sun(middle, elevation, 360.0 * random.NextDouble()));
         GroundPoint[] points = [.. SurfacePoints.Around(middle, radius, 6000, random).Select(pointAt)
             .Where(point => Vector3D.Dot(point.Normal, (disc.CentreMoonMe - point.Position).Normalized()) > -disc.Slope).Take(300)];
-        ReceiverSort receivers = new();
-        receivers.Read(
+        ReceiverJob job = new(
             new PointReceivers([.. points.Select(point => point.Position)], 50),
-            new LightSource(disc.CentreMoonMe, disc.Slope),
             new NightZone(search.SolidRadius, disc.Slope),
-            hide: _ => { },
-            threads: 2,
+            Hide: _ => { },
+            Threads: 2,
             default);
+        PlacedReceivers receivers = new ReceiverSort().Read(job, new LightSource(disc.CentreMoonMe, disc.Slope));
         search.Find(receivers, disc.Slope, threads: 2, default); // reads the blocks
         DarkZones zones = new DarkZoneSearch(surface).Find(receivers, disc.Slope, AnyNumberOfBlocks, threads: 2, default)!;
         int hidden = 0;

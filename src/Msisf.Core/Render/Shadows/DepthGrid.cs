@@ -1,20 +1,37 @@
+using System.Runtime.CompilerServices;
+
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Maximum depth of the receivers in each bin of a grid and, on coarser levels, in squares of 2, 4, 8 ... bins a side.</summary>
-internal sealed class DepthPyramid
+/// <summary>
+/// A grid of bins across the Sun's rays, with the maximum depth of what lies in each bin and, on coarser levels, in squares of 2, 4, 8 ...
+/// bins a side.
+/// </summary>
+internal sealed class DepthGrid
 {
-    /// <summary>Maximum number of squares along each edge that <see cref="Max"/> reads; limits its cost to 9 values.</summary>
+    /// <summary>Maximum number of squares along each edge that <see cref="Max(GridRange)"/> reads; limits its cost to 9 values.</summary>
     private const int Window = 3;
 
     private readonly List<float[]> _levels = [];
-    private int _size;
+    private LightAxis _u;
+    private LightAxis _v;
 
-    /// <summary>Makes room for a grid.</summary>
+    /// <summary>Number of bins along each edge of the grid.</summary>
+    public int Size { get; private set; }
+
+    /// <summary>The bins along u, the columns of the grid.</summary>
+    public LightAxis AxisU => _u;
+
+    /// <summary>The bins along v, the rows of the grid.</summary>
+    public LightAxis AxisV => _v;
+
+    /// <summary>Lays the grid over a box; the bins at its border extend to infinity. All bins are to be set before they are asked.</summary>
+    /// <param name="box">The box, m.</param>
     /// <param name="size">Number of bins along each edge of the grid.</param>
     /// <param name="maxSize">Maximum of that number in later frames of the same size.</param>
-    public void Prepare(int size, int maxSize)
+    public void Lay(LightBox box, int size, int maxSize)
     {
-        _size = size;
+        Size = size;
+        (_u, _v) = (new LightAxis(box.MinU, box.MaxU, size), new LightAxis(box.MinV, box.MaxV, size));
         int level = 0;
         for (int edge = maxSize; ; edge = (edge + 1) / 2, level++)
         {
@@ -41,7 +58,7 @@ internal sealed class DepthPyramid
     /// <summary>Computes the coarser levels from <see cref="Bins"/>.</summary>
     public void Finish()
     {
-        int edge = _size;
+        int edge = Size;
         for (int level = 1; edge > 1; level++)
         {
             int fineEdge = edge;
@@ -61,14 +78,22 @@ internal sealed class DepthPyramid
         }
     }
 
+    /// <summary>The bins that a box overlaps.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public GridRange BinsOf(in LightBox box) =>
+        new(_u.BinOf(box.MinU), _u.BinOf(box.MaxU), _v.BinOf(box.MinV), _v.BinOf(box.MaxV));
+
+    /// <summary>Upper bound of the depth in all bins, m.</summary>
+    public float Max() => Max(new GridRange(0, Size - 1, 0, Size - 1));
+
     /// <summary>
-    /// Upper bound of the depth of all receivers in a range of bins, m; below any real depth if there is none. It can exceed
-    /// the maximum, because the squares that are read may extend beyond the range.
+    /// Upper bound of the depth in a range of bins, m; below any real depth if it is empty. It can exceed the maximum, because the squares
+    /// that are read may extend beyond the range.
     /// </summary>
     public float Max(GridRange bins)
     {
         int level = 0;
-        int edge = _size;
+        int edge = Size;
         while (Math.Max(
             (bins.LastColumn >> level) - (bins.FirstColumn >> level), (bins.LastRow >> level) - (bins.FirstRow >> level)) >= Window)
         {
