@@ -158,7 +158,8 @@ internal sealed class CasterScan
                 Tries++;
                 Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
                 Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                uint isInBox = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(Vector512.LoadUnsafe(ref ws, (nuint)i), minDepth)
+                Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
+                uint isInBox = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(w, minDepth)
                     & Vector512.GreaterThanOrEqual(u, minU)
                     & Vector512.LessThanOrEqual(u, maxU)
                     & Vector512.GreaterThanOrEqual(v, minV)

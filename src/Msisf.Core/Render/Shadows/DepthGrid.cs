@@ -24,7 +24,7 @@ internal sealed class DepthGrid
     /// <summary>The bins along v, the rows of the grid.</summary>
     public LightAxis AxisV => _v;
 
-    /// <summary>Lays the grid over a box; the bins at its border extend to infinity. All bins are to be set before they are asked.</summary>
+    /// <summary>Lays the grid over a box; the bins at its border extend to infinity. All of them are to be set then.</summary>
     /// <param name="box">The box, m.</param>
     /// <param name="size">Number of bins along each edge of the grid.</param>
     /// <param name="maxSize">Maximum of that number in later frames of the same size.</param>

@@ -155,7 +155,8 @@ internal sealed class ReceiverGrid
         ReceiverBin[] next = _parts[part];
         ReadOnlySpan<int> bins = _bins.AsSpan(start, row.Width);
         ReadOnlySpan<int> columns = row.Columns.AsSpan(0, row.Count);
-        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (_arrays.U, _arrays.V, _arrays.W, _arrays.Pixels); // read once, not for each receiver
+        // read once, not for each receiver
+        (double[] toU, double[] toV, double[] toW, int[] toPixels) = (_arrays.U, _arrays.V, _arrays.W, _arrays.Pixels);
         (double[] u, double[] v, double[] w) = (row.U, row.V, row.W);
         for (int i = 0; i < columns.Length; i++)
         {
