@@ -27,6 +27,12 @@ internal static class ApiSchemas
                 AnyOf = [Of(JsonSchemaType.String), ListOf(Of(JsonSchemaType.String))],
                 Description = "Elevation model, a name of /v1/models; a list of names draws them as one surface",
             },
+            [RequestStates.Key] = new OpenApiSchema
+            {
+                AnyOf = [Of(JsonSchemaType.String), ListOf(ListOf(Of(JsonSchemaType.Number)))],
+                Description = "The camera's trajectory: [MJD, rx, ry, rz, vx, vy, vz] for each state, m and m/s along orbit-frame, or the "
+                    + "name of an OEM of /v1/folders; time says when the image is taken",
+            },
         };
         foreach (OptionSpec option in CommandTable.OptionsOfRequest)
         {

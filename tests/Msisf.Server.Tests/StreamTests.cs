@@ -46,6 +46,20 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             answer[16..]);
     }
 
+    /// <summary>With a trajectory in the first message, a time is all that the others need.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task States_OfTheFirstMessage_AreFollowedByTimes()
+    {
+        const string Frame =
+            "\"states\": [[55289, 2e6, 0, 0, 0, 100, 0], [55289.01, 2e6, 86400, 0, 0, 100, 0]], \"width\": 64, \"height\": 48, \"time\": ";
+        using ClientWebSocket socket = await OpenAsync($"{{\"frame\": {{{Frame}55289}}}}");
+
+        await SendAsync(socket, """{"number": 3, "time": 55289.005}""");
+
+        Assert.Equal(
+            await server.RenderAsync($"{Frame}55289.005", "application/octet-stream"), (await ReceiveAsync(socket)).Bytes[16..]);
+    }
+
     /// <summary>The number of a state is its step: the noise of a run with the same seed, whatever the form of the messages.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task NoiseSeed_OfTheFirstMessage_CountsTheStates()

@@ -19,7 +19,7 @@ from ._frame import Frame
 from ._http import Http, parts_of
 from ._process import ServerProcess
 from ._stream import Stream
-from ._values import Time, array_of, listed, named, numbers, plain, time_text
+from ._values import Time, array_of, listed, named, numbers, plain, rows, time_text
 from ._view import View
 
 if TYPE_CHECKING:
@@ -80,10 +80,11 @@ class Moon:
 
     def render(
         self,
-        position: "ArrayLike",
+        position: Optional["ArrayLike"] = None,
         orientation_xyz0: Optional["ArrayLike"] = None,
         time: Optional[Time] = None,
         *,
+        states: Union[str, "ArrayLike", None] = None,
         look_at: Union[str, "ArrayLike", None] = None,
         nadir: bool = False,
         camera: Optional[AnyCamera] = None,
@@ -96,6 +97,8 @@ class Moon:
             position: m, MOON_ME (mean Earth/polar axis) with ``orientation_xyz0``; else (latitude, longitude, height): degrees,
                 degrees east, m over the sphere of 1 737 400 m.
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
+            states: In place of the position, the camera's trajectory: rows of (MJD, rx, ry, rz, vx, vy, vz), m and m/s in MOON_ME, or in
+                J2000 with ``orbit_frame="j2000"``; or the name of an OEM of the server's --folders. It is interpolated at ``time``.
             time: MJD (days, UTC), ISO 8601 with its zone, a datetime with its zone, or NumPy's datetime64 (UTC). Always needed: it says
                 where the Sun is.
             look_at: In place of the quaternion: (latitude, longitude[, height]), "sun", or "horizon:AZIMUTH".
@@ -108,7 +111,7 @@ class Moon:
             RequestError: The server refuses the request, and says why.
             ServerError: The server does not answer.
         """
-        request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options)
+        request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options, states)
         wanted = listed(layers, "layers") or listed(request.pop("layers", None), "layers")
         in_answer = {**request, "layers": wanted, "layers-format": "npy"} if wanted else request
         headers, content = self._http.post("/v1/render", in_answer, "multipart/mixed, image/png, application/json")
@@ -205,22 +208,32 @@ class Moon:
 
     def _request(
         self,
-        position: "ArrayLike",
+        position: Optional["ArrayLike"],
         orientation: Optional["ArrayLike"],
         time: Optional[Time],
         look_at: Union[str, "ArrayLike", None],
         nadir: bool,
         camera: Optional[AnyCamera],
         options: Mapping[str, Any],
+        states: Union[str, "ArrayLike", None] = None,
     ) -> Dict[str, Any]:
         if (orientation is not None) + (look_at is not None) + bool(nadir) != 1:
             raise MsisfError("give one of orientation_xyz0, look_at and nadir=True: it says how the camera points")
-        when, place = time_text(time), numbers(position, "position", 3)
+        if (position is None) == (states is None):
+            raise MsisfError("give one of position and states: it says where the camera is")
+        when = time_text(time)
         request = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
+        if states is None:
+            place: Dict[str, Any] = {"position": numbers(position, "position", 3)}
+        else:
+            place = {"states": str(states) if isinstance(states, str) else rows(states, "states", 7).tolist()}
         if orientation is not None:
-            return {**request, "fixed-state": [when, *place, *numbers(orientation, "orientation_xyz0", 4)]}
+            turn = numbers(orientation, "orientation_xyz0", 4)
+            if states is None:
+                return {**request, "fixed-state": [when, *place["position"], *turn]}
+            return {**request, **place, "time": when, "attitude": turn}
         target = "nadir" if nadir else str(look_at) if isinstance(look_at, str) else numbers(look_at, "look_at", 2, 3)
-        return {**request, "position": place, "time": when, "look-at": target}
+        return {**request, **place, "time": when, "look-at": target}
 
 
 def _times(text: str) -> Dict[str, float]:

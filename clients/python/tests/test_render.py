@@ -215,3 +215,43 @@ def test_time_is_needed(moon):
 def test_layer_that_was_not_asked_for_is_named(moon):
     with pytest.raises(AttributeError, match="layers are asked for"):
         _ = moon.render(**STATE, camera=SMALL).depth
+
+
+def circle(minutes, axes=np.eye(3)):
+    """Rows of states on a circle about an axis: MJD, m, m/s."""
+    radius, rate = 2e6, 8e-4
+    angles = rate * 60.0 * np.asarray(minutes, dtype=float)[:, None]
+    position = radius * (np.cos(angles) * axes[0] + np.sin(angles) * axes[1])
+    velocity = radius * rate * (np.cos(angles) * axes[1] - np.sin(angles) * axes[0])
+    return np.hstack([60328.5 + np.asarray(minutes, dtype=float)[:, None] / 1440.0, position, velocity])
+
+
+def test_trajectory_places_the_camera_between_its_states(moon):
+    states = circle(range(12))
+    (row,) = circle([3.7])
+
+    frame = moon.render(states=states, time=row[0], nadir=True, camera=SMALL)
+    turned = moon.render(states=states, time=row[0], orientation_xyz0=frame.quaternion, camera=SMALL)
+
+    np.testing.assert_allclose(frame.position, row[1:4], atol=2e-3)  # an MJD is rounded to 0.6 microseconds
+    np.testing.assert_array_equal(turned.image, frame.image)
+    assert frame.image.max() > 50
+    assert frame.locate([[31.5, 23.5]])[0] is not None
+    inertial = moon.render(states=states, time=row[0], nadir=True, camera=SMALL, orbit_frame="j2000")
+    assert np.linalg.norm(np.subtract(inertial.position, frame.position)) > 1e5
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ({}, "give one of position and states"),
+        ({"states": "orbit.oem", "position": (1.9e6, 0.0, 0.0)}, "give one of position and states"),
+        ({"states": [[60328.5, 2e6, 0.0, 0.0]]}, "states: 1 x 4 numbers given; rows of 7 are needed"),
+        ({"states": "orbit.oem"}, "no trajectory of this server"),
+        ({"states": circle([2, 1])}, "state 2: its time is not after"),
+        ({"states": circle([1, 2]), "time": 60329.0}, "is outside"),
+    ],
+)
+def test_wrong_trajectory_is_refused(moon, arguments, words):
+    with pytest.raises(msisf.MsisfError, match=words):
+        moon.render(**{"time": 60328.5, "nadir": True, "camera": SMALL, **arguments})

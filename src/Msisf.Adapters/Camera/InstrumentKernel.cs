@@ -45,16 +45,15 @@ public sealed class InstrumentKernel
     /// <exception cref="BadInputException">A keyword is missing, or they contradict each other.</exception>
     public InstrumentAxes Axes()
     {
-        const string Cure = "Say how the image lies with --instrument-axes.";
         if (Find("BORESIGHT") is { Numbers: [double x, double y, double z] } && z < LeastForward * new Vector3D(x, y, z).Length)
         {
             throw new BadInputException(Invariant(
                 $"{Source("BORESIGHT")}: the boresight of {_name} is ({x}, {y}, {z}), not near +z, from which ITRANSS and ITRANSL count. ")
-                    + Cure);
+                    + AxesCure);
         }
 
-        (double X, double Y) samples = Gradient("ITRANSS", Cure);
-        (double X, double Y) lines = Gradient("ITRANSL", Cure);
+        (double X, double Y) samples = Gradient("ITRANSS", AxesCure);
+        (double X, double Y) lines = Gradient("ITRANSL", AxesCure);
         Vector3D down = new Vector3D(lines.X, lines.Y, 0.0).Normalized();
         Vector3D right = Vector3D.Cross(down, Vector3D.UnitZ);
         if (Lines() == 1)
@@ -66,31 +65,26 @@ public sealed class InstrumentKernel
         else if (((samples.X * right.X) + (samples.Y * right.Y)) <= 0.0)
         {
             throw new BadInputException(
-                $"{Source("ITRANSS")}: ITRANSS and ITRANSL of {_name} describe an image that is mirrored as seen along +z. {Cure}");
+                $"{Source("ITRANSS")}: ITRANSS and ITRANSL of {_name} describe an image that is mirrored as seen along +z. {AxesCure}");
         }
 
         return new InstrumentAxes(right, down);
     }
 
     /// <summary>The camera as a camera file (docs/cameras.md), by the IK's keywords.</summary>
+    /// <param name="hasAxes">
+    /// Whether the user says how the image lies in the frame: the pixels are then those of PIXEL_PITCH, and ITRANSS and ITRANSL not used.
+    /// </param>
     /// <exception cref="BadInputException">A keyword is missing, or of a form that is not known.</exception>
-    public CameraFile Camera() => CameraFileReader.Parse(Encoding.UTF8.GetBytes(CameraText()), $"{_name}.yaml", mayNameFiles: false);
+    public CameraFile Camera(bool hasAxes = false) => CameraFileReader.Parse(
+        Encoding.UTF8.GetBytes(CameraText(hasAxes)), $"{_name}.yaml", mayNameFiles: false);
 
-    /// <summary>The text of that file.</summary>
-    /// <exception cref="BadInputException">A keyword is missing, or of a form that is not known.</exception>
-    public string CameraText()
+    private string CameraText(bool hasAxes)
     {
         double focal = Number("FOCAL_LENGTH");
-        (double X, double Y) samples = Gradient("ITRANSS", CameraCure);
-        (double X, double Y) lines = Gradient("ITRANSL", CameraCure);
-        InstrumentAxes axes = Axes();
         bool isLine = Lines() == 1;
-
-        // px a mm along right and down; samples may depend on down too.
-        double acrossRight = (samples.X * axes.Right.X) + (samples.Y * axes.Right.Y);
-        double acrossDown = isLine ? 0.0 : (samples.X * axes.Down.X) + (samples.Y * axes.Down.Y);
-        double along = isLine ? double.Hypot(lines.X, lines.Y) : (lines.X * axes.Down.X) + (lines.Y * axes.Down.Y);
-        (double sample, double line) = Boresight(isLine);
+        (double acrossRight, double acrossDown, double along) = hasAxes ? Pitch() : Transformed(isLine);
+        (double sample, double line) = Boresight(isLine, hasAxes);
         double scale = 1.0 - Offset();
         StringBuilder text = new();
         text.Append(CultureInfo.InvariantCulture, $"description: {_name} by its instrument kernel\n");
@@ -106,6 +100,25 @@ public sealed class InstrumentKernel
         text.Append(Distortion(scale));
         return text.ToString();
     }
+
+    /// <summary>px a mm: samples along right and down, lines along down.</summary>
+    private (double AcrossRight, double AcrossDown, double Along) Transformed(bool isLine)
+    {
+        (double X, double Y) samples = Gradient("ITRANSS", AxesCure);
+        (double X, double Y) lines = Gradient("ITRANSL", AxesCure);
+        InstrumentAxes axes = Axes();
+        return (
+            (samples.X * axes.Right.X) + (samples.Y * axes.Right.Y),
+            isLine ? 0.0 : (samples.X * axes.Down.X) + (samples.Y * axes.Down.Y),
+            isLine ? double.Hypot(lines.X, lines.Y) : (lines.X * axes.Down.X) + (lines.Y * axes.Down.Y));
+    }
+
+    private (double AcrossRight, double AcrossDown, double Along) Pitch() =>
+        Number("PIXEL_PITCH") is > 0.0 and double millimetres
+            ? (1.0 / millimetres, 0.0, 1.0 / millimetres)
+            : throw new BadInputException($"{Source("PIXEL_PITCH")}: PIXEL_PITCH of {_name} is not above 0. {CameraCure}");
+
+    private const string AxesCure = "Say how the image lies with --instrument-axes.";
 
     private const string CameraCure = "Give the camera with --camera instead.";
 
@@ -123,7 +136,7 @@ public sealed class InstrumentKernel
     private double Offset() => Find("OD_K") is { Numbers: [double k0, _, _] } ? k0 : 0.0;
 
     /// <summary>The pixel of the boresight, counted from 1.</summary>
-    private (double Sample, double Line) Boresight(bool isLine)
+    private (double Sample, double Line) Boresight(bool isLine, bool hasAxes)
     {
         double line = 1.0;
         if (Find("BORESIGHT_SAMPLE") is { Numbers: [double sample] })
@@ -132,7 +145,8 @@ public sealed class InstrumentKernel
         }
 
         double[] center = Numbers("CCD_CENTER", 2);
-        return (center[0] + Numbers("ITRANSS", 3)[0], isLine ? line : center[1] + Numbers("ITRANSL", 3)[0]);
+        (double ofSample, double ofLine) = hasAxes ? (0.0, 0.0) : (Numbers("ITRANSS", 3)[0], Numbers("ITRANSL", 3)[0]);
+        return (center[0] + ofSample, isLine ? line : center[1] + ofLine);
     }
 
     private int Lines() => Whole("PIXEL_LINES");

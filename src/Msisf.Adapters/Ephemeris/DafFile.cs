@@ -20,6 +20,9 @@ public sealed class DafFile : IDisposable
     /// <summary>Doubles of a summary: the segment's first and last time, of a CK in ticks.</summary>
     private const int SummaryDoubles = 2;
 
+    /// <summary>Bytes in a file record that a transfer as text changes; kernels before 1999 have none.</summary>
+    private static readonly byte[] TransferMark = [.. "FTPSTR:\r:\n:\r\n:\r\0:"u8, 0x81, (byte)':', 0x10, 0xCE, .. ":ENDFTP"u8];
+
     private readonly Stream _stream;
     private readonly Lock _streamLock = new();
     private readonly bool _isLittleEndian;
@@ -61,6 +64,13 @@ public sealed class DafFile : IDisposable
         if (doubles != SummaryDoubles || integers != summaryIntegers)
         {
             throw Damaged($"summaries of {doubles} doubles and {integers} integers, {SummaryDoubles} and {summaryIntegers} expected");
+        }
+
+        int mark = fileRecord.IndexOf(TransferMark.AsSpan(0, "FTPSTR".Length));
+        if (mark >= 0 && !fileRecord[mark..].StartsWith(TransferMark))
+        {
+            throw new BadInputException(
+                $"{fileName}: damaged kernel: it was transferred as text, which changes line ends. Get the file anew, as binary.");
         }
 
         Summaries = ReadSummaries(ReadInt32(fileRecord[76..]), summaryIntegers);

@@ -11,6 +11,7 @@ public sealed class KernelTrajectory : ITrajectory
     private readonly IEphemeris _engine;
     private readonly int _number;
     private readonly string _name;
+    private readonly string _files;
 
     /// <summary>Looks for the spacecraft.</summary>
     /// <param name="opened">The engine with its kernels.</param>
@@ -22,16 +23,28 @@ public sealed class KernelTrajectory : ITrajectory
         _number = opened.Catalogue.SpacecraftOf(spacecraft, out TdbCover cover);
         _name = opened.Catalogue.Names.Describe(_number);
         Cover = cover;
+        _files = string.Join(", ", opened.Catalogue.Files.Where(file => file.IdWord == "DAF/SPK" && file.Summaries.Any(
+            summary => summary.Integers[0] == _number)).Select(file => file.FileName));
+        _ = opened.Catalogue.SegmentsOf("DAF/SPK"); // names a damaged one, whichever engine reads it
     }
 
     /// <inheritdoc/>
     public TdbCover Cover { get; }
 
     /// <inheritdoc/>
-    public StateVector StateJ2000(double tdbSeconds) => Cover.Contains(tdbSeconds)
-        ? _engine.StateOf(_number, tdbSeconds)
-        : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{_engine.TimeScale.ToUtc(tdbSeconds).ToIsoUtc()} is outside what the kernels have of {_name}: "
-                + $"{new KernelCover(_engine.TimeScale, Cover).Describe()}. Choose a time inside, or other kernels."));
+    public StateVector StateJ2000(double tdbSeconds)
+    {
+        if (!Cover.Contains(tdbSeconds))
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{_engine.TimeScale.ToUtc(tdbSeconds).ToIsoUtc()} is outside what the kernels have of {_name}: "
+                    + $"{new KernelCover(_engine.TimeScale, Cover).Describe()}. Choose a time inside, or other kernels."));
+        }
+
+        StateVector state = _engine.StateOf(_number, tdbSeconds);
+        return state.Position.IsFinite && state.Velocity.IsFinite
+            ? state
+            : throw new BadInputException($"{_files}: damaged kernel: the state of {_name} is not finite. Get the file anew.");
+    }
 }

@@ -103,16 +103,21 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         CK_{{Instrument}}_SPK         = {{Spacecraft}}
         """));
 
-    /// <summary>The camera: its field of view, and the numbers of its pixels. A lens is not described.</summary>
+    /// <summary>The camera: its field of view, and the numbers of its pixels. A lens is left out, and the file says so.</summary>
     public void WriteInstrument(TextWriter writer, CameraModel camera)
     {
         double focal = camera.FocalX * PitchMillimetres;
         double pitchY = focal / camera.FocalY;
+        double skew = camera.Skew / focal; // px a mm down
         (double left, double top) = (0.5 - camera.PrincipalX, 0.5 - camera.PrincipalY);
         string[] corners =
         [
-            .. new[] { (0, 0), (1, 0), (1, 1), (0, 1) }.Select(corner => StateTables.Line(
-                ' ', (left + (corner.Item1 * camera.Width)) * PitchMillimetres, (top + (corner.Item2 * camera.Height)) * pitchY, focal)),
+            .. new[] { (0, 0), (1, 0), (1, 1), (0, 1) }.Select(corner =>
+            {
+                double down = (top + (corner.Item2 * camera.Height)) * pitchY;
+                return StateTables.Line(
+                    ' ', (left + (corner.Item1 * camera.Width) - (skew * down)) * PitchMillimetres, down, focal);
+            }),
         ];
         Write(writer, "IK", FormattableString.Invariant($$"""
             INS{{Instrument}}_FOV_FRAME            = '{{CameraName}}'
@@ -125,10 +130,15 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
             INS{{Instrument}}_PIXEL_SAMPLES        = ( {{camera.Width}} )
             INS{{Instrument}}_PIXEL_LINES          = ( {{camera.Height}} )
             INS{{Instrument}}_CCD_CENTER           = ( {{camera.PrincipalX:R}} {{camera.PrincipalY:R}} )
-            INS{{Instrument}}_ITRANSS              = ( 0.0 {{1.0 / PitchMillimetres:R}} 0.0 )
+            INS{{Instrument}}_ITRANSS              = ( 0.0 {{1.0 / PitchMillimetres:R}} {{skew:R}} )
             INS{{Instrument}}_ITRANSL              = ( 0.0 0.0 {{1.0 / pitchY:R}} )
-            """));
+            """), LensLeftOut(camera));
     }
+
+    /// <summary>What is to be said of a lens, which the kernels do not have; null for none.</summary>
+    public static string? LensLeftOut(CameraModel camera) => camera.Distortion is { IsNone: false } lens
+        ? $"the camera's lens ({lens.Name}) is left out: the instrument kernel describes a camera without distortion"
+        : null;
 
     private static double[] Directory(IReadOnlyList<double> values) =>
         [.. Enumerable.Range(1, (values.Count - 1) / DirectoryStep).Select(i => values[(i * DirectoryStep) - 1])];
@@ -148,11 +158,12 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         .. states.Count > 1 ? (string[])[] : ["one state alone: padded by 1 s on either side, on a straight line with its velocity"],
     ];
 
-    private void Write(TextWriter writer, string kind, string assignments)
+    private void Write(TextWriter writer, string kind, string assignments, string? note = null)
     {
         writer.WriteLine($"KPL/{kind}");
         writer.WriteLine();
-        foreach (string line in Comments(kind == "SCLK" ? "ticks of a microsecond, in TDB" : "lengths in mm, counted with a pitch of 0.01"))
+        string content = kind == "SCLK" ? "ticks of a microsecond, in TDB" : "lengths in mm, counted with a pitch of 0.01";
+        foreach (string line in Comments(content).Concat(note is null ? [] : [note]))
         {
             writer.WriteLine(line);
         }

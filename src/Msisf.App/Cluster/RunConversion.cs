@@ -44,6 +44,14 @@ internal sealed class RunConversion
             throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
         }
 
+        if (settings.Camera is not null && ImageOptions.Camera.ReadIfGiven(values) is null)
+        {
+            throw new UsageException(
+                $"{MissionOptions.Instrument.Name} gives the camera of its instrument kernel, which the pieces of a run do not read. Give "
+                    + $"the camera with {ImageOptions.Camera.Name}.")
+                .About(MissionOptions.Instrument, ImageOptions.Camera);
+        }
+
         using EphemerisSource ephemeris = new(settings, _host);
         using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, _host, cancellation);
         using (SurfaceInputs maps = SurfaceInputs.Open(settings, _host))

@@ -37,6 +37,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             OemPosition oem => new SampledTrajectory(
                 OpenFile(MissionOptions.Oem, oem.Path, stream => new CcsdsFile(kernels, note).ReadOem(stream, oem.Path)),
                 oem.Path, kernels.Engine),
+            SampledPosition sampled => new SampledTrajectory(sampled.Blocks(kernels), sampled.Name, kernels.Engine),
             _ => throw new ArgumentException($"no trajectory is known of {settings.Position.GetType().Name}", nameof(settings)),
         };
         IAttitudeSource attitude = settings.Attitude switch

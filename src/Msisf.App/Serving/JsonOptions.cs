@@ -5,13 +5,15 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Orbit;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Serving;
 
 /// <summary>
 /// Reads a frame's options from JSON: keys are the names of the command line without dashes, values what would be typed there, lists as
-/// arrays and flags as true or false. Beside them there are "model", and "camera" may be an object with the keys of a camera file.
+/// arrays and flags as true or false. Beside them there are "model" and "states", and "camera" may be an object with the keys of a
+/// camera file.
 /// </summary>
 internal sealed class JsonOptions
 {
@@ -25,11 +27,15 @@ internal sealed class JsonOptions
         option => option.Key, StringComparer.Ordinal);
 
     private static readonly string[] Ways =
-        [CameraOptions.FixedState.Key, CameraOptions.KeplerSet.Key, CameraOptions.StateVectors.Key, PointingOptions.Position.Key];
+    [
+        CameraOptions.FixedState.Key, CameraOptions.KeplerSet.Key, CameraOptions.StateVectors.Key, PointingOptions.Position.Key,
+        RequestStates.Key,
+    ];
 
     private readonly ServedNames _names;
     private readonly Dictionary<string, OptionValue> _values = new(StringComparer.Ordinal);
     private ServedModel? _model;
+    private JsonElement? _states;
     private CameraFile? _camera;
 
     private JsonOptions(ServedNames names, ServeSettings settings)
@@ -68,7 +74,8 @@ internal sealed class JsonOptions
         changes.ContainsKey(key)
         || (IsPlace(key) && changes.Keys.Any(other => Ways.Contains(other)));
 
-    private static bool IsPlace(string key) => CameraOptions.Group.Options.Any(option => option.Key == key);
+    private static bool IsPlace(string key) =>
+        key == RequestStates.Key || CameraOptions.Group.Options.Any(option => option.Key == key);
 
     private RequestedFrame Finish(bool needsPlace)
     {
@@ -101,10 +108,8 @@ internal sealed class JsonOptions
             Put(SurfaceOptions.Resolution, model.Resolution.NumberText);
         }
 
+        TrajectorySettings? place = ReadPlace(needsPlace);
         values = new OptionValues(_values);
-        TrajectorySettings? place = needsPlace
-            ? TrajectorySettingsReader.Read(values)
-            : TrajectorySettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
         RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution);
         if (settings.Native.FindsExposureTime)
         {
@@ -121,6 +126,49 @@ internal sealed class JsonOptions
         };
     }
 
+    private TrajectorySettings? ReadPlace(bool isNeeded)
+    {
+        if (_states is { } states)
+        {
+            return OnTrajectory(ReadStates(states));
+        }
+
+        OptionValues values = new(_values);
+        return isNeeded
+            ? TrajectorySettingsReader.Read(values)
+            : TrajectorySettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
+    }
+
+    private SampledPosition ReadStates(JsonElement states)
+    {
+        if (states.ValueKind != JsonValueKind.Array)
+        {
+            return _names.Trajectory(JsonText.Of(states, $"'{RequestStates.Key}'"));
+        }
+
+        OrbitFrame frame = CameraOptions.OrbitFrame.Read(new OptionValues(_values));
+        _values.Remove(CameraOptions.OrbitFrame.Name);
+        return RequestStates.Read(states, frame);
+    }
+
+    /// <summary>The options beside a trajectory are those beside an OEM.</summary>
+    private MissionSettings OnTrajectory(SampledPosition trajectory)
+    {
+        Put(MissionOptions.Oem, RequestStates.Key);
+        try
+        {
+            return (MissionSettings)TrajectorySettingsReader.Read(new OptionValues(_values)) with { Position = trajectory };
+        }
+        catch (UsageException wrong)
+        {
+            throw new UsageException(
+                wrong.Message.Replace(MissionOptions.Oem.Name, $"'{RequestStates.Key}'", StringComparison.Ordinal), wrong)
+            {
+                Options = wrong.Options,
+            };
+        }
+    }
+
     private void Add(string key, JsonElement value)
     {
         if (key == ModelKey)
@@ -128,6 +176,10 @@ internal sealed class JsonOptions
             _model = _names.Models.Named(value.ValueKind == JsonValueKind.Array
                 ? [.. value.EnumerateArray().Select(name => JsonText.Of(name, $"'{ModelKey}'"))]
                 : [JsonText.Of(value, $"'{ModelKey}'")]);
+        }
+        else if (key == RequestStates.Key)
+        {
+            _states = value;
         }
         else if (key == ImageOptions.Camera.Key && value.ValueKind == JsonValueKind.Object)
         {
@@ -187,7 +239,7 @@ internal sealed class JsonOptions
                 $"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
         }
 
-        string question = NearestName.Question(key, [.. Allowed.Keys, ModelKey]);
+        string question = NearestName.Question(key, [.. Allowed.Keys, ModelKey, RequestStates.Key]);
         throw new UsageException($"{NumberText.Shown(key)} is no option{(question.Length > 0 ? question : ".")}");
     }
 }

@@ -64,6 +64,7 @@ internal sealed class RenderSession : IDisposable
         {
             CameraWithShutter = Settings.Shutter is null ? null : Settings.Camera!.Name,
             HasDetector = Settings.Native.Detector is not null,
+            Kernels = () => _ephemeris.Of(Settings).Kernels(),
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
         Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);

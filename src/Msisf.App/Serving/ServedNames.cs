@@ -1,11 +1,13 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Orbit;
 
 namespace Msisf.App.Serving;
 
@@ -17,6 +19,9 @@ internal sealed class ServedNames : IDisposable
 {
     private readonly Dictionary<string, string> _maps;
     private readonly IReadOnlyDictionary<string, string> _catalogues;
+    private readonly IReadOnlyDictionary<string, string> _folders;
+    private readonly Action<string> _note;
+    private readonly ConcurrentDictionary<string, IReadOnlyList<TrajectoryBlock>> _trajectories = new(StringComparer.Ordinal);
     private readonly ConcurrentDictionary<string, CameraFile> _cameraFiles = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
@@ -32,7 +37,7 @@ internal sealed class ServedNames : IDisposable
             _maps.TryAdd(Path.GetFileName(path), path);
         }
 
-        _catalogues = settings.Catalogues;
+        (_catalogues, _folders, _note) = (settings.Catalogues, settings.Folders, host.Log.Note);
         Cameras = CameraChoice.Presets(host.Installation);
     }
 
@@ -67,6 +72,19 @@ internal sealed class ServedNames : IDisposable
     /// <exception cref="UsageException">There is none.</exception>
     public string Catalogue(string option, string name) =>
         _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);
+
+    /// <summary>The trajectory of a name of <c>--folders</c>; its file (OEM) is read once, when it is first needed.</summary>
+    /// <exception cref="UsageException">There is none.</exception>
+    public SampledPosition Trajectory(string name) => _folders.TryGetValue(name, out string? path) && !Directory.Exists(path)
+        ? new SampledPosition(name, kernels => _trajectories.GetOrAdd(
+            name, _ => FileErrors.ToBadInput($"{name}: can't be read", () =>
+            {
+                using FileStream stream = File.OpenRead(path);
+                return new CcsdsFile(kernels, _note).ReadOem(stream, name);
+            })))
+        : throw new UsageException(
+            $"'{RequestStates.Key}' is {NumberText.Shown(name)}, which is no trajectory of this server; GET /v1/folders lists them, and "
+                + "--folders names them.");
 
     /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
     /// <exception cref="UsageException">There is none.</exception>

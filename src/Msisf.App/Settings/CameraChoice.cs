@@ -65,7 +65,8 @@ internal static class CameraChoice
         KernelPool pool = LightOptions.Kernels.NamedInErrors(() => KernelPool.Of(KernelList.Expand(
             KernelList.OnTop(installation.MetaKernel, LightOptions.Kernels.ReadAll(values), []))));
         return Drawable(
-            MissionOptions.Instrument.NamedInErrors(() => new InstrumentKernel(pool, instrument).Camera()),
+            MissionOptions.Instrument.NamedInErrors(() => new InstrumentKernel(pool, instrument).Camera(
+                hasAxes: values.IsGiven(MissionOptions.InstrumentAxes))),
             $"{MissionOptions.Instrument.Name} {instrument}", MissionOptions.Instrument, values);
     }
 

@@ -1,5 +1,7 @@
+using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Orbit;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
@@ -26,6 +28,11 @@ internal sealed record KernelPosition(string Spacecraft) : PositionSource;
 /// <summary>An orbit ephemeris message.</summary>
 /// <param name="Path">The file.</param>
 internal sealed record OemPosition(string Path) : PositionSource;
+
+/// <summary>States that are read, or can be.</summary>
+/// <param name="Name">What they are called in messages.</param>
+/// <param name="Blocks">Reads them, with the kernels of the engine.</param>
+internal sealed record SampledPosition(string Name, Func<OpenedEphemeris, IReadOnlyList<TrajectoryBlock>> Blocks) : PositionSource;
 
 /// <summary>What says how the camera points.</summary>
 internal abstract record AttitudeChoice;

@@ -46,6 +46,11 @@ internal static class StatesExport
             return;
         }
 
+        if (format == StatesFormat.Spice && SpiceKernelWriter.LensLeftOut(settings.CameraModel) is { } lens)
+        {
+            host.Log.Warning($"--format spice: {lens}.");
+        }
+
         MakeFolders(format, path);
         using AtomicFileSet files = new();
         string[] written = format switch

@@ -40,6 +40,24 @@ public class DafFileTests
         AssertFails(Change(bytes => Encoding.ASCII.GetBytes("VAX-GFLT").CopyTo(bytes, 88)), "VAX-GFLT");
 
     [Fact]
+    public void Open_OtherByteOrderThanItSays_IsDamaged() => AssertFails(
+        Change(bytes => Encoding.ASCII.GetBytes("BIG-IEEE").CopyTo(bytes, 88)), "summaries of 33554432 doubles and 100663296 integers");
+
+    /// <summary>NAIF, DAF Required Reading, "FTP validation string"; without one (older kernels) nothing can be told.</summary>
+    [Fact]
+    public void Open_TransferredAsText_SaysSo()
+    {
+        byte[] mark = [.. "FTPSTR:\r:\n:\r\n:\r\0:"u8, 0x81, .. ":"u8, 0x10, 0xCE, .. ":ENDFTP"u8];
+        using (DafFile whole = Open(Change(bytes => mark.CopyTo(bytes, 699))))
+        {
+            Assert.NotEmpty(whole.Summaries);
+        }
+
+        AssertFails(
+            Change(bytes => mark.Where(value => value != '\r').ToArray().CopyTo(bytes, 699)), "it was transferred as text");
+    }
+
+    [Fact]
     public void Open_OtherSummaryFormat_IsDamaged() => AssertFails(Change(bytes => bytes[12] = 9), "2 doubles and 9 integers");
 
     [Fact]

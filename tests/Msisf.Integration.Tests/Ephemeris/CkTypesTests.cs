@@ -46,6 +46,39 @@ public sealed class CkTypesTests : IDisposable
         }
     }
 
+    /// <summary>LRO's own attitudes, of the spacecraft and of its camera on it, as USGS has them and in the other byte order.</summary>
+    [RequiresFact(Part.CSpice, Part.LroNac)]
+    public void Attitude_KernelsOfLro_IsThatOfCSpice()
+    {
+        string[] big =
+        [
+            .. LroNac.Cks.Select((path, i) => _folder.Write($"{i}.bc", BigEndianKernel.Of(File.ReadAllBytes(path)))),
+        ];
+        int count = TestLength.Of(100, 10_000);
+        foreach (string[] cks in (string[][])[[.. LroNac.Cks], big])
+        {
+            string[] kernels = [Engines.MetaKernel, .. LroNac.TextKernels, .. cks];
+            using OpenedEphemeris cspice = Engines.CSpice(kernels);
+            using OpenedEphemeris builtIn = Engines.BuiltIn(kernels);
+            Assert.NotNull(cspice.Engine.EngineName);
+            foreach (string path in cks)
+            {
+                using DafFile file = DafFile.Open(path);
+                CkSegment segment = Assert.Single(DafSegments.OfCk(file));
+                string reference = segment.Reference == 1 ? "J2000" : "LRO_SC_BUS";
+                Random random = new(28);
+                for (int i = 0; i < count; i++)
+                {
+                    double tick = segment.Ticks.Start + ((segment.Ticks.End - segment.Ticks.Start) * random.NextDouble());
+                    RotationMatrix expected = MatrixOf(segment.Instrument, tick, reference)!.Value;
+                    AssertClose(expected, segment.InstrumentFromReference(tick)!.Value, AtTicks);
+                }
+            }
+
+            CompareAtTimes(cspice, builtIn, count, -85600, "LRO_LROCNACL");
+        }
+    }
+
     /// <summary>How many of the ticks have an attitude.</summary>
     private static int CompareAtTicks(OpenedEphemeris cspice, OpenedEphemeris builtIn, string path, int count)
     {
@@ -58,27 +91,34 @@ public sealed class CkTypesTests : IDisposable
         double span = CkSamples.Ticks[^1] + 1000.0 - first;
         foreach (double tick in CkSamples.Ticks.Concat(Enumerable.Range(0, count).Select(_ => first + (span * random.NextDouble()))))
         {
-            double[] m = new double[9];
-            SpiceItself.ckgp_c(TestClock.Instrument, tick, 0.0, SpiceItself.Bytes("J2000"), m, out double at, out int isFound);
-            SpiceItself.ThrowIfFailed();
+            RotationMatrix? expected = MatrixOf(TestClock.Instrument, tick, "J2000");
             RotationMatrix? matrix = segments.Select(
                 segment => segment.InstrumentFromReference(tick)).FirstOrDefault(turn => turn is not null);
-            Assert.True(isFound != 0 == matrix is not null, $"{tick:R}: CSPICE {isFound}, built in {matrix}");
+            Assert.True(expected is not null == matrix is not null, $"{tick:R}: CSPICE {expected}, built in {matrix}");
             if (matrix is { } actual)
             {
                 both++;
-                Assert.Equal(tick, at);
-                AssertClose(new RotationMatrix(new(m[0], m[1], m[2]), new(m[3], m[4], m[5]), new(m[6], m[7], m[8])), actual, AtTicks);
+                AssertClose(expected!.Value, actual, AtTicks);
             }
         }
 
         return both;
     }
 
-    private static void CompareAtTimes(OpenedEphemeris cspice, OpenedEphemeris builtIn, int count)
+    private static RotationMatrix? MatrixOf(int instrument, double tick, string reference)
+    {
+        double[] m = new double[9];
+        SpiceItself.ckgp_c(instrument, tick, 0.0, SpiceItself.Bytes(reference), m, out double at, out int isFound);
+        SpiceItself.ThrowIfFailed();
+        Assert.True(isFound == 0 || at == tick, $"{at:R} in place of {tick:R}");
+        return isFound == 0 ? null : new RotationMatrix(new(m[0], m[1], m[2]), new(m[3], m[4], m[5]), new(m[6], m[7], m[8]));
+    }
+
+    private static void CompareAtTimes(
+        OpenedEphemeris cspice, OpenedEphemeris builtIn, int count, int instrument = TestClock.Instrument, string frame = "TEST_CAMERA")
     {
         // A single orientation holds at one tick, which no time hits.
-        foreach (TdbInterval interval in builtIn.Catalogue.Attitudes.CoverOf(TestClock.Instrument).Intervals
+        foreach (TdbInterval interval in builtIn.Catalogue.Attitudes.CoverOf(instrument).Intervals
             .Where(interval => interval.End > interval.Start))
         {
             Random random = new(11);
@@ -86,8 +126,7 @@ public sealed class CkTypesTests : IDisposable
                 _ => interval.Start + ((interval.End - interval.Start) * random.NextDouble()));
             foreach (double time in inside.Concat([interval.Start, interval.End]))
             {
-                AssertClose(
-                    cspice.Frames.FrameFromJ2000("TEST_CAMERA", time), builtIn.Frames.FrameFromJ2000("TEST_CAMERA", time), AtTimes);
+                AssertClose(cspice.Frames.FrameFromJ2000(frame, time), builtIn.Frames.FrameFromJ2000(frame, time), AtTimes);
             }
         }
     }

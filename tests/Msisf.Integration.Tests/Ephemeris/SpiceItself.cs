@@ -86,6 +86,11 @@ public sealed class SpiceItself
         ref int size, double[] lines, double[] epochs, int frameLength, int idLength);
 
     [DllImport(Library)]
+    internal static extern void spkw02_c(
+        int handle, int body, int center, byte[] frame, double first, double last, byte[] id, double length, int count, int degree,
+        double[] data, double begin);
+
+    [DllImport(Library)]
     internal static extern void spkw03_c(
         int handle, int body, int center, byte[] frame, double first, double last, byte[] id, double length, int count, int degree,
         double[] data, double begin);

@@ -12,11 +12,11 @@ internal static class SpkSamples
 
     public static string[] Kinds { get; } =
     [
-        "1", "3", "5", "5 hyperbola", "8 degree 7", "8 degree 6", "9 degree 11", "9 degree 4", "12 degree 7", "12 degree 5", "13 degree 15",
-        "13 degree 9", "18 Hermite", "18 Lagrange", "21", "13 ECLIPJ2000", "9 MOON_ME",
+        "1", "2", "3", "5", "5 hyperbola", "8 degree 7", "8 degree 6", "9 degree 11", "9 degree 4", "12 degree 7", "12 degree 5",
+        "13 degree 15", "13 degree 9", "18 Hermite", "18 Lagrange", "21", "13 ECLIPJ2000", "9 MOON_ME",
     ];
 
-    public static double[] Epochs(string kind) => kind[0] == '8' || kind.StartsWith("12", StringComparison.Ordinal) || kind[0] == '3'
+    public static double[] Epochs(string kind) => kind.Split(' ')[0] is "2" or "3" or "8" or "12"
         ? [.. Enumerable.Range(0, Count).Select(i => Begin + (i * Step))]
         : [.. Enumerable.Range(0, Count).Select(i => Begin + (i * Step) + (17.0 * Math.Sin(i)))];
 
@@ -47,6 +47,10 @@ internal static class SpkSamples
             case "1":
             case "21":
                 WriteDifferences(handle, epochs, words[0] == "1" ? 15 : 22, id);
+                break;
+            case "2":
+                SpiceItself.spkw02_c(
+                    handle, Body, Moon, frame, first, last, id, Step, Count - 1, 5, Series()[..((Count - 1) * 18)], Begin);
                 break;
             case "3":
                 SpiceItself.spkw03_c(handle, Body, Moon, frame, first, last, id, Step, Count - 1, 5, Series(), Begin);

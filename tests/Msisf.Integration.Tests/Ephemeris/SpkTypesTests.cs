@@ -45,6 +45,29 @@ public sealed class SpkTypesTests : IDisposable
         }
     }
 
+    /// <summary>LRO's own trajectory about the Moon, as NAIF has it and in the other byte order.</summary>
+    [RequiresFact(Part.CSpice, Part.LroNac)]
+    public void StateOf_KernelOfLro_IsThatOfCSpice()
+    {
+        string big = _folder.Write("big.bsp", BigEndianKernel.Of(File.ReadAllBytes(LroNac.Spk)));
+        Random random = new(27);
+        foreach (string path in (string[])[LroNac.Spk, big])
+        {
+            using OpenedEphemeris cspice = Engines.CSpice(Engines.MetaKernel, path);
+            using OpenedEphemeris builtIn = Engines.BuiltIn(Engines.MetaKernel, path);
+            builtIn.Catalogue.SpacecraftOf("LRO", out TdbCover cover);
+            (double start, double end) = (cover.Intervals[0].Start, cover.Intervals[0].End);
+            for (int i = TestLength.Of(100, 10_000); i > 0; i--)
+            {
+                double time = start + ((end - start) * random.NextDouble());
+                StateVector expected = cspice.Engine.StateOf(-85, time);
+                StateVector actual = builtIn.Engine.StateOf(-85, time);
+                Assert.InRange((actual.Position - expected.Position).Length / 1000.0, 0.0, Position);
+                Assert.InRange((actual.Velocity - expected.Velocity).Length / 1000.0, 0.0, Velocity);
+            }
+        }
+    }
+
     /// <summary>In SPICE the later segment of a file wins, and the later file.</summary>
     [RequiresFact(Part.CSpice)]
     public void StateOf_OverlappingSegments_TakesTheLaterOneAsCSpiceDoes()

@@ -23,7 +23,11 @@ public sealed partial class MissionsPageTests : IDisposable
         Assert.True(new FileInfo(_folder["own/MoonSurfIllumSim_step_00002.png"]).Length > 1000);
         Assert.True(new FileInfo(_folder["kernels/states.bsp"]).Length > 145 * 56);
 
-        Run(["states", "--format", "oem", "--to", _folder.Path, "--oem", _folder["orbit.oem"], "--every", "300"]);
+        Run(
+        [
+            "states", "--format", "oem", "--to", _folder.Path, "--oem", _folder["orbit.oem"], "--every", "300", "--ldem",
+            TestParts.Ldem4Label!,
+        ]);
         foreach (string line in Blocks("sh").Single(block => block.Contains("states.aem", StringComparison.Ordinal)).TrimEnd().Split('\n'))
         {
             string table = Run(line);
@@ -37,10 +41,26 @@ public sealed partial class MissionsPageTests : IDisposable
         string[] words = Words(Command("--output-dir artemis"));
         words[Array.FindIndex(words, word => word.EndsWith(".gz", StringComparison.Ordinal))] = TestParts.ArtemisOem!;
 
-        Run([.. words, "--width", "64", "--height", "64", "--frames", "286"]);
+        Run([.. words, "--width", "64", "--height", "64", "--frames", "286", "--ldem", TestParts.Ldem4Label!]);
 
         Assert.True(new FileInfo(_folder["artemis/MoonSurfIllumSim_step_00286.png"]).Length > 1000);
     }
+
+    [RequiresFact(Part.LroNac, Part.Ldem4)]
+    public void Page_Lro_ListsKernelsAndIsDrawn()
+    {
+        string table = Run(OfLro("msis kernels "));
+        Run([.. OfLro("--instrument LRO_LROCNACL"), "--output-dir", _folder["lro"], "--ldem", TestParts.Ldem4Label!]);
+
+        Assert.Contains("LRO_SPACECRAFT (-85000)", table, StringComparison.Ordinal);
+        Assert.True(new FileInfo(Directory.GetFiles(_folder["lro"], "*.png").Single()).Length > 10_000);
+    }
+
+    private static string[] OfLro(string part) =>
+    [
+        .. Command(part).Split(' ', StringSplitOptions.RemoveEmptyEntries).Skip(1).Select(
+            word => word.StartsWith("lro/", StringComparison.Ordinal) ? Path.Combine(LroNac.Folder, word[4..]) : word),
+    ];
 
     private static string Command(string part) => Blocks("sh")
         .SelectMany(block => block.Replace("\\\n", " ", StringComparison.Ordinal).Split('\n'))
@@ -53,11 +73,11 @@ public sealed partial class MissionsPageTests : IDisposable
                 || word.EndsWith(".aem", StringComparison.Ordinal) ? _folder[word] : word),
     ];
 
-    private string Run(string line, params string[] more) => Run([.. Words(line), .. more]);
+    private string Run(string line, params string[] more) => Run([.. Words(line), .. more, "--ldem", TestParts.Ldem4Label!]);
 
     private static string Run(string[] words)
     {
-        CommandLineRun run = CommandLineRun.Of([.. words, "--ldem", TestParts.Ldem4Label!]);
+        CommandLineRun run = CommandLineRun.Of(words);
         Assert.True(run.ExitCode == 0, run.Error);
         return run.Output;
     }

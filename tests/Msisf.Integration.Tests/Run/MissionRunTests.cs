@@ -78,7 +78,6 @@ public sealed class MissionRunTests : IDisposable
     [InlineData("no time", "--spacecraft needs one of --time, --times, --time-interval, --every")]
     [InlineData("with look-at", "--ck has no meaning where --attitude, --look-at")]
     [InlineData("wrong axes", "'+x,-x' are no axes")]
-    [InlineData("damaged", "damaged kernel")]
     [InlineData("povray", "has a lens with distortion, which POV-Ray can't draw")]
     public void Run_WrongInput_SaysWhatAndWhatToDo(string name, string expected)
     {
@@ -99,7 +98,6 @@ public sealed class MissionRunTests : IDisposable
             "no time" => Position,
             "with look-at" => [.. Position, .. Attitude, "--look-at", "nadir", "--fov", "3", .. time],
             "wrong axes" => [.. Texts, .. Position, .. Attitude, "--instrument-axes", "+x,-x", .. time, .. native],
-            "damaged" => ["--spk", Damaged(), "--spacecraft", "LRO", "--every", "1"],
             _ => [.. Texts, .. Position, .. Attitude, .. time, "--renderer", "povray"],
         };
 
@@ -109,6 +107,38 @@ public sealed class MissionRunTests : IDisposable
         string error = Assert.Single(run.Error.Split('\n'), line => line.StartsWith("msis: error: ", StringComparison.Ordinal));
         Assert.Contains(expected, error, StringComparison.Ordinal);
         Assert.False(Directory.Exists(_folder["out"]));
+    }
+
+    /// <summary>A size that can't be, and a position that is no number, in the segment of LRO.</summary>
+    [RequiresTheory(Part.LroNac, Part.CSpice)]
+    [InlineData("cspice", 428, 8.0, "damaged.bsp: damaged kernel: in the segment of -85, number 1 from its end is 8")]
+    [InlineData("builtin", 428, 8.0, "damaged.bsp: damaged kernel: in the segment of -85, number 1 from its end is 8")]
+    [InlineData("cspice", 385 + 14, double.NaN, "damaged.bsp: damaged kernel: the state of LRO (-85) is not finite")]
+    [InlineData("builtin", 385 + 14, double.NaN, "damaged.bsp: damaged kernel: in the segment of -85, a number is not finite")]
+    public void Run_DamagedSpk_IsNamedByBothEngines(string engine, int address, double value, string expected)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "states", "--spk", Damaged(address, value), "--spacecraft", "LRO", "--time", "2009-07-30T12:20:38.185Z", "--ephemeris", engine,
+        ]);
+
+        Assert.Equal(2, run.ExitCode);
+        Assert.Contains(expected, run.Error, StringComparison.Ordinal);
+        Assert.Empty(run.Output);
+    }
+
+    [RequiresFact(Part.LroNac)]
+    public void BatchConvert_CameraOfAnInstrumentKernel_IsRefused()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "batchconvert", "--format", "sh", "--script", _folder["run.sh"], "--pieces", "1", .. Texts, .. Position, .. Attitude, "--every",
+            "5", "--renderer", "native", "--output-dir", _folder["out"],
+        ]);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains("gives the camera of its instrument kernel, which the pieces of a run do not read", run.Error);
+        Assert.False(File.Exists(_folder["run.sh"]));
     }
 
     [RequiresFact(Part.LroNac)]
@@ -126,11 +156,10 @@ public sealed class MissionRunTests : IDisposable
         Assert.Contains("the clock of spacecraft -85 (SCLK) is missing", ck.GetProperty("note").GetString(), StringComparison.Ordinal);
     }
 
-    /// <summary>The segment's number of states is one too large.</summary>
-    private string Damaged()
+    private string Damaged(int address, double value)
     {
         byte[] bytes = File.ReadAllBytes(LroNac.Spk);
-        BitConverter.GetBytes(8.0).CopyTo(bytes, (428 - 1) * 8);
+        BitConverter.GetBytes(value).CopyTo(bytes, (address - 1) * 8);
         return _folder.Write("damaged.bsp", bytes);
     }
 }

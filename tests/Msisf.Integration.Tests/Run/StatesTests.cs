@@ -1,4 +1,7 @@
 using System.Globalization;
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Camera;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -45,6 +48,48 @@ public sealed class StatesTests : IDisposable
         double[] expected =
             [-right, -right / 2.0, 1.0, right, -right / 2.0, 1.0, right, right / 2.0, 1.0, -right, right / 2.0, 1.0];
         Assert.All(corners.Zip(expected), pair => Assert.Equal(pair.Second, pair.First, 1e-11));
+    }
+
+    /// <summary>
+    /// The kernels alone give msis the same poses and the same camera again: its pixels off the axis, not square and skew. The lens is left
+    /// out, and both the file and the log say so.
+    /// </summary>
+    [Fact]
+    public void Spice_ReadByMsis_IsTheSamePoseAndCamera()
+    {
+        const string Camera =
+            "width: 60\nheight: 40\nfocal-length-px: [80, 76.5]\nprincipal-point: [33.25, 17.5]\nskew: 1.5\npixel-convention: isis\n";
+        const string Lens = "distortion:\n  model: opencv\n  k1: 0.1\n";
+        string[] of = ["--camera", _folder.Write("own.yaml", Camera + Lens), "--renderer", "native", .. Orbit.Split(' ')];
+        double[][] first = Rows(Succeed(["states", "--format", "csv", .. of]));
+        CommandLineRun run = CommandLineRun.Of(["states", "--format", "spice", "--to", _folder["kernels"], .. of]);
+        string[] kernels =
+        [
+            "--spk", _folder["kernels/states.bsp"], "--spacecraft", "MSISF", "--ck", _folder["kernels/states.bc"],
+            .. ((string[])["tsc", "tf", "ti"]).SelectMany(ending => (string[])["--kernels", _folder[$"kernels/states.{ending}"]]),
+            "--instrument", "MSISF_CAMERA", "--time-interval", "[55289:0.0005:55289.11]",
+        ];
+        double[][] again = Rows(Succeed(["states", "--format", "csv", .. kernels]));
+        CameraModel model = new InstrumentKernel(
+            KernelPool.Of([_folder["kernels/states.ti"], _folder["kernels/states.tf"]]), "MSISF_CAMERA").Camera().Model;
+
+        Assert.Contains("lens (opencv) is left out", run.Error);
+        Assert.Contains("lens (opencv) is left out", File.ReadAllText(_folder["kernels/states.ti"]));
+        Assert.Equal(first.Length, again.Length);
+        foreach ((double[] a, double[] b) in first.Zip(again))
+        {
+            Assert.All(Enumerable.Range(1, 3), i => Assert.Equal(a[i], b[i], 2e-3)); // 1e-9 of the distance
+            double sign = Math.Sign((a[4] * b[4]) + (a[5] * b[5]) + (a[6] * b[6]) + (a[7] * b[7]));
+            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], 1e-9));
+        }
+
+        Assert.Equal((60, 40), (model.Width, model.Height));
+        double[] written = [80.0, 76.5, 33.25, 17.5, 1.5];
+        double[] read = [model.FocalX, model.FocalY, model.PrincipalX, model.PrincipalY, model.Skew];
+        foreach ((double expected, double actual) in written.Zip(read))
+        {
+            Assert.Equal(expected, actual, 1e-9);
+        }
     }
 
     /// <summary>Files of CCSDS that msis wrote give msis the same states again; those printed as CSV and batch file too.</summary>

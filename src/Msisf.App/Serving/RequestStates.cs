@@ -1,0 +1,93 @@
+using System.Globalization;
+using System.Text.Json;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Serving;
+
+/// <summary>The trajectory that a request itself has: its "states".</summary>
+internal static class RequestStates
+{
+    /// <summary>Key of the trajectory.</summary>
+    public const string Key = "states";
+
+    private const int Degree = 7;
+
+    private static readonly string[] Names = ["MJD", "rx", "ry", "rz", "vx", "vy", "vz"];
+
+    /// <summary>Reads states in the order of time.</summary>
+    /// <param name="rows">For each its time (UTC), position (m) and velocity (m/s).</param>
+    /// <param name="frame">Their axes.</param>
+    /// <exception cref="UsageException">The first thing that is wrong, by the number of the state.</exception>
+    public static SampledPosition Read(JsonElement rows, OrbitFrame frame)
+    {
+        if (frame == OrbitFrame.MoonMeEpoch)
+        {
+            throw new UsageException(
+                $"{CameraOptions.OrbitFrame.Name} of '{Key}' is moon-me or j2000: states of many times have no one epoch.")
+                .About(CameraOptions.OrbitFrame);
+        }
+
+        List<(ModifiedJulianDate Time, StateVector State)> states = [];
+        foreach (JsonElement row in rows.EnumerateArray())
+        {
+            string where = string.Create(CultureInfo.InvariantCulture, $"'{Key}', state {states.Count + 1}");
+            double[] numbers = Numbers(row, where);
+            ModifiedJulianDate time = TimeOf(numbers[0], where);
+            if (states.Count > 0 && time.Days <= states[^1].Time.Days)
+            {
+                throw new UsageException($"{where}: its time is not after that of the state before. Put them into the order of time.");
+            }
+
+            states.Add((time, new StateVector(new Vector3D(numbers[1], numbers[2], numbers[3]), new(numbers[4], numbers[5], numbers[6]))));
+        }
+
+        return states.Count > 0
+            ? new SampledPosition($"'{Key}'", kernels => [Block(states, frame, kernels.Engine.TimeScale)])
+            : throw new UsageException($"'{Key}' is empty. Give states, {string.Join(' ', Names)} each, or the name of a trajectory.");
+    }
+
+    private static TrajectoryBlock Block(List<(ModifiedJulianDate Time, StateVector State)> states, OrbitFrame frame, TdbScale scale)
+    {
+        StateSamples samples = new();
+        foreach ((ModifiedJulianDate time, StateVector state) in states)
+        {
+            samples.Add(scale.FromUtc(time), state);
+        }
+
+        if (!samples.HasVelocities)
+        {
+            samples.Interpolation = new Interpolation(InterpolationMethod.Lagrange, Degree);
+        }
+
+        return new TrajectoryBlock(
+            samples, CelestialBody.Moon.NaifNumber, frame == OrbitFrame.J2000 ? null : RotationMatrix.Identity);
+    }
+
+    private static double[] Numbers(JsonElement row, string where)
+    {
+        double[] numbers = row.ValueKind == JsonValueKind.Array
+            ? [.. row.EnumerateArray().Select(value => value.ValueKind == JsonValueKind.Number ? value.GetDouble() : double.NaN)]
+            : [];
+        return numbers.Length == Names.Length && numbers.All(double.IsFinite)
+            ? numbers
+            : throw new UsageException($"{where}: a list of {Names.Length} finite numbers is needed: {string.Join(' ', Names)}.");
+    }
+
+    private static ModifiedJulianDate TimeOf(double days, string where)
+    {
+        try
+        {
+            return new ModifiedJulianDate(days);
+        }
+        catch (BadInputException wrong)
+        {
+            throw new UsageException($"{where}: {wrong.Message}", wrong);
+        }
+    }
+}

@@ -1,0 +1,90 @@
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.Camera;
+
+/// <summary>
+/// Cameras by the keywords of instrument kernels. What is expected is ISIS's way from a direction to a pixel, by hand: mm in the focal
+/// plane, distortion, ITRANSS and ITRANSL.
+/// </summary>
+public sealed class InstrumentKernelTests : IDisposable
+{
+    private const string Frame =
+        "INS-77_FOV_FRAME = 'EYE'\nINS-77_FOCAL_LENGTH = 50.0\nINS-77_PIXEL_SAMPLES = 400\nINS-77_PIXEL_LINES = 300\n"
+            + "INS-77_PIXEL_PITCH = 0.02\nINS-77_CCD_CENTER = ( 200.5 150.5 )\nINS-77_BORESIGHT = ( 0 0 1 )\n";
+
+    private const string Transform = "INS-77_ITRANSS = ( 3.0 0.0 50.0 )\nINS-77_ITRANSL = ( -2.0 -50.0 0.0 )\n";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>Samples along +y, lines along -x; skewed samples; ISIS's three coefficients, whose first scales.</summary>
+    [Theory]
+    [InlineData("", 0.0, 0.0, 0.0, 0.0)]
+    [InlineData("INS-77_ITRANSS = ( 3.0 4.0 50.0 )\n", 4.0, 0.0, 0.0, 0.0)]
+    [InlineData("INS-77_OD_K = ( 0.001 2E-4 1E-6 )\n", 0.0, 0.001, 2e-4, 1e-6)]
+    public void Camera_OfIsissKeywords_HasIsissPixels(string more, double skew, double k0, double k1, double k2)
+    {
+        InstrumentKernel kernel = Kernel(Frame + Transform + more);
+        CameraModel model = kernel.Camera().Model;
+        UnitQuaternion frameFromImage = kernel.Axes().InstrumentFromCamera;
+
+        foreach ((double x, double y) in ((double, double)[])[(0.0, 0.0), (1.1, -0.7), (-2.3, 3.1)])
+        {
+            // ISIS takes the distortion off what it measured in the focal plane (mm), and goes on with what is left.
+            double r2 = (x * x) + (y * y);
+            double factor = 1.0 - (k0 + (k1 * r2) + (k2 * r2 * r2));
+            Vector3D direction = new(x * factor, y * factor, 50.0);
+            double sample = 200.5 + 3.0 + (skew * x) + (50.0 * y);
+            double line = 150.5 - 2.0 - (50.0 * x);
+
+            Vector3D inCamera = frameFromImage.Conjugate * direction;
+            Assert.True(model.At(new CameraState(default, UnitQuaternion.Identity)).TryProjectPoint(inCamera, out RenderingPoint seen));
+            Assert.Equal(sample, seen.X, 1e-6);
+            Assert.Equal(line, seen.Y, 1e-6);
+        }
+    }
+
+    /// <summary>NAIF's kernels without ISIS's additions: the pitch, and the axes that the user gives.</summary>
+    [Fact]
+    public void Camera_WithAxes_NeedsNoTransform()
+    {
+        CameraModel model = Kernel(Frame.Replace("( 0 0 1 )", "( 1 0 0 )", StringComparison.Ordinal)).Camera(hasAxes: true).Model;
+
+        Assert.Equal((400, 300), (model.Width, model.Height));
+        Assert.Equal(50.0 / 0.02, model.FocalX, 1e-9);
+        Assert.Equal(50.0 / 0.02, model.FocalY, 1e-9);
+        Assert.Equal((200.5, 150.5), (model.PrincipalX, model.PrincipalY));
+    }
+
+    [Theory]
+    [InlineData("INS-77_ITRANSS = ( 3.0 0.0 50.0 )\n", "", false, "No kernel has INS-77_ITRANSS of EYE, which says how its image lies")]
+    [InlineData("INS-77_FOCAL_LENGTH = 50.0\n", "", false, "No kernel has INS-77_FOCAL_LENGTH of EYE. Add its instrument kernel (IK)")]
+    [InlineData("INS-77_CCD_CENTER = ( 200.5 150.5 )\n", "", false, "No kernel has INS-77_CCD_CENTER of EYE")]
+    [InlineData("INS-77_PIXEL_PITCH = 0.02\n", "", true, "No kernel has INS-77_PIXEL_PITCH of EYE")]
+    [InlineData("PITCH = 0.02", "PITCH = -0.02", true, "PIXEL_PITCH of EYE is not above 0")]
+    [InlineData("( 0 0 1 )", "( 0 1 0 )", false, "the boresight of EYE is (0, 1, 0), not near +z")]
+    [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 50.0 0.0 )", false, "describe an image that is mirrored as seen along +z. Say how the image")]
+    [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 0.0 0.0 )", false, "ITRANSL of EYE has no direction")]
+    [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 0.0 )", false, "INS-77_ITRANSL has 2 numbers, 3 expected")]
+    [InlineData("PIXEL_LINES = 300\n", "PIXEL_LINES = 300\nINS-77_OD_K = ( 1 2 )\n", false, "OD_K of EYE has 2 numbers; 1 (LROC's) and 3")]
+    [InlineData("PIXEL_LINES = 300\n", "PIXEL_LINES = 300.5\n", false, "INS-77_PIXEL_LINES is 300.5, a whole number expected")]
+    [InlineData("INS-77_FOV_FRAME = 'EYE'\n", "", false, "No kernel says which frame instrument -77 has (INS-77_FOV_FRAME")]
+    public void Camera_KeywordMissingOrWrong_IsNamed(string right, string wrong, bool hasAxes, string expected) => Assert.Contains(
+        expected,
+        Assert.Throws<BadInputException>(
+            () => Kernel((Frame + Transform).Replace(right, wrong, StringComparison.Ordinal)).Camera(hasAxes)).Message,
+        StringComparison.Ordinal);
+
+    private InstrumentKernel Kernel(string data)
+    {
+        string path = _folder.Write("eye.ti", $"KPL/IK\n\\begindata\n{data}\n\\begintext\n");
+        return new InstrumentKernel(KernelPool.Of([path]), "-77");
+    }
+}

@@ -1,0 +1,118 @@
+using System.Globalization;
+using System.Net;
+using System.Text.Json;
+using Msisf.App.Settings;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Server.Tests;
+
+/// <summary>A trajectory as a request's "states": a list of states, or an OEM of <c>--folders</c>.</summary>
+public sealed class TrajectoryTests : IDisposable
+{
+    private const double Start = 60328.5; // 2024-01-19T12:00:00Z
+    private const double Radius = 2.0e6; // m
+    private const double Rate = 8e-4; // rad/s
+    private const double Day = 86400.0;
+    private const string Small = "\"width\": 24, \"height\": 18, \"fov\": 30, \"albedo-map\": \"none\"";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>A circle about the Moon's axis, sampled each minute in a list of MOON_ME, is met between the samples.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task List_BetweenItsStates_IsOnTheCircle()
+    {
+        using RunningServer server = await RunningServer.StartAsync();
+        double time = Start + (217.0 / Day);
+
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render", $"{{\"states\": {Rows()}, \"time\": {Text(time)}, {Small}}}", "application/json");
+
+        JsonElement position = (await RunningServer.JsonOf(answer)).GetProperty("GeneralInformation").GetProperty("CameraPosition")
+            .GetProperty("Vector3D");
+        (double sin, double cos) = Math.SinCos(Rate * (time - Start) * Day);
+        Assert.Equal(Radius * cos, position.GetProperty("x").GetDouble(), 2e-3); // an MJD is rounded to 0.6 microseconds: 1 mm
+        Assert.Equal(Radius * sin, position.GetProperty("y").GetDouble(), 2e-3);
+        Assert.Equal(0.0, position.GetProperty("z").GetDouble(), 1e-6);
+        await server.DisposeAsync();
+    }
+
+    /// <summary>The same states as a list along J2000, and as an OEM by its name, are drawn as msis draws the OEM.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task ListAndName_AreDrawnAsMsisDrawsTheOem()
+    {
+        string oem = _folder.Write("orbit.oem", Oem());
+        string time = "\"time\": \"2024-01-19T12:03:37Z\"";
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--oem", oem, "--time", "2024-01-19T12:03:37Z", "--off-nadir", "5,40", "--renderer", "native", "--width", "24", "--height",
+            "18", "--fov", "30", "--albedo-map", "none", "--batch", "--output-dir", _folder["out"],
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        byte[] expected = await File.ReadAllBytesAsync(Directory.GetFiles(_folder["out"], "*.png").Single());
+        using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, oem));
+
+        Assert.Equal(expected, await server.RenderAsync($"\"states\": \"orbit.oem\", {time}, \"off-nadir\": \"5,40\", {Small}"));
+        Assert.Equal(
+            expected,
+            await server.RenderAsync($"\"states\": {Rows()}, \"orbit-frame\": \"j2000\", {time}, \"off-nadir\": \"5,40\", {Small}"));
+        File.Delete(oem); // it has been read
+        Assert.NotEqual(expected, await server.RenderAsync($"\"states\": \"orbit.oem\", {time}, {Small}"));
+        await server.DisposeAsync();
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("\"states\": \"other.oem\"", "'states' is 'other.oem', which is no trajectory of this server")]
+    [InlineData("\"states\": \"../orbit.oem\"", "which is no trajectory of this server")]
+    [InlineData("\"states\": \"a.tab\"", "a.tab, line 1:")]
+    [InlineData("\"states\": 7", "'states' is '7', which is no trajectory")]
+    [InlineData("\"states\": {}", "'states' is an object; a text or a number is needed")]
+    [InlineData("\"states\": []", "'states' is empty. Give states, MJD rx ry rz vx vy vz each")]
+    [InlineData("\"states\": [[60328.5, 2e6, 0, 0]]", "'states', state 1: a list of 7 finite numbers is needed: MJD rx ry rz vx vy vz.")]
+    [InlineData("\"states\": [[60328.5, 2e6, 0, 0, 0, 1600, null]]", "'states', state 1: a list of 7 finite numbers")]
+    [InlineData("\"states\": [[60328.5, 2e999, 0, 0, 0, 1600, 0]]", "'states', state 1: a list of 7 finite numbers")]
+    [InlineData("\"states\": [[1e9, 2e6, 0, 0, 0, 1600, 0]]", "'states', state 1: The MJD 1000000000 is not a date")]
+    [InlineData("\"states\": [[60328.5, 2e6, 0, 0, 0, 0, 0], [60328.5, 2e6, 0, 0, 0, 0, 0]]", "state 2: its time is not after")]
+    [InlineData("\"states\": [[60328, 2e6, 0, 0, 0, 0, 0], [60329, 2e6, 0, 0, 0, 0, 0]], \"time\": 60330", "is outside")]
+    [InlineData("\"states\": [[60328, 2e6, 0, 0, 0, 0, 0], [60329, 2e6, 0, 0, 0, 0, 0]]", "'states' needs one of --time")]
+    [InlineData("\"states\": [[60328, 2e6, 0, 0, 0, 0, 0]], \"position\": [0, 0, 1e5], \"time\": 60328", "'states' exclude each other")]
+    [InlineData("\"states\": [[60328, 2e6, 0, 0, 0, 0, 0]], \"orbit-frame\": \"moon-me-epoch\", \"time\": 60328", "no one epoch")]
+    [InlineData("\"states\": [[60328, 1e6, 0, 0, 0, 0, 0]], \"time\": 60328", "inside the Moon")]
+    public async Task WrongStates_AreRefusedByName(string states, string expected)
+    {
+        string batch = _folder.Write("a.tab", "55289 2e6 0 0 0 0 0 1\n");
+        using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, batch));
+        string time = states.Contains("\"time\"", StringComparison.Ordinal) || expected.Contains("--time", StringComparison.Ordinal)
+            ? string.Empty
+            : ", \"time\": 60328.5";
+
+        using HttpResponseMessage answer = await server.PostAsync("/v1/render", $"{{{states}{time}, {Small}}}");
+
+        Assert.Equal(HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.Contains(expected, (await RunningServer.JsonOf(answer)).GetProperty("detail").GetString(), StringComparison.Ordinal);
+        await server.DisposeAsync();
+    }
+
+    private static (double Time, double[] State)[] States() =>
+    [
+        .. Enumerable.Range(0, 12).Select(minute =>
+        {
+            (double sin, double cos) = Math.SinCos(Rate * 60.0 * minute);
+            return (
+                60.0 * minute,
+                (double[])[Radius * cos, Radius * sin, 0.0, -Radius * Rate * sin, Radius * Rate * cos, 0.0]);
+        }),
+    ];
+
+    private static string Rows() => $"[{string.Join(", ", States().Select(
+        row => $"[{string.Join(", ", row.State.Prepend(Start + (row.Time / Day)).Select(Text))}]"))}]";
+
+    private static string Oem() =>
+        "CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\n"
+            + $"META_STOP\n{string.Concat(States().Select(row => $"2024-01-19T12:{row.Time / 60.0:00}:00 "
+                + $"{string.Join(' ', row.State.Select(number => Text(number / 1000.0)))}\n"))}";
+
+    private static string Text(double number) => number.ToString("R", CultureInfo.InvariantCulture);
+}
