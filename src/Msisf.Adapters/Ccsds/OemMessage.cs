@@ -35,9 +35,6 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     /// <summary>What is to be said of lines that contradict each other; null if none do.</summary>
     public string? Warning => _joints.Warning is { } warning ? $"{Place.FileName}{warning}" : null;
 
-    /// <summary>The spacecraft's name; null if the file has none.</summary>
-    public string? ObjectName => _object;
-
     /// <inheritdoc/>
     public override string Kind => "OEM";
 

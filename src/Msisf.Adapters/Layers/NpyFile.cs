@@ -14,10 +14,6 @@ public static class NpyFile
     /// <summary>bytes: name of the format and its version.</summary>
     private const int MagicLength = 8;
 
-    /// <summary>Length of the head at the beginning of a file, bytes.</summary>
-    public static int LengthOfHead(ReadOnlySpan<byte> file) =>
-        MagicLength + sizeof(ushort) + BinaryPrimitives.ReadUInt16LittleEndian(file[MagicLength..]);
-
     /// <summary>Writes the head of a grey image; its levels follow by rows, in the machine's byte order.</summary>
     /// <param name="stream">Receives it.</param>
     /// <param name="bytesPerPixel">1 or 2.</param>

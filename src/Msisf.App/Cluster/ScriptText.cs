@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
@@ -110,4 +111,24 @@ internal static class ScriptText
     private static string Words(IEnumerable<string> words) => string.Join(' ', words.Select(PosixWord.Of));
 
     private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);
+}
+
+/// <summary>
+/// The script templates in the folder Templates; @NAME@ in them is replaced by a value that is already quoted for its place.
+/// </summary>
+internal static partial class ScriptTemplate
+{
+    /// <summary>Fills a template in.</summary>
+    /// <param name="name">File name of the template.</param>
+    /// <param name="values">A value for each name in the template.</param>
+    public static string Fill(string name, IReadOnlyDictionary<string, string> values)
+    {
+        using Stream stream = typeof(ScriptTemplate).Assembly.GetManifestResourceStream($"Templates/{name}")
+            ?? throw new ArgumentException($"there is no template {name}.", nameof(name));
+        using StreamReader reader = new(stream);
+        return Placeholder().Replace(reader.ReadToEnd(), match => values[match.Groups["name"].Value]);
+    }
+
+    [GeneratedRegex("@(?<name>[A-Z_]+)@")]
+    private static partial Regex Placeholder();
 }

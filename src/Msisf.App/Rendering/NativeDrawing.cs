@@ -5,9 +5,9 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
-using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
@@ -134,5 +134,23 @@ internal sealed class NativeDrawing
 
         _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, frame.Noise, threads, cancellation));
         return image;
+    }
+}
+
+/// <summary>The detector of a run, made for its first frame, which all frames share. Thread-safe.</summary>
+internal sealed class DetectorsOfRun(DetectorSettings settings)
+{
+    private readonly Lock _gate = new();
+    private CameraDetector? _detector;
+
+    /// <summary>The detector.</summary>
+    /// <param name="camera">A frame's camera; its states do not matter, the rest is the same for all frames.</param>
+    /// <param name="threads">Number of threads for making it.</param>
+    public CameraDetector Of(ICamera camera, int threads)
+    {
+        lock (_gate)
+        {
+            return _detector ??= new CameraDetector(settings, camera, threads);
+        }
     }
 }

@@ -106,3 +106,14 @@ internal sealed record NavigationSettings
                 .About(NativeOptions.Layers, NavigationOptions.Craters);
     }
 }
+
+/// <summary>File formats of flows.</summary>
+[Flags]
+internal enum FlowFormats
+{
+    None = 0,
+    Fits = 1,
+    Npy = 2,
+    Middlebury = 4,
+    Kitti = 8,
+}

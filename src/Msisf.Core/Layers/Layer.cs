@@ -105,3 +105,15 @@ public enum LayerPrecision
 /// pixel: in the layer's unit, NaN where it is undefined. Seven more may be written after them.
 /// </param>
 internal delegate void LayerValues(LayerRow row, int plane, double[] values);
+
+/// <summary>Sizes of stored numbers.</summary>
+public static class LayerTypeSize
+{
+    /// <summary>Bytes of a number.</summary>
+    public static int Size(this LayerType type) => type switch
+    {
+        LayerType.Real64 => sizeof(double),
+        LayerType.Unsigned8 => sizeof(byte),
+        _ => sizeof(int),
+    };
+}

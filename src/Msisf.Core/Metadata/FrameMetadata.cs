@@ -1,7 +1,10 @@
+using System.Globalization;
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Navigation;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Metadata;
@@ -61,4 +64,25 @@ public sealed record InputFile(InputKind Kind, string Name, long Bytes, string S
     /// Whether the SHA-256 is that of the file's length and of pieces spread over it, because to read all of it takes minutes.
     /// </summary>
     public bool IsOfPieces { get; init; }
+}
+
+/// <summary>The body that a frame shows, and the sphere over which its heights are counted.</summary>
+/// <param name="Body">The body.</param>
+/// <param name="ReferenceRadius">m.</param>
+public sealed record DrawnGlobe(CelestialBody Body, double ReferenceRadius)
+{
+    /// <summary>The Moon on LOLA's sphere.</summary>
+    public static DrawnGlobe Moon { get; } = new(CelestialBody.Moon, MoonConstants.ReferenceRadius);
+
+    /// <summary>m: radius over which the camera's altitude counts: for the Moon the thesis's mean radius, else the reference.</summary>
+    public double AltitudeRadius => Body.IsMoon ? MoonConstants.MeanRadius : ReferenceRadius;
+
+    /// <summary>A text that describes something of the Moon, for this body: with its name, frame and sphere.</summary>
+    public string Describe(string textOfMoon) => Body.IsMoon
+        ? textOfMoon
+        : textOfMoon
+            .Replace("MOON_ME (mean Earth/polar axis)", Body.Frame, StringComparison.Ordinal)
+            .Replace("MOON_ME", Body.Frame, StringComparison.Ordinal)
+            .Replace("the Moon", Body.Name, StringComparison.Ordinal)
+            .Replace("1 737 400 m", string.Create(CultureInfo.InvariantCulture, $"{ReferenceRadius:R} m"), StringComparison.Ordinal);
 }

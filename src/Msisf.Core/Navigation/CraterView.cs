@@ -69,3 +69,13 @@ public sealed record CratersOfFrame(IReadOnlyList<CraterView> Views, IReadOnlyLi
     /// <summary>px: the least diameter.</summary>
     public required double LeastDiameter { get; init; }
 }
+
+/// <summary>Where the rim of a crater is taken to lie.</summary>
+public enum CraterRim
+{
+    /// <summary>On the disc in the plane through the centre of the crater.</summary>
+    Disc,
+
+    /// <summary>On the highest ground around the crater.</summary>
+    Terrain,
+}

@@ -1,8 +1,8 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
@@ -116,3 +116,8 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
         }
     }
 }
+
+/// <summary>The other frame of a flow.</summary>
+/// <param name="Camera">Its camera.</param>
+/// <param name="Light">Its light.</param>
+public sealed record FlowTarget(FrameCamera Camera, SceneLight Light);

@@ -33,3 +33,11 @@ public sealed record LandmarkView(Landmark Landmark, Vector3D PointMoonMe, doubl
 /// <param name="Views">Those whose place lies inside the image, hidden ones too, in the order of the list.</param>
 /// <param name="Outside">How many more there are.</param>
 public sealed record LandmarksOfFrame(IReadOnlyList<LandmarkView> Views, int Outside);
+
+/// <summary>A point of a list of landmarks. Immutable.</summary>
+/// <param name="Number">The list's row, from 1, without its heading.</param>
+/// <param name="Identity">The list's own name of the row, its number where there is none; no two are the same.</param>
+/// <param name="Name">Null where the list has none.</param>
+/// <param name="Direction">From the Moon's centre, length 1, MOON_ME.</param>
+/// <param name="Height">m over the reference radius; null for a point on the terrain.</param>
+public sealed record Landmark(int Number, string Identity, string? Name, Vector3D Direction, double? Height);

@@ -1,5 +1,5 @@
-using System.Buffers;
 using System.Buffers.Binary;
+using System.Buffers;
 using System.Collections.Concurrent;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
@@ -220,3 +220,8 @@ internal sealed class RowShader
         }
     }
 }
+
+/// <summary>How a sample of each pixel counts.</summary>
+/// <param name="Share">Its part of the sum; 0 to find its light only.</param>
+/// <param name="IsFirst">Whether it is the first of the sum; what the image held before is then forgotten.</param>
+internal readonly record struct SampleWeight(double Share, bool IsFirst);

@@ -1,7 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
+using Msisf.Core.Camera;
 
 namespace Msisf.Core.Render.Visibility;
 
@@ -225,3 +225,9 @@ internal sealed class SubsampleBand
         }
     }
 }
+
+/// <summary>Rows of an image whose further samples are drawn together.</summary>
+/// <param name="FirstRow">The first row, counted from 0.</param>
+/// <param name="LastRow">The last row.</param>
+/// <param name="Vectors">Number of vectors of <see cref="SamplePattern.Lanes"/> samples in them.</param>
+internal readonly record struct SampledBand(int FirstRow, int LastRow, int Vectors);
