@@ -72,12 +72,20 @@ public sealed class InstrumentKernel
     }
 
     /// <summary>The camera as a camera file (docs/cameras.md), by the IK's keywords.</summary>
-    /// <param name="hasAxes">
-    /// Whether the user says how the image lies in the frame: the pixels are then those of PIXEL_PITCH, and ITRANSS and ITRANSL not used.
+    /// <param name="given">
+    /// How the user says that the image lies in the frame: the pixels are then those of PIXEL_PITCH, and ITRANSS and ITRANSL not used.
     /// </param>
     /// <exception cref="BadInputException">A keyword is missing, or of a form that is not known.</exception>
-    public CameraFile Camera(bool hasAxes = false) => CameraFileReader.Parse(
-        Encoding.UTF8.GetBytes(CameraText(hasAxes)), $"{_name}.yaml", mayNameFiles: false);
+    /// <remarks>A kernel without a focal length, but with a field of view, describes a pinhole with that.</remarks>
+    public CameraFile Camera(InstrumentAxes? given = null) => CameraFileReader.Parse(
+        Encoding.UTF8.GetBytes(Find("FOCAL_LENGTH") is null && Find("FOV_SHAPE") is not null
+            ? Head() + new InstrumentField(_pool, Invariant($"INS{_number}_")).CameraText(
+                given ?? Axes(), Whole("PIXEL_SAMPLES"), Lines())
+            : CameraText(given is not null)),
+        $"{_name}.yaml", mayNameFiles: false);
+
+    private string Head() => Invariant(
+        $"description: {_name} by its instrument kernel\nwidth: {Whole("PIXEL_SAMPLES")}\nheight: {Lines()}\npixel-convention: isis\n");
 
     private string CameraText(bool hasAxes)
     {
@@ -86,12 +94,10 @@ public sealed class InstrumentKernel
         (double acrossRight, double acrossDown, double along) = hasAxes ? Pitch() : Transformed(isLine);
         (double sample, double line) = Boresight(isLine, hasAxes);
         double scale = 1.0 - Offset();
-        StringBuilder text = new();
-        text.Append(CultureInfo.InvariantCulture, $"description: {_name} by its instrument kernel\n");
-        text.Append(CultureInfo.InvariantCulture, $"width: {Whole("PIXEL_SAMPLES")}\nheight: {Lines()}\n");
+        StringBuilder text = new(Head());
         text.Append(CultureInfo.InvariantCulture, $"focal-length: {focal / scale:R}\n");
         text.Append(CultureInfo.InvariantCulture, $"pixel-pitch: [{1.0 / acrossRight:R}, {1.0 / along:R}]\n");
-        text.Append(CultureInfo.InvariantCulture, $"pixel-convention: isis\nprincipal-point: [{sample:R}, {line:R}]\n");
+        text.Append(CultureInfo.InvariantCulture, $"principal-point: [{sample:R}, {line:R}]\n");
         if (Math.Abs(acrossDown) > 1e-9 * acrossRight)
         {
             text.Append(CultureInfo.InvariantCulture, $"skew: {acrossDown * focal / scale:R}\n");

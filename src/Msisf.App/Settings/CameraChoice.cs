@@ -66,7 +66,7 @@ internal static class CameraChoice
             KernelList.OnTop(installation.MetaKernel, LightOptions.Kernels.ReadAll(values), []))));
         return Drawable(
             MissionOptions.Instrument.NamedInErrors(() => new InstrumentKernel(pool, instrument).Camera(
-                hasAxes: values.IsGiven(MissionOptions.InstrumentAxes))),
+                MissionSettingsReader.ReadAxes(values))),
             $"{MissionOptions.Instrument.Name} {instrument}", MissionOptions.Instrument, values);
     }
 

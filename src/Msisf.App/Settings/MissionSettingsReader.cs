@@ -52,7 +52,7 @@ internal sealed class MissionSettingsReader(
             Refuse(
                 [CameraOptions.Attitude, .. OfQuaternion, MissionOptions.Ck, .. PointingOptions.OfPosition],
                 $"and {MissionOptions.Aem.Name} exclude each other: both say how the camera points. Leave one out.");
-            return new AemChoice(path, CameraOptions.Normalize.Read(values), ReadAxes());
+            return new AemChoice(path, CameraOptions.Normalize.Read(values), ReadAxes(values));
         }
 
         bool isPointed = PointingOptions.OfPosition.Any(values.IsGiven);
@@ -66,7 +66,7 @@ internal sealed class MissionSettingsReader(
         else if (MissionOptions.Instrument.ReadIfGiven(values) is { } instrument)
         {
             Refuse(OfQuaternion, $"has no meaning with {MissionOptions.Instrument.Name}, whose kernels say the attitude. Remove it.");
-            return new InstrumentChoice(instrument, ReadAxes());
+            return new InstrumentChoice(instrument, ReadAxes(values));
         }
 
         Refuse(
@@ -99,7 +99,9 @@ internal sealed class MissionSettingsReader(
         return new QuaternionChoice(attitude, frame, hasEpoch ? CameraOptions.Epoch.Read(values) : null);
     }
 
-    private InstrumentAxes? ReadAxes() => MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
+    /// <summary>Reads how the image lies in the instrument's axes; null if the user does not say it.</summary>
+    /// <exception cref="UsageException">They are none.</exception>
+    public static InstrumentAxes? ReadAxes(OptionValues values) => MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
         ? MissionOptions.InstrumentAxes.Named(() => InstrumentAxes.Parse(axes))
         : null;
 

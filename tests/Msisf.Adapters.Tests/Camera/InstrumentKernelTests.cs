@@ -1,5 +1,6 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -18,7 +19,13 @@ public sealed class InstrumentKernelTests : IDisposable
         "INS-77_FOV_FRAME = 'EYE'\nINS-77_FOCAL_LENGTH = 50.0\nINS-77_PIXEL_SAMPLES = 400\nINS-77_PIXEL_LINES = 300\n"
             + "INS-77_PIXEL_PITCH = 0.02\nINS-77_CCD_CENTER = ( 200.5 150.5 )\nINS-77_BORESIGHT = ( 0 0 1 )\n";
 
+    private const string OfField =
+        "INS-77_FOV_FRAME = 'EYE'\nINS-77_PIXEL_SAMPLES = 400\nINS-77_PIXEL_LINES = 300\nINS-77_BORESIGHT = ( 1 0 0 )\n";
+
     private const string Transform = "INS-77_ITRANSS = ( 3.0 0.0 50.0 )\nINS-77_ITRANSL = ( -2.0 -50.0 0.0 )\n";
+
+    /// <summary>Of a camera that looks along +x.</summary>
+    private static readonly InstrumentAxes Right = InstrumentAxes.Parse("+y,+z");
 
     private readonly TemporaryFolder _folder = new();
 
@@ -55,13 +62,47 @@ public sealed class InstrumentKernelTests : IDisposable
     [Fact]
     public void Camera_WithAxes_NeedsNoTransform()
     {
-        CameraModel model = Kernel(Frame.Replace("( 0 0 1 )", "( 1 0 0 )", StringComparison.Ordinal)).Camera(hasAxes: true).Model;
+        CameraModel model = Kernel(Frame.Replace("( 0 0 1 )", "( 1 0 0 )", StringComparison.Ordinal)).Camera(Right).Model;
 
         Assert.Equal((400, 300), (model.Width, model.Height));
         Assert.Equal(50.0 / 0.02, model.FocalX, 1e-9);
         Assert.Equal(50.0 / 0.02, model.FocalY, 1e-9);
         Assert.Equal((200.5, 150.5), (model.PrincipalX, model.PrincipalY));
     }
+
+    /// <summary>
+    /// A field of view without a focal length, as NAIF's GETFOV reads it: half angles along a reference vector and across, or corners. The
+    /// tangents of 10 and 5 degrees are half the image's sides.
+    /// </summary>
+    [Theory]
+    [InlineData(
+        "FOV_SHAPE = 'RECTANGLE'\nFOV_CLASS_SPEC = 'ANGLES'\nFOV_REF_VECTOR = ( 0.3 1 0 )\nFOV_REF_ANGLE = 10\n"
+            + "FOV_CROSS_ANGLE = 5\nFOV_ANGLE_UNITS = 'DEGREES'\n", 200.5, 150.5)]
+    [InlineData(
+        "FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY_CORNERS = ( 2 0.35265396141693 0.17497732705184\n2 0.35265396141693 -0.17497732705184\n"
+            + "2 -0.35265396141693 -0.17497732705184 2 -0.35265396141693 0.17497732705184 )\n", 200.5, 150.5)]
+    [InlineData(
+        "FOV_SHAPE = 'RECTANGLE'\nFOV_BOUNDARY_CORNERS = ( 1 0.35265396141693 0.17497732705184 1 0.35265396141693 0\n"
+            + "1 0 0 1 0 0.17497732705184 )\n", 0.5, 0.5)]
+    public void Camera_FieldOfViewAlone_FillsTheImage(string field, double centerX, double centerY)
+    {
+        CameraModel model = WithField(field).Camera(Right).Model;
+
+        Assert.Equal(200.0 / 0.17632698070846, model.FocalX, 1e-6);
+        Assert.Equal(150.0 / 0.08748866352592, model.FocalY, 1e-6);
+        Assert.Equal(centerX, model.PrincipalX, 1e-9);
+        Assert.Equal(centerY, model.PrincipalY, 1e-9);
+    }
+
+    [Theory]
+    [InlineData("FOV_SHAPE = 'CIRCLE'\nFOV_CLASS_SPEC = 'ANGLES'\n", "line 7: the field of view is no rectangle, and there is no")]
+    [InlineData("FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY = ( 1 1 0 1 0 1 1 -1 0 1 0 -1 )\n", "is no rectangle along the image's axes")]
+    [InlineData("FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY = ( -1 1 1 -1 1 -1 -1 -1 -1 -1 -1 1 )\n", "lies behind the camera")]
+    [InlineData("FOV_SHAPE = 'RECTANGLE'\n", "FOV_BOUNDARY")]
+    [InlineData(
+        "FOV_SHAPE = 'RECTANGLE'\nFOV_CLASS_SPEC = 'ANGLES'\nFOV_ANGLE_UNITS = 'GON'\n", "has angles in 'GON'; RADIANS")]
+    public void Camera_FieldOfViewWrong_IsNamed(string field, string expected) => Assert.Contains(
+        expected, Assert.Throws<BadInputException>(() => WithField(field).Camera(Right)).Message, StringComparison.Ordinal);
 
     [Theory]
     [InlineData("INS-77_ITRANSS = ( 3.0 0.0 50.0 )\n", "", false, "No kernel has INS-77_ITRANSS of EYE, which says how its image lies")]
@@ -79,8 +120,11 @@ public sealed class InstrumentKernelTests : IDisposable
     public void Camera_KeywordMissingOrWrong_IsNamed(string right, string wrong, bool hasAxes, string expected) => Assert.Contains(
         expected,
         Assert.Throws<BadInputException>(
-            () => Kernel((Frame + Transform).Replace(right, wrong, StringComparison.Ordinal)).Camera(hasAxes)).Message,
+            () => Kernel((Frame + Transform).Replace(right, wrong, StringComparison.Ordinal)).Camera(hasAxes ? Right : null)).Message,
         StringComparison.Ordinal);
+
+    private InstrumentKernel WithField(string field) =>
+        Kernel(OfField + field.Replace("FOV_", "INS-77_FOV_", StringComparison.Ordinal));
 
     private InstrumentKernel Kernel(string data)
     {

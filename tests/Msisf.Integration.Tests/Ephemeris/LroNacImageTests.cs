@@ -14,6 +14,7 @@ namespace Msisf.Integration.Tests.Ephemeris;
 /// <summary>
 /// LRO's image M103595705LE by its kernels, against its camera model ("ISD") by USGS ALE: positions, pointing, Sun and lines of sight.
 /// </summary>
+[Collection(SpiceItself.Name)] // alone: other kernels in turn would be loaded anew for each call
 public sealed class LroNacImageTests
 {
     /// <summary>1: as the issue asks for.</summary>
