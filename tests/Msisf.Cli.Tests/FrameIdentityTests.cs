@@ -118,6 +118,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--bit-depth", "", "--bit-depth 16" },
         { "--exposure-time", "--camera FILE:detector.yaml", "--exposure-time 0.3" },
         { "--noise-seed", "--camera FILE:detector.yaml", "--noise-seed 5" },
+        { "--exposure-factor", "", "--exposure-factor 2" },
         { "--refine", "--refine 7 --refine-cell 512", "--refine 8" },
         { "--refine-cell", "--refine 7 --refine-cell 512", "--refine-cell 1024" },
         { "--layers", "--layers mask", "--layers mask,depth" },

@@ -136,6 +136,7 @@ public sealed class WrongValueTests : IDisposable
             "status" or "verify" or "merge" => "a-folder",
             "kernels" => "a.bsp",
             "completion" => "bash",
+            "dataset" => Path.Combine(TestParts.RepositoryRoot, "input", "data-set.yaml"),
             _ => string.Empty,
         };
         List<string> words = [.. Words(needed)];

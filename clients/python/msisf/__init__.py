@@ -1,11 +1,13 @@
 """Exact synthetic images of the Moon, drawn by the server of MSISF (``msis serve``)."""
 
 from ._camera import Camera
+from ._dataset import Dataset, Sample
 from ._errors import MsisfError, RequestError, ServerError
 from ._frame import Frame
 from ._moon import Moon
 from ._stream import Stream, StreamImage
 from ._view import SurfacePoint, View
 
-__all__ = ["Camera", "Frame", "Moon", "MsisfError", "RequestError", "ServerError", "Stream", "StreamImage", "SurfacePoint", "View"]
+__all__ = ["Camera", "Dataset", "Frame", "Moon", "MsisfError", "RequestError", "Sample", "ServerError", "Stream", "StreamImage",
+           "SurfacePoint", "View"]  # fmt: skip
 __version__ = "2.0.0"

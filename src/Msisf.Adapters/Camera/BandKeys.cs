@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Detector;
 using Msisf.Core.Errors;
 
@@ -19,7 +20,7 @@ internal static class BandKeys
 
     /// <summary>Reads the keys.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static SpectralResponse Read(CameraSection section)
+    public static SpectralResponse Read(SettingsSection section)
     {
         double[]? wavelengths = Wavelengths(section);
         double[]? limits = section.Numbers("band", 2, 2);
@@ -49,7 +50,7 @@ internal static class BandKeys
     /// <param name="what">What the wavelength is, for the message, e.g. "the band begins at".</param>
     /// <param name="wavelength">The wavelength, above 0.</param>
     /// <exception cref="BadInputException">It is refused; the message guesses the unit.</exception>
-    public static void RequireNanometres(CameraSection section, string key, string what, double wavelength)
+    public static void RequireNanometres(SettingsSection section, string key, string what, double wavelength)
     {
         if (!IsInRange(wavelength))
         {
@@ -63,7 +64,7 @@ internal static class BandKeys
 
     private static bool IsInRange(double nanometres) => nanometres is >= ShortestWavelength and <= LongestWavelength;
 
-    private static double[]? Wavelengths(CameraSection section)
+    private static double[]? Wavelengths(SettingsSection section)
     {
         double[]? wavelengths = section.Numbers("wavelengths", 2, MaxPoints);
         for (int i = 0; i < wavelengths?.Length; i++)
@@ -78,7 +79,7 @@ internal static class BandKeys
         return wavelengths;
     }
 
-    private static SpectralCurve Curve(CameraSection section, string key, double[]? wavelengths, double? whenMissing)
+    private static SpectralCurve Curve(SettingsSection section, string key, double[]? wavelengths, double? whenMissing)
     {
         double[]? values = section.Numbers(key, 1, MaxPoints);
         if (values is null)

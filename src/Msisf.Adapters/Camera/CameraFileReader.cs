@@ -55,7 +55,7 @@ public static class CameraFileReader
         byte[] content, string path, string? preset = null, bool mayNameFiles = true, (int? Width, int? Height) size = default)
     {
         using MemoryStream stream = new(content);
-        CameraSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
+        SettingsSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
         int? ownWidth = file.Whole("width", 1, MaxSide);
         int? ownHeight = file.Whole("height", 1, MaxSide);
         int width = ownWidth ?? size.Width ?? throw file.Missing("width", "how many pixels a row of the image has; or give --width");
@@ -100,7 +100,7 @@ public static class CameraFileReader
         detector?.KernelSha256 is string kernel ? [.. content, .. Encoding.ASCII.GetBytes(kernel)] : content));
 
     /// <summary>The key that gives the focal length; exactly one of three does.</summary>
-    private static string FocalKey(CameraSection file)
+    private static string FocalKey(SettingsSection file)
     {
         string[] ways = ["focal-length", "focal-length-px", "field-of-view"];
         string[] given = [.. ways.Where(file.Has)];
@@ -112,7 +112,7 @@ public static class CameraFileReader
         };
     }
 
-    private static (double FocalLength, (double X, double Y) Pitch)? Metric(CameraSection file)
+    private static (double FocalLength, (double X, double Y) Pitch)? Metric(SettingsSection file)
     {
         double? focalLength = FocalKey(file) == "focal-length" ? file.Positive("focal-length") : null;
         if (focalLength < ShortestFocalLength)
@@ -141,7 +141,7 @@ public static class CameraFileReader
     }
 
     private static (double X, double Y) FocalPixels(
-        CameraSection file, int width, (double FocalLength, (double X, double Y) Pitch)? metric)
+        SettingsSection file, int width, (double FocalLength, (double X, double Y) Pitch)? metric)
     {
         if (metric is { } known)
         {
@@ -168,7 +168,7 @@ public static class CameraFileReader
     }
 
     /// <summary>In rendering coordinates; the middle of the image if the file does not say it.</summary>
-    private static (double X, double Y) PrincipalPoint(CameraSection file, int width, int height)
+    private static (double X, double Y) PrincipalPoint(SettingsSection file, int width, int height)
     {
         string convention = file.Word("pixel-convention", [.. Conventions.Select(one => one.Name)]) ?? Conventions[0].Name;
         double first = Conventions.First(one => one.Name == convention).First;

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Detector;
 using Msisf.Core.Errors;
 
@@ -18,7 +19,7 @@ internal static class DarkCurrentKeys
 
     /// <summary>Reads the keys.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static DarkCurrent Read(CameraSection section, DetectorGeometry geometry)
+    public static DarkCurrent Read(SettingsSection section, DetectorGeometry geometry)
     {
         DetectorSection.RequireWith(section, "dsnu", "dark-current");
         DetectorSection.RequireWith(section, "hot-rate", "hot-fraction");
@@ -38,10 +39,10 @@ internal static class DarkCurrentKeys
         };
     }
 
-    private static double? Temperature(CameraSection section, string key) =>
+    private static double? Temperature(SettingsSection section, string key) =>
         DetectorSection.Range(section, key, AbsoluteZero, HottestDetector);
 
-    private static HotPixel Hot(CameraSection section, double[] pixel) => pixel[2] >= 0.0
+    private static HotPixel Hot(SettingsSection section, double[] pixel) => pixel[2] >= 0.0
         ? new HotPixel((int)pixel[0], (int)pixel[1], pixel[2])
         : throw section.Wrong("hot-pixels", "'hot-pixels' has a rate below 0; each pixel takes column, row and electrons per second");
 }

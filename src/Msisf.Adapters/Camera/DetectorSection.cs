@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Detector;
 using Msisf.Core.Errors;
 
@@ -26,7 +27,7 @@ internal static class DetectorSection
     /// <param name="geometry">What the top level says about the camera.</param>
     /// <returns>Null if there is no section.</returns>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static CameraFileDetector? Read(CameraSection file, DetectorGeometry geometry)
+    public static CameraFileDetector? Read(SettingsSection file, DetectorGeometry geometry)
     {
         if (file.Section(Name, What, Keys) is not { } section)
         {
@@ -68,19 +69,19 @@ internal static class DetectorSection
     }
 
     /// <summary>A number that is not negative; null if the key is not there.</summary>
-    internal static double? NotNegative(CameraSection section, string key) => section.Number(key) is double number && number < 0.0
+    internal static double? NotNegative(SettingsSection section, string key) => section.Number(key) is double number && number < 0.0
         ? throw section.Wrong(key, $"'{key}' is {section.Text(key)}; a number from 0 on is needed")
         : section.Number(key);
 
     /// <summary>A number in a range; null if the key is not there.</summary>
-    internal static double? Range(CameraSection section, string key, double min, double max) =>
+    internal static double? Range(SettingsSection section, string key, double min, double max) =>
         section.Number(key) is double number && !(number >= min && number <= max)
             ? throw section.Wrong(
                 key, FormattableString.Invariant($"'{key}' is {section.Text(key)}; a number from {min} to {max} is needed"))
             : section.Number(key);
 
     /// <summary>Refuses a key that has no meaning without another one.</summary>
-    internal static void RequireWith(CameraSection section, string key, string needed)
+    internal static void RequireWith(SettingsSection section, string key, string needed)
     {
         if (section.Has(key) && !section.Has(needed))
         {
@@ -88,13 +89,13 @@ internal static class DetectorSection
         }
     }
 
-    private static double Required(CameraSection section, string key, string meaning) =>
+    private static double Required(SettingsSection section, string key, string meaning) =>
         section.Positive(key) ?? throw section.Missing(key, meaning);
 
-    private static bool? YesOrNo(CameraSection section, string key) =>
+    private static bool? YesOrNo(SettingsSection section, string key) =>
         section.Word(key, ["yes", "no", "true", "false"]) is string word ? word is "yes" or "true" : null;
 
-    private static (double? FNumber, double Diameter) Aperture(CameraSection section, DetectorGeometry geometry)
+    private static (double? FNumber, double Diameter) Aperture(SettingsSection section, DetectorGeometry geometry)
     {
         if (section.Has("aperture") && section.Has("f-number"))
         {
@@ -112,13 +113,13 @@ internal static class DetectorSection
         return (geometry.FocalLength is double focal ? Checked(section, "aperture", focal / diameter) : null, diameter);
     }
 
-    private static double Checked(CameraSection section, string key, double fNumber) => fNumber >= LeastFNumber
+    private static double Checked(SettingsSection section, string key, double fNumber) => fNumber >= LeastFNumber
         ? fNumber
         : throw section.Wrong(key, FormattableString.Invariant(
             $"the f-number is {fNumber:G4}, and no lens has one below {LeastFNumber}: it is the focal length over the aperture's diameter")
                 + ", both in mm");
 
-    private static Smear? Smear(CameraSection section)
+    private static Smear? Smear(SettingsSection section)
     {
         RequireWith(section, "smear-direction", "smear-row-time");
         RequireWith(section, "smear-before-exposure", "smear-row-time");
@@ -132,7 +133,7 @@ internal static class DetectorSection
             };
     }
 
-    private static CosmicRays? Rays(CameraSection section, DetectorGeometry geometry)
+    private static CosmicRays? Rays(SettingsSection section, DetectorGeometry geometry)
     {
         RequireWith(section, "cosmic-ray-depth", "cosmic-rays");
         if (section.Positive("cosmic-rays") is not double rate)
@@ -146,13 +147,13 @@ internal static class DetectorSection
             : section.Positive("cosmic-ray-depth") is double depth ? rays with { Thickness = depth } : rays;
     }
 
-    private static bool Blooming(CameraSection section)
+    private static bool Blooming(SettingsSection section)
     {
         RequireWith(section, "blooming", "full-well");
         return YesOrNo(section, "blooming") ?? false;
     }
 
-    private static ulong? Seed(CameraSection section)
+    private static ulong? Seed(SettingsSection section)
     {
         const ulong DefaultSeed = 1;
         string? text = section.Text("seed");

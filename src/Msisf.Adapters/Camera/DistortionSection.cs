@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Errors;
 
@@ -25,7 +26,7 @@ internal static class DistortionSection
     /// <param name="focalLength">mm; null if the file does not give it in mm.</param>
     /// <returns>Null if there is no section, or nothing is distorted.</returns>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static Distortion? Read(CameraSection file, double? focalLength)
+    public static Distortion? Read(SettingsSection file, double? focalLength)
     {
         string[] allKeys = ["model", .. KeysOfModels.Values.SelectMany(keys => keys).Distinct()];
         if (file.Section(Section, What, allKeys) is not { } section)
@@ -60,7 +61,7 @@ internal static class DistortionSection
         return distortion is null or { IsNone: true } ? null : distortion;
     }
 
-    private static RadialDistortion Radial(CameraSection section, double? focalLength)
+    private static RadialDistortion Radial(SettingsSection section, double? focalLength)
     {
         double[] k = section.Numbers("k", 1, 3)
             ?? throw section.Missing("k", "one to three coefficients, in 1/mm2, 1/mm4 and 1/mm6");
@@ -68,7 +69,7 @@ internal static class DistortionSection
         return new RadialDistortion(k, form == "division", Millimetres(section, focalLength, "radial"));
     }
 
-    private static PolynomialDistortion Polynomial(CameraSection section, double? focalLength)
+    private static PolynomialDistortion Polynomial(SettingsSection section, double? focalLength)
     {
         double[] Coefficients(string key) => section.Numbers(key, 1, 4)
             ?? throw section.Missing(key, "one to four coefficients of the polynomial that is added, in mm");
@@ -77,6 +78,6 @@ internal static class DistortionSection
             Coefficients("x"), Coefficients("y"), argument == "radius", Millimetres(section, focalLength, "polynomial"));
     }
 
-    private static double Millimetres(CameraSection section, double? focalLength, string model) => focalLength
+    private static double Millimetres(SettingsSection section, double? focalLength, string model) => focalLength
         ?? throw section.Wrong("model", $"the distortion model '{model}' is in mm and needs 'focal-length' and 'pixel-pitch' in mm");
 }

@@ -1,3 +1,5 @@
+using Msisf.Adapters.Input;
+
 namespace Msisf.Adapters.Camera;
 
 /// <summary>Reads lists of pixels from a camera file.</summary>
@@ -11,7 +13,7 @@ internal static class PixelLists
     /// <param name="numbersPerPixel">2, or more if a pixel has other numbers.</param>
     /// <param name="geometry">The image's size.</param>
     /// <returns>The numbers of each pixel; empty if the key is not there.</returns>
-    public static IReadOnlyList<double[]> Read(CameraSection section, string key, int numbersPerPixel, DetectorGeometry geometry)
+    public static IReadOnlyList<double[]> Read(SettingsSection section, string key, int numbersPerPixel, DetectorGeometry geometry)
     {
         double[] numbers = section.Numbers(key, numbersPerPixel, MaxNumbers) ?? [];
         if (numbers.Length % numbersPerPixel != 0)

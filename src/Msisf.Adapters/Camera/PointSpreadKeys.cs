@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using System.Globalization;
 using System.Security.Cryptography;
 using Msisf.Core.Detector.Psf;
@@ -14,7 +15,7 @@ internal sealed class PointSpreadKeys
     private const double MetresPerNanometre = 1e-9;
     private const int MaxWeights = ((2 * PointSpreadKernel.MaxRadius) + 1) * ((2 * PointSpreadKernel.MaxRadius) + 1);
 
-    private readonly CameraSection _section;
+    private readonly SettingsSection _section;
     private readonly DetectorGeometry _geometry;
     private readonly double? _fNumber;
 
@@ -22,7 +23,7 @@ internal sealed class PointSpreadKeys
     /// <param name="section">The section of the detector.</param>
     /// <param name="geometry">The rest of the file.</param>
     /// <param name="fNumber">Focal length over aperture; null if the focal length is not known in mm.</param>
-    public PointSpreadKeys(CameraSection section, DetectorGeometry geometry, double? fNumber) =>
+    public PointSpreadKeys(SettingsSection section, DetectorGeometry geometry, double? fNumber) =>
         (_section, _geometry, _fNumber) = (section, geometry, fNumber);
 
     /// <summary>The keys.</summary>

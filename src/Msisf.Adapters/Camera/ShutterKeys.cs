@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Detector;
 using Msisf.Core.Errors;
 
@@ -18,7 +19,7 @@ internal static class ShutterKeys
 
     /// <summary>Reads the shutter; null if there is none, so that frames are exposed at an instant.</summary>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static Shutter? Read(CameraSection section)
+    public static Shutter? Read(SettingsSection section)
     {
         DetectorSection.RequireWith(section, LineTime, Kind);
         DetectorSection.RequireWith(section, Step, Kind);

@@ -16,6 +16,7 @@ internal static class BatchNames
     public const string Roll = "roll";
     public const string Up = "up";
     public const string Noise = "noise_seed";
+    public const string Exposure = "exposure_factor";
 
     private static readonly Dictionary<string, string> OtherNames = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -55,7 +56,7 @@ internal static class BatchNames
     public static string[] All { get; } =
     [
         Time, Seconds, .. Place, .. Heights, .. Position, .. PositionKilometres, .. Quaternion, .. Matrix, .. Euler, .. Target, LookHeight,
-        OffNadir, Azimuth, Roll, Up, .. Motion, .. Sun, Noise,
+        OffNadir, Azimuth, Roll, Up, .. Motion, .. Sun, Noise, Exposure,
     ];
 
     /// <summary>The name of a column, whatever its case, or whichever of its names is written; null if there is no such column.</summary>

@@ -48,6 +48,9 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
             Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
             SunPositionMoonMe = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null,
             Noise = row.Has(BatchNames.Noise) ? row.Read(BatchNames.Noise, text => NoiseSeedText.Parse(text, _step)) : null,
+            ExposureFactor = row.Has(BatchNames.Exposure)
+                ? row.Read(BatchNames.Exposure, _ => SpacecraftState.CheckedExposure(row.Number(BatchNames.Exposure)))
+                : null,
         };
     }
 

@@ -49,22 +49,25 @@ public sealed class FrameChecker
             return (FrameState.OtherSettings, "made with other settings, or from another state");
         }
 
-        foreach ((OutputFile made, FileInfo file) in record.Files.Zip(there))
-        {
-            try
-            {
-                if (ProblemWith(made, file) is string problem)
-                {
-                    return (FrameState.Damaged, $"{made.Name}: {problem}");
-                }
-            }
-            catch (Exception exception) when (exception.IsFileError())
-            {
-                return (FrameState.Damaged, $"{made.Name}: can't be read: {exception.Message}");
-            }
-        }
+        return record.Files.Zip(there, Problem).FirstOrDefault(problem => problem is not null) is { } found
+            ? (FrameState.Damaged, found)
+            : (FrameState.Complete, string.Empty);
+    }
 
-        return (FrameState.Complete, string.Empty);
+    /// <summary>What is wrong with a file that belongs to all frames; null if nothing is.</summary>
+    /// <param name="shared">As it was written.</param>
+    public string? ProblemWith(OutputFile shared) => Problem(shared, Target(new FileInfo(Path.Combine(_folder, shared.Name))));
+
+    private string? Problem(OutputFile made, FileInfo file)
+    {
+        try
+        {
+            return ProblemWith(made, file) is { } problem ? $"{made.Name}: {problem}" : null;
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            return $"{made.Name}: can't be read: {exception.Message}";
+        }
     }
 
     /// <summary>The file itself, where outputs were moved and links left in their place.</summary>

@@ -8,6 +8,7 @@ public sealed class ManifestContent
     private readonly Dictionary<string, ExpectedRecord> _expected = [];
     private readonly Dictionary<string, FrameRecord> _frames = [];
     private readonly Dictionary<string, FailedRecord> _failed = [];
+    private readonly SortedDictionary<string, OutputFile> _shared = new(StringComparer.Ordinal);
 
     /// <summary>Settings by key.</summary>
     public IReadOnlyDictionary<string, SettingsRecord> Settings => _settings;
@@ -26,6 +27,9 @@ public sealed class ManifestContent
 
     /// <summary>Frames that failed after they were last made, by name.</summary>
     public IReadOnlyDictionary<string, FailedRecord> Failed => _failed;
+
+    /// <summary>Files that belong to all frames, by name.</summary>
+    public IReadOnlyDictionary<string, OutputFile> Shared => _shared;
 
     /// <summary>Number of lines that could not be read and were left out.</summary>
     public int DamagedLines { get; private set; }
@@ -58,6 +62,9 @@ public sealed class ManifestContent
             case FailedRecord failed:
                 _failed[failed.Name] = failed;
                 break;
+            case SharedFileRecord shared:
+                _shared[shared.File.Name] = shared.File;
+                break;
             default:
                 DamagedLines++;
                 break;
@@ -81,6 +88,7 @@ public sealed class ManifestContent
                 run, .. _expected.Values.Where(expected => expected.Run == run.Run).OrderBy(expected => expected.Step)]),
             .. _frames.Values.OrderBy(frame => frame.Step).ThenBy(frame => frame.Name, StringComparer.Ordinal),
             .. _failed.Values.OrderBy(failed => failed.Step).ThenBy(failed => failed.Name, StringComparer.Ordinal),
+            .. _shared.Values.Select(file => new SharedFileRecord(file)),
         ];
     }
 }

@@ -48,6 +48,10 @@ internal static class ManifestLine
                     WriteFrame(json, failed.Step, failed.Name, failed.Frame);
                     json.WriteString("cause", failed.Cause);
                     break;
+                case SharedFileRecord shared:
+                    json.WriteString("record", "shared");
+                    WriteFiles(json, [shared.File]);
+                    break;
                 default:
                     throw new ArgumentOutOfRangeException(nameof(record), record, "no record of a manifest");
             }
@@ -86,6 +90,7 @@ internal static class ManifestLine
         "run" => new RunRecord(Text(line, "run"), Text(line, "settings"), Step(line, "frames")),
         "expected" => new ExpectedRecord(Text(line, "run"), Step(line, "step"), Name(line), Text(line, "frame")),
         "frame" => new FrameRecord(Step(line, "step"), Name(line), Text(line, "frame"), Text(line, "settings"), Files(line)),
+        "shared" => Files(line) is [{ } only] ? new SharedFileRecord(only) : throw new FormatException(),
         "failed" => new FailedRecord(Step(line, "step"), Name(line), Text(line, "frame"), Text(line, "cause")),
         _ => null,
     };

@@ -35,6 +35,10 @@ public sealed record FrameRecord(int Step, string Name, string Frame, string Set
 /// <param name="Sha256">SHA-256 of its content, 64 hexadecimal digits in small letters.</param>
 public sealed record OutputFile(string Name, long Bytes, string Sha256);
 
+/// <summary>A file that belongs to all frames of the folder, as the index of a data set.</summary>
+/// <param name="File">The file.</param>
+public sealed record SharedFileRecord(OutputFile File) : ManifestRecord;
+
 /// <summary>A frame that could not be made.</summary>
 /// <param name="Step">From 1.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>

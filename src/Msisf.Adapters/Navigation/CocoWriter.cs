@@ -25,21 +25,7 @@ public static class CocoWriter
         using (Utf8JsonWriter json = new(stream))
         {
             json.WriteStartObject();
-            json.WriteStartArray("images");
-            json.WriteStartObject();
-            json.WriteNumber("id", image.Number);
-            json.WriteNumber("width", camera.Width);
-            json.WriteNumber("height", camera.Height);
-            json.WriteString("file_name", image.FileName);
-            json.WriteEndObject();
-            json.WriteEndArray();
-            json.WriteStartArray("categories");
-            json.WriteStartObject();
-            json.WriteNumber("id", 1);
-            json.WriteString("name", "crater");
-            json.WriteString("supercategory", "landform");
-            json.WriteEndObject();
-            json.WriteEndArray();
+            WriteHead(json, (camera.Width, camera.Height), [image]);
             json.WriteStartArray("annotations");
             foreach (CraterView view in craters.Views)
             {
@@ -51,6 +37,33 @@ public static class CocoWriter
         }
 
         stream.WriteByte((byte)'\n');
+    }
+
+    /// <summary>Writes the images, and the only category that there is.</summary>
+    /// <param name="json">Receives them, inside an object.</param>
+    /// <param name="size">Width and height of the images, px.</param>
+    /// <param name="images">Number and file name of each.</param>
+    public static void WriteHead(Utf8JsonWriter json, (int Width, int Height) size, IEnumerable<(int Number, string FileName)> images)
+    {
+        json.WriteStartArray("images");
+        foreach ((int number, string fileName) in images)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("id", number);
+            json.WriteNumber("width", size.Width);
+            json.WriteNumber("height", size.Height);
+            json.WriteString("file_name", fileName);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("categories");
+        json.WriteStartObject();
+        json.WriteNumber("id", 1);
+        json.WriteString("name", "crater");
+        json.WriteString("supercategory", "landform");
+        json.WriteEndObject();
+        json.WriteEndArray();
     }
 
     private static void WriteAnnotation(Utf8JsonWriter json, CraterView view, ICamera camera, int image, double referenceRadius)

@@ -33,18 +33,26 @@ public static class StateTables
     }
 
     /// <summary>The trajectory format of TUM's RGB-D benchmark.</summary>
-    public static void WriteTum(TextWriter writer, IReadOnlyList<SpacecraftState> states)
+    /// <param name="writer">Receives the text.</param>
+    /// <param name="states">The states.</param>
+    /// <param name="numbers">Numbers of images, which stand for their times; null for the times.</param>
+    public static void WriteTum(TextWriter writer, IReadOnlyList<SpacecraftState> states, IReadOnlyList<int>? numbers = null)
     {
+        string timestamp = numbers is null ? "s since 1970-01-01 UTC" : "the number of the image";
         writer.WriteLine(
-            $"# timestamp tx ty tz qx qy qz qw (scalar last): s since 1970-01-01 UTC; m from the Moon's centre along MOON_ME; turns "
+            $"# timestamp tx ty tz qx qy qz qw (scalar last): {timestamp}; m from the Moon's centre along MOON_ME; turns "
                 + $"{CameraAxesText} into MOON_ME");
-        foreach (SpacecraftState state in states)
+        foreach ((SpacecraftState state, int index) in states.Select((state, index) => (state, index)))
         {
             UnitQuaternion q = OpenCv(state);
+            string stamp = numbers is null ? UnixSeconds(state.Time) : TimestampOf(numbers[index]);
             writer.WriteLine(
-                $"{UnixSeconds(state.Time)} {Line(' ', [.. Numbers(state.PositionMoonMe), q.X, q.Y, q.Z, q.W])}");
+                $"{stamp} {Line(' ', [.. Numbers(state.PositionMoonMe), q.X, q.Y, q.Z, q.W])}");
         }
     }
+
+    /// <summary>The number of an image in the place of a time.</summary>
+    public static string TimestampOf(int number) => number.ToString("0.000000", CultureInfo.InvariantCulture);
 
     /// <summary>The states of EuRoC's ground truth; with velocities only where they are known.</summary>
     public static void WriteEurocStates(TextWriter writer, IReadOnlyList<SpacecraftState> states)

@@ -80,9 +80,13 @@ internal sealed class RunConversion
             Pieces = Cut(run, cut),
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
-        IReadOnlyList<SpacecraftState> states = trajectory.Noise is null
-            ? run.States
-            : [.. run.States.Select(state => state with { Noise = null })]; // the pieces have the option
+
+        // What all pieces have by an option can't stand in the file too.
+        SpacecraftState[] states = [.. run.States.Select(state => state with
+        {
+            Noise = trajectory.Noise is null ? state.Noise : null,
+            ExposureFactor = trajectory.ExposureFactor is null ? state.ExposureFactor : null,
+        })];
         Write(script, text, statesFile, states, hasLogs: slurm is not null);
         return new ConvertedRun(path, statesFile, settings.OutputFolder, run.Frames.Count, script.Pieces.Count);
     }

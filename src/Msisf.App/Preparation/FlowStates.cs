@@ -14,7 +14,10 @@ internal static class FlowStates
     private static readonly OptionSpec[] OfImage =
         [ImageOptions.Camera, ImageOptions.FieldOfView, ImageOptions.Width, ImageOptions.Height];
 
-    /// <summary>The states with those of their flows. The first has no state before it, the last none behind it.</summary>
+    /// <summary>
+    /// The states with those of their flows. The first has no state before it, the last none behind it or, of an odd number, none to pair
+    /// with.
+    /// </summary>
     /// <exception cref="MsisfException">The target can't be read, or its image is another one.</exception>
     public static IReadOnlyList<SpacecraftState> Of(IReadOnlyList<SpacecraftState> states, RenderSettings settings)
     {
@@ -23,13 +26,14 @@ internal static class FlowStates
             return states;
         }
 
-        int towards = target switch
+        Func<int, int>? other = target switch
         {
-            NavigationOptions.NextFrame => 1,
-            NavigationOptions.PreviousFrame => -1,
-            _ => 0,
+            NavigationOptions.NextFrame => index => index + 1,
+            NavigationOptions.PreviousFrame => index => index - 1,
+            NavigationOptions.PairedFrame => index => index ^ 1,
+            _ => null,
         };
-        if (towards == 0)
+        if (other is null)
         {
             FlowState only = NavigationOptions.Flow.NamedInErrors(() => Read(target, settings));
             return [.. states.Select(state => state with { Flow = only })];
@@ -42,8 +46,8 @@ internal static class FlowStates
                     + "state, or give more states.").About(NavigationOptions.Flow);
         }
 
-        return [.. states.Select((state, index) => index + towards >= 0 && index + towards < states.Count
-            ? state with { Flow = FlowState.Of(states[index + towards]) }
+        return [.. states.Select((state, index) => other(index) >= 0 && other(index) < states.Count
+            ? state with { Flow = FlowState.Of(states[other(index)]) }
             : state)];
     }
 
@@ -57,7 +61,7 @@ internal static class FlowStates
         if (!File.Exists(target))
         {
             throw new BadInputException(
-                $"{target}: there is no such file. Give next, previous, a meta file or a state {{MJD,rx,ry,rz,qx,qy,qz,q0}}.");
+                $"{target}: there is no such file. Give next, previous, pair, a meta file or a state {{MJD,rx,ry,rz,qx,qy,qz,q0}}.");
         }
 
         IReadOnlyList<string> words = MetaFileCommand.Read(target)

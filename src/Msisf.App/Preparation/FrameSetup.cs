@@ -37,6 +37,7 @@ internal static class FrameSetup
             frames.Add(new Frame(
                 step, names[step - 1], state.Time, camera, LightOf(FlowState.Of(state)), state.Motion, state.Noise)
             {
+                ExposureFactor = state.ExposureFactor,
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
                         model.At(new CameraState(flow.PositionMoonMe, flow.MoonFromCamera)), LightOf(flow))
@@ -82,6 +83,9 @@ internal sealed record Frame(
     int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
     NoiseSeed? Noise = null)
 {
+    /// <summary>By how much longer it is exposed; null for as long as the settings say.</summary>
+    public double? ExposureFactor { get; init; }
+
     /// <summary>The frame to which its flow leads; null without a flow.</summary>
     public FlowTarget? Flow { get; init; }
 

@@ -73,7 +73,7 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateNoise.Of(Moving(WithSun(states, trajectory), trajectory), trajectory, HasDetector)
+            ? StateNoise.Of(Moving(Exposed(WithSun(states, trajectory), trajectory), trajectory), trajectory, HasDetector)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -93,6 +93,20 @@ internal sealed class StateReader
             : throw new UsageException(
                 $"{LightOptions.SunPosition.Name} and the batch file both say where the Sun is. Leave one out.")
                 .About(LightOptions.SunPosition);
+    }
+
+    private static IReadOnlyList<SpacecraftState> Exposed(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
+    {
+        if (trajectory.ExposureFactor is not { } factor)
+        {
+            return states;
+        }
+
+        return states.All(state => state.ExposureFactor is null)
+            ? [.. states.Select(state => state with { ExposureFactor = factor })]
+            : throw new UsageException(
+                $"{NativeOptions.ExposureFactor.Name} and the batch file both say the exposure. Leave one out.")
+                .About(NativeOptions.ExposureFactor);
     }
 
     private bool NeedsMotion => FindsMotions || CameraWithShutter is not null;

@@ -17,18 +17,9 @@ internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detecto
     /// <summary>Reduces a camera; a small one keeps its size.</summary>
     public static ReducedCamera Of(CameraModel model, DetectorSettings detector)
     {
-        double reduction = Math.Max(1.0, (double)Math.Max(model.Width, model.Height) / LongerSide);
-        int width = Math.Max(1, (int)Math.Round(model.Width / reduction));
-        int height = Math.Max(1, (int)Math.Round(model.Height / reduction));
-        (double x, double y) = ((double)model.Width / width, (double)model.Height / height);
-        CameraModel reduced = new(
-            width,
-            height,
-            (model.FocalX / x, model.FocalY / y),
-            (Reduced(model.PrincipalX, x), Reduced(model.PrincipalY, y)),
-            model.Skew / x,
-            model.Distortion);
-        return new ReducedCamera(reduced.Simplified(), detector with
+        CameraModel reduced = ModelOf(model, LongerSide);
+        (double x, double y) = ((double)model.Width / reduced.Width, (double)model.Height / reduced.Height);
+        return new ReducedCamera(reduced, detector with
         {
             ApertureArea = detector.ApertureArea / (x * y),
             PointSpread = null,
@@ -40,6 +31,24 @@ internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detecto
             IsBlooming = false,
             Seed = null,
         });
+    }
+
+    /// <summary>The geometry of a camera with the same view and fewer pixels; a small one keeps its size.</summary>
+    /// <param name="model">The camera's.</param>
+    /// <param name="longerSide">px: maximum width and height.</param>
+    public static CameraModel ModelOf(CameraModel model, int longerSide)
+    {
+        double reduction = Math.Max(1.0, (double)Math.Max(model.Width, model.Height) / longerSide);
+        int width = Math.Max(1, (int)Math.Round(model.Width / reduction));
+        int height = Math.Max(1, (int)Math.Round(model.Height / reduction));
+        (double x, double y) = ((double)model.Width / width, (double)model.Height / height);
+        return new CameraModel(
+            width,
+            height,
+            (model.FocalX / x, model.FocalY / y),
+            (Reduced(model.PrincipalX, x), Reduced(model.PrincipalY, y)),
+            model.Skew / x,
+            model.Distortion).Simplified();
 
         // Rendering coordinates are 0.5 at the image's border.
         static double Reduced(double principal, double reduction) => ((principal - 0.5) / reduction) + 0.5;

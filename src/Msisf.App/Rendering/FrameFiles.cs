@@ -72,7 +72,8 @@ internal sealed class FrameFiles
             _times.Measure(Phase.Output, () => files.Write(
                 $"{stem}.dn.fits",
                 stream => DetectorFitsWriter.Write(
-                    stream, detected, detector.Settings, metadata, _description.Provenance(metadata, rendered))));
+                    stream, detected, detector.Settings.Exposed(frame.ExposureFactor), metadata,
+                    _description.Provenance(metadata, rendered))));
             paths.Add($"{stem}.dn.fits");
         }
 

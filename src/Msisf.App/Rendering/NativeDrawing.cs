@@ -33,13 +33,14 @@ internal sealed class NativeDrawing
     private readonly NativeLevels _levels;
     private readonly DetectorsOfRun? _detectors;
     private readonly RunTimes _times;
+    private readonly GreyTable _grey;
     private int _frames;
     private long _collectedBytes;
 
     public NativeDrawing(NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
     {
         Settings = settings;
-        Grey = new GreyTable(settings.Grey, settings.BitDepth);
+        _grey = new GreyTable(settings.Grey, settings.BitDepth);
         _options = settings.Render with { Albedo = maps.Albedo?.Map, Hapke = maps.Hapke?.Map };
         _model = model;
         _map = maps.Albedo;
@@ -51,8 +52,10 @@ internal sealed class NativeDrawing
     /// <summary>The settings of the renderer.</summary>
     public NativeSettings Settings { get; }
 
-    /// <summary>Turns radiance factors into grey levels.</summary>
-    internal GreyTable Grey { get; }
+    /// <summary>Turns radiance factors of a frame into grey levels.</summary>
+    internal GreyTable GreyOf(Frame frame) => frame.ExposureFactor is { } factor
+        ? new GreyTable(new GreyScale(factor * Settings.Grey.Exposure, Settings.Grey.Transfer), Settings.BitDepth)
+        : _grey;
 
     /// <summary>Draws a frame.</summary>
     /// <param name="frame">The frame.</param>
@@ -61,7 +64,7 @@ internal sealed class NativeDrawing
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
     {
-        CameraDetector? detector = _detectors?.Of(frame.Camera, threads);
+        CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
         ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
         NativeRenderer renderer = _levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
@@ -137,7 +140,9 @@ internal sealed class NativeDrawing
     }
 }
 
-/// <summary>The detector of a run, made for its first frame, which all frames share. Thread-safe.</summary>
+/// <summary>
+/// The detector of a run, made for its first frame, which all frames share that are exposed as long as the settings say. Thread-safe.
+/// </summary>
 internal sealed class DetectorsOfRun(DetectorSettings settings)
 {
     private readonly Lock _gate = new();
@@ -145,9 +150,15 @@ internal sealed class DetectorsOfRun(DetectorSettings settings)
 
     /// <summary>The detector.</summary>
     /// <param name="camera">A frame's camera; its states do not matter, the rest is the same for all frames.</param>
+    /// <param name="factor">By how much longer the frame is exposed; null for as long.</param>
     /// <param name="threads">Number of threads for making it.</param>
-    public CameraDetector Of(ICamera camera, int threads)
+    public CameraDetector Of(ICamera camera, double? factor, int threads)
     {
+        if (factor is not null)
+        {
+            return new CameraDetector(settings.Exposed(factor), camera, threads);
+        }
+
         lock (_gate)
         {
             return _detector ??= new CameraDetector(settings, camera, threads);

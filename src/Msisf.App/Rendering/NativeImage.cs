@@ -5,6 +5,7 @@ using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Rendering;
 
@@ -19,6 +20,7 @@ internal sealed class NativeImage : IDisposable
     private readonly NativeFrame _drawn;
     private readonly CameraDetector? _detector;
     private readonly IGroundTruth _truth;
+    private readonly GreyTable _grey;
 
     internal NativeImage(
         NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
@@ -28,6 +30,7 @@ internal sealed class NativeImage : IDisposable
         _drawn = drawn;
         _detector = detector;
         Detected = detected;
+        _grey = drawing.GreyOf(frame);
         _truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector!.Margin, detected);
     }
 
@@ -103,11 +106,11 @@ internal sealed class NativeImage : IDisposable
     {
         if (BytesPerPixel == 1)
         {
-            _drawing.Grey.Convert(radianceFactors, levels);
+            _grey.Convert(radianceFactors, levels);
         }
         else
         {
-            _drawing.Grey.Convert(radianceFactors, MemoryMarshal.Cast<byte, ushort>(levels));
+            _grey.Convert(radianceFactors, MemoryMarshal.Cast<byte, ushort>(levels));
         }
     }
 

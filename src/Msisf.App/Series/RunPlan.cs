@@ -63,6 +63,7 @@ internal sealed class RunPlan
     [
         .. MemoryMarshal.AsBytes<double>(state.ToNumbers()),
         .. state.Flow is { } flow ? MemoryMarshal.AsBytes<double>(flow.ToNumbers()) : [],
+        .. state.ExposureFactor is { } factor ? MemoryMarshal.AsBytes<double>([factor]) : [],
         .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],
     ];
 

@@ -15,14 +15,17 @@ internal sealed class SeriesStatus
     /// <summary>Files in the folder that no record names; empty unless they were looked for.</summary>
     public IReadOnlyList<StrayFile> Strays { get; private init; } = [];
 
+    /// <summary>What is wrong with the files that belong to all frames, a line for each that is missing or damaged.</summary>
+    public IReadOnlyList<string> Problems { get; private init; } = [];
+
     /// <summary>All frames, grouped by run with the last run at the end, in the order of their steps.</summary>
     public IReadOnlyList<FrameCheck> Frames { get; }
 
     /// <summary>The frames that are missing, damaged, failed or of other settings.</summary>
     public IEnumerable<FrameCheck> Incomplete => Frames.Where(frame => frame.State != FrameState.Complete);
 
-    /// <summary>Whether all frames are complete.</summary>
-    public bool IsComplete => !Incomplete.Any();
+    /// <summary>Whether all frames are complete, and the files that belong to all of them.</summary>
+    public bool IsComplete => !Incomplete.Any() && Problems.Count == 0;
 
     /// <summary>Checks a folder quickly: compares the existence and lengths of the files with the manifest.</summary>
     /// <param name="folder">Folder of the outputs.</param>
@@ -40,7 +43,8 @@ internal sealed class SeriesStatus
     {
         ManifestContent manifest = SeriesManifest.Read(folder, host.Log);
         FrameChecker checker = new(folder, CheckDepth.Checksums, new FileStructure(host.Installation.MetaFileDtd));
-        return new SeriesStatus(folder, Of(folder, manifest, checker, cancellation).Frames) { Strays = StrayFile.In(folder, manifest) };
+        SeriesStatus status = Of(folder, manifest, checker, cancellation);
+        return new SeriesStatus(folder, status.Frames) { Problems = status.Problems, Strays = StrayFile.In(folder, manifest) };
     }
 
     /// <summary>The state of the frames that a manifest expects.</summary>
@@ -57,7 +61,10 @@ internal sealed class SeriesStatus
             .ToArray()
             .AsParallel().AsOrdered().WithCancellation(cancellation)
             .Select(expected => Explained(manifest, checker.Check(
-                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name))))]);
+                expected, manifest.Frames.GetValueOrDefault(expected.Name), manifest.Failed.GetValueOrDefault(expected.Name))))])
+    {
+        Problems = [.. manifest.Shared.Values.Select(checker.ProblemWith).OfType<string>()],
+    };
 
     /// <summary>The number of frames in a state.</summary>
     public int CountOf(FrameState state) => Frames.Count(frame => frame.State == state);

@@ -17,6 +17,7 @@ internal sealed record StrayFile(string Name, bool IsLeftOver)
         HashSet<string> known =
         [
             ManifestFile.Name, SeriesMerge.SheetName, SeriesMerge.VideoName,
+            .. manifest.Shared.Keys,
             .. manifest.Frames.Values.SelectMany(frame => frame.Files).Select(file => file.Name),
         ];
         return

@@ -56,6 +56,9 @@ internal static class FrameArguments
             .. state.SunPositionMoonMe is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             settings,
             .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, List(flow.ToNumbers())] : [],
+            .. state.ExposureFactor is { } factor
+                ? (string[])[NativeOptions.ExposureFactor.Name, NumberSpec.TextOf(factor)]
+                : [],
             .. state.Noise is { } noise ? (string[])[NativeOptions.NoiseSeed.Name, NoiseSeedText.Of(noise)] : [],
         ];
         return string.Join(' ', words);

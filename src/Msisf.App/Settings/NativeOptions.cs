@@ -4,6 +4,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
 
@@ -115,6 +116,15 @@ internal static class NativeOptions
         DefaultNote = "from the detector's seed and the state",
     };
 
+    /// <summary>By how much longer images are exposed.</summary>
+    public static NumberSpec ExposureFactor { get; } = new(
+        "--exposure-factor", DecidesBytes.ByStatesOfRun, "X",
+        "Multiplies --exposure, or the exposure time of a camera file with a detector; a batch file can have a column exposure_factor")
+    {
+        Limits = new NumberRange(SpacecraftState.LeastExposure, SpacecraftState.GreatestExposure),
+        DefaultNote = "1",
+    };
+
     /// <summary>Seed of invented detail below the elevation model.</summary>
     public static TextSpec Refine { get; } = new(
         "--refine", DecidesBytes.As(frame => frame.Native?.Refine?.Seed), "SEED",
@@ -175,8 +185,8 @@ internal static class NativeOptions
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [
-            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, ExposureTime, NoiseSeed, Refine,
-            RefineCell, Layers, LayersFormat, LayersPrecision, LayersCompression,
+            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, ExposureTime, ExposureFactor, NoiseSeed,
+            Refine, RefineCell, Layers, LayersFormat, LayersPrecision, LayersCompression,
         ])
     {
         Note = "Only with --renderer native.",

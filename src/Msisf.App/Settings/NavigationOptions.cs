@@ -51,13 +51,16 @@ internal static class NavigationOptions
     /// <summary>The word for the frame of the run before.</summary>
     public const string PreviousFrame = "previous";
 
+    /// <summary>The word for the other frame of a pair: steps 1 and 2, 3 and 4, and so on.</summary>
+    public const string PairedFrame = "pair";
+
     /// <summary>The other frame of the flow.</summary>
     public static TextSpec Flow { get; } = new(
-        "--flow", DecidesBytes.ByStatesOfRun, $"{NextFrame}|{PreviousFrame}|FILE|STATE",
+        "--flow", DecidesBytes.ByStatesOfRun, $"{NextFrame}|{PreviousFrame}|{PairedFrame}|FILE|STATE",
         "Where each pixel's surface point lies in another image, whether that shows it, and how the light differs: of the run's next or "
-            + "previous image, of a meta file's, or of a state {MJD,rx,ry,rz,qx,qy,qz,q0}")
+            + "previous image, of the other of its pair (1 and 2, 3 and 4, ...), of a meta file, or of a state {MJD,rx,ry,rz,qx,qy,qz,q0}")
     {
-        Words = [NextFrame, PreviousFrame],
+        Words = [NextFrame, PreviousFrame, PairedFrame],
     };
 
     /// <summary>m: baseline to a second camera.</summary>

@@ -19,6 +19,9 @@ internal abstract record TrajectorySettings
     /// <summary>m, MOON_ME: where the Sun is in all frames; null if the ephemeris, or each state, says it.</summary>
     public Vector3D? SunPositionMoonMe { get; init; }
 
+    /// <summary>By how much longer all frames are exposed; null if the user does not say it.</summary>
+    public double? ExposureFactor { get; init; }
+
     /// <summary>The noise of the first frame; each frame after it has the next step. Null if the user does not choose it.</summary>
     public NoiseSeed? Noise { get; init; }
 }

@@ -64,7 +64,12 @@ internal sealed class TrajectorySettingsReader
         : null;
 
     private TrajectorySettings? ReadIfGiven() => ReadPlaces() is { } settings
-        ? settings with { Noise = ReadNoise(_values), SunPositionMoonMe = SunPosition() }
+        ? settings with
+        {
+            Noise = ReadNoise(_values),
+            SunPositionMoonMe = SunPosition(),
+            ExposureFactor = NativeOptions.ExposureFactor.ReadIfGiven(_values),
+        }
         : null;
 
     private TrajectorySettings? ReadPlaces()

@@ -46,6 +46,11 @@ internal static class CheckCommand
                 $"{frame.Expected.Step}\t{frame.Expected.Name}\t{Word(frame.State)}\t{frame.Reason.ReplaceLineEndings(" ")}"));
         }
 
+        foreach (string problem in status.Problems)
+        {
+            results.WriteLine($"-\t{problem.Replace(": ", "\tdamaged\t", StringComparison.Ordinal)}");
+        }
+
         foreach (StrayFile file in status.Strays)
         {
             results.WriteLine(file.IsLeftOver

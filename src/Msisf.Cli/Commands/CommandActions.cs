@@ -1,3 +1,4 @@
+using Msisf.App.DataSets;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
@@ -17,6 +18,8 @@ internal static class CommandActions
         [CommandTable.BatchConvert] = InBackground(BatchConvertCommand.Run),
         [CommandTable.Submit] = (call, cancellation) => Task.Run(() => SubmitCommand.RunAsync(call, cancellation), cancellation),
         [CommandTable.States] = InBackground(StatesCommand.Run),
+        [DataSetOptions.Command] = (call, cancellation) => Task.Run(
+            () => DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation), cancellation),
         [CommandTable.Status] = InBackground(CheckCommand.Status),
         [CommandTable.Verify] = InBackground(CheckCommand.Verify),
         [CommandTable.Merge] = (call, cancellation) => Task.Run(() => MergeCommand.RunAsync(call, cancellation), cancellation),

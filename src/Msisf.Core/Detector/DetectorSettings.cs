@@ -14,6 +14,10 @@ public sealed record DetectorSettings
     /// <summary>Seconds.</summary>
     public required double ExposureTime { get; init; }
 
+    /// <summary>These settings with another exposure time.</summary>
+    /// <param name="factor">By how much longer; null for as long.</param>
+    public DetectorSettings Exposed(double? factor) => factor is { } times ? this with { ExposureTime = times * ExposureTime } : this;
+
     /// <summary>When the rows are exposed; null for images without the camera's motion.</summary>
     public Shutter? Shutter { get; init; }
 

@@ -22,11 +22,20 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>m: less than the nearest perihelion of a body with craters; a direction of length 1, or km, is found by it.</summary>
     public const double NearestSun = 1e10;
 
+    /// <summary>Smallest <see cref="ExposureFactor"/>.</summary>
+    public const double LeastExposure = 1e-6;
+
+    /// <summary>Greatest <see cref="ExposureFactor"/>.</summary>
+    public const double GreatestExposure = 1e6;
+
     /// <summary>How the camera moves about this time; null if that is not known or not wanted.</summary>
     public CameraMotion? Motion { get; init; }
 
     /// <summary>The noise of the frame's detector; null for the one that the detector's seed and this state give.</summary>
     public NoiseSeed? Noise { get; init; }
+
+    /// <summary>By how much longer the frame is exposed than the run's settings say; null for as long.</summary>
+    public double? ExposureFactor { get; init; }
 
     /// <summary>The state to which the frame's flow leads; null without a flow.</summary>
     public FlowState? Flow { get; init; }
@@ -38,8 +47,8 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
 
     /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
-    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/> and
-    /// <see cref="SunPositionMoonMe"/> and <see cref="Flow"/>.
+    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/>,
+    /// <see cref="ExposureFactor"/>, <see cref="SunPositionMoonMe"/> and <see cref="Flow"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [
@@ -56,6 +65,13 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
             CultureInfo.InvariantCulture,
             $"the Sun is {position.Length:G3} m from the body's centre; metres are needed, at least {NearestSun:G3}. The Sun is 1.5e11 m "
                 + $"from the Moon: multiply a direction by that."));
+
+    /// <summary>Checks and takes an exposure factor.</summary>
+    /// <exception cref="BadInputException">It is outside <see cref="LeastExposure"/> to <see cref="GreatestExposure"/>.</exception>
+    public static double CheckedExposure(double factor) => factor is >= LeastExposure and <= GreatestExposure
+        ? factor
+        : throw new BadInputException(string.Create(
+            CultureInfo.InvariantCulture, $"the exposure factor is {factor:R}; {LeastExposure:R} to {GreatestExposure:R} is possible."));
 
     /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>

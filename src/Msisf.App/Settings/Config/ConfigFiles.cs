@@ -51,10 +51,23 @@ internal sealed class ConfigFiles
 
     private void Add(Dictionary<string, ConfigValue> values, string path, int rank)
     {
-        foreach (ConfigEntry entry in ReadEntries(path))
+        foreach (ConfigValue value in Values(path, ReadEntries(path), rank))
+        {
+            values.TryAdd(value.Option.Key, value);
+        }
+    }
+
+    /// <summary>The options of a file's keys.</summary>
+    /// <param name="path">The file; relative paths in it start at its folder.</param>
+    /// <param name="entries">Its keys.</param>
+    /// <param name="rank">See <see cref="ConfigValue"/>.</param>
+    /// <exception cref="BadInputException">A key is no option, or can't have its value.</exception>
+    public IEnumerable<ConfigValue> Values(string path, IEnumerable<ConfigEntry> entries, int rank = 1)
+    {
+        foreach (ConfigEntry entry in entries)
         {
             (OptionSpec option, string text) = ConfigKeys.Read(entry, path);
-            values.TryAdd(entry.Key, new ConfigValue(option, option is PathSpec ? PathsFrom(path, text) : text, path, entry.Line, rank));
+            yield return new ConfigValue(option, option is PathSpec ? PathsFrom(path, text) : text, path, entry.Line, rank);
         }
     }
 

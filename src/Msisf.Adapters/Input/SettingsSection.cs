@@ -1,10 +1,9 @@
-using Msisf.Adapters.Input;
 using Msisf.Core.Errors;
 
-namespace Msisf.Adapters.Camera;
+namespace Msisf.Adapters.Input;
 
-/// <summary>A camera file, or one of its sections: typed values by key. Every error names file, line and column.</summary>
-public sealed class CameraSection
+/// <summary>A YAML file of settings, or one of its sections: typed values by key. Every error names file, line and column.</summary>
+public sealed class SettingsSection
 {
     private readonly string _fileName;
     private readonly string _what;
@@ -18,7 +17,7 @@ public sealed class CameraSection
     /// <param name="entries">What was read.</param>
     /// <param name="keys">The keys that the section may have.</param>
     /// <exception cref="BadInputException">A key is none of these.</exception>
-    internal CameraSection(
+    public SettingsSection(
         string fileName, string what, (int Line, int Column) place, IReadOnlyList<ConfigEntry> entries, IReadOnlyList<string> keys)
     {
         (_fileName, _what, _place, _entries) = (fileName, what, place, entries);
@@ -41,16 +40,22 @@ public sealed class CameraSection
     /// <param name="what">What its keys belong to, for messages, e.g. "a distortion".</param>
     /// <param name="keys">The keys that it may have.</param>
     /// <exception cref="BadInputException">There is a value in its place, or a key is none of these.</exception>
-    public CameraSection? Section(string key, string what, IReadOnlyList<string> keys) => Find(key) switch
+    public SettingsSection? Section(string key, string what, IReadOnlyList<string> keys) => Find(key) switch
     {
         null => null,
-        { Entries: { } entries } entry => new CameraSection(_fileName, what, (entry.Line, entry.Column), entries, keys),
+        { Entries: { } entries } entry => new SettingsSection(_fileName, what, (entry.Line, entry.Column), entries, keys),
         { } entry => throw At(entry, $"'{key}' is a section: put its keys below it, each in a line of its own and indented"),
     };
 
     /// <summary>The text of a key; null if it is not there.</summary>
     /// <exception cref="BadInputException">It has a list or a section.</exception>
     public string? Text(string key) => Find(key) is { } entry ? Single(entry) : null;
+
+    /// <summary>The texts of a list, or a single one; null if the key is not there.</summary>
+    /// <exception cref="BadInputException">It has a section.</exception>
+    public IReadOnlyList<string>? Texts(string key) => Find(key) is { } entry
+        ? entry.Entries is null ? entry.Values : throw NotASection(entry)
+        : null;
 
     /// <summary>One word of several.</summary>
     /// <param name="key">The key.</param>

@@ -1,0 +1,171 @@
+using System.Globalization;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Preview;
+using Msisf.Core.Scene;
+
+namespace Msisf.App.DataSets;
+
+/// <summary>
+/// Draws the states of a data set: point after point of the unit cube, until as many states meet the conditions as the data set needs.
+/// </summary>
+internal sealed class StateDraw
+{
+    /// <summary>So many states in a row that meet no condition are enough to give up.</summary>
+    private const int MostInVain = 2000;
+
+    /// <summary>States that are looked at side by side; which ones are taken does not depend on it.</summary>
+    private const int Block = 64;
+
+    private const string InTheGround = "above the ground";
+    private const string GroundShare = "ground";
+    private const string LitShare = "lit";
+    private const string SunElevation = "sun-elevation";
+    private const string OneRegion = "one region";
+
+    private readonly DataSetSpec _spec;
+    private readonly RenderSettings _settings;
+    private readonly ISceneGeometry _scene;
+    private readonly Func<IEphemeris> _sun;
+    private readonly ViewProbe _probe;
+    private readonly StateMaker _maker;
+
+    /// <param name="spec">What the data set asks for.</param>
+    /// <param name="settings">The run's settings.</param>
+    /// <param name="scene">Terrain.</param>
+    /// <param name="sun">The ephemeris; not used where each state has its Sun.</param>
+    /// <param name="probe">Tells what an image will show.</param>
+    public StateDraw(DataSetSpec spec, RenderSettings settings, ISceneGeometry scene, Func<IEphemeris> sun, ViewProbe probe) =>
+        (_spec, _settings, _scene, _sun, _probe, _maker) = (spec, settings, scene, sun, probe, new StateMaker(spec, scene));
+
+    /// <summary>Draws all states.</summary>
+    /// <param name="progress">Receives a step for each image.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <exception cref="BadInputException">No state meets the conditions.</exception>
+    public DrawnStates Run(IRunProgress progress, CancellationToken cancellation)
+    {
+        List<DrawnState> taken = [];
+        List<SplitDraw> draws = [];
+        for (int index = 0; index < _spec.Splits.Count; index++)
+        {
+            Split split = _spec.Splits[index];
+            UnitCubePoints points = new(Quantity.Coordinates, _spec.IsSobol, _spec.Seed, index);
+            SortedDictionary<string, int> rejected = new(StringComparer.Ordinal);
+            int found = 0;
+            int inVain = 0;
+            long candidate = 0;
+            while (found < split.Count)
+            {
+                foreach ((DrawnState[] states, string? failed) in Looked(split, points, candidate, cancellation))
+                {
+                    candidate++;
+                    if (failed is null)
+                    {
+                        taken.AddRange(states);
+                        progress.Advance(split.Name);
+                        (found, inVain) = (found + 1, 0);
+                    }
+                    else
+                    {
+                        rejected[failed] = rejected.GetValueOrDefault(failed) + 1;
+                        inVain++;
+                    }
+
+                    if (found == split.Count || inVain == MostInVain)
+                    {
+                        break;
+                    }
+                }
+
+                if (inVain == MostInVain)
+                {
+                    throw new BadInputException(
+                        $"{_spec.Path}: of '{split.Name}' {found} of {split.Count} images were found, and the last {MostInVain} states "
+                            + $"met not all conditions ({Listed(rejected)} of {candidate} failed). Loosen the "
+                            + "conditions, or change the states.");
+                }
+            }
+
+            draws.Add(new SplitDraw(split, candidate, rejected));
+        }
+
+        // Both images of a pair stand side by side; each has a step of the noise.
+        return new DrawnStates([.. taken.Select(WithNoise)], draws);
+    }
+
+    private DrawnState WithNoise(DrawnState drawn, int index) => _settings.Native.Detector is null ? drawn
+        : drawn with { State = drawn.State with { Noise = new NoiseSeed(_spec.NoiseSeed, (ulong)index + 1) } };
+
+    private static string Listed(SortedDictionary<string, int> rejected) =>
+        string.Join(", ", rejected.Select(entry => string.Create(CultureInfo.InvariantCulture, $"'{entry.Key}' {entry.Value}")));
+
+    /// <summary>The states of the next points, each with the condition that it does not meet.</summary>
+    private (DrawnState[] States, string? Failed)[] Looked(
+        Split split, UnitCubePoints points, long first, CancellationToken cancellation)
+    {
+        DrawnState[][] drawn = [.. Enumerable.Range(0, Block)
+            .Select(index => _maker.Of(split, first + index, points.PointAt(first + index)))];
+
+        // CSPICE is not thread-safe, so that all lights come first.
+        Frame[][] frames = [.. drawn.Select(states => FrameSetup.Of(
+            [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], _settings with { Frames = null }, _sun,
+            cancellation))];
+        (DrawnState[] States, string? Failed)[] looked = new (DrawnState[], string?)[Block];
+        Parallel.For(0, Block, new ParallelOptions { CancellationToken = cancellation }, index =>
+        {
+            DrawnState[] states = drawn[index];
+            string? failed = null;
+            for (int i = 0; i < states.Length && failed is null; i++)
+            {
+                (states[i], failed) = Look(states[i], frames[index][i], split, cancellation);
+            }
+
+            looked[index] = (states, failed);
+        });
+        return looked;
+    }
+
+    private (DrawnState State, string? Failed) Look(DrawnState drawn, Frame frame, Split split, CancellationToken cancellation)
+    {
+        Vector3D position = drawn.State.PositionMoonMe;
+        double ground = _scene.GroundRadius(position);
+        if (position.Length < ground + Quantity.Altitude.Least)
+        {
+            return (drawn, InTheGround);
+        }
+
+        SkyDirection sun = SkyDirection.Of(ground * position.Normalized(), frame.Light.PositionMoonMe);
+        Conditions accept = _spec.Accept;
+        if (accept.SunElevation is { } range)
+        {
+            double degrees = double.RadiansToDegrees(sun.Elevation);
+            if (!(degrees >= range.Min && degrees <= range.Max))
+            {
+                return (drawn, SunElevation);
+            }
+        }
+
+        View view = _probe.Of(frame, cancellation);
+        drawn = drawn with { Ground = view.Ground, Lit = view.Lit, Sun = sun };
+        return (drawn, view.Ground < accept.Ground ? GroundShare
+            : view.Lit < accept.Lit ? LitShare
+            : split.IsBound && !view.Points.All(drawn.Region.Contains) ? OneRegion
+            : null);
+    }
+}
+
+/// <summary>The states of a data set.</summary>
+/// <param name="States">Of all images, in their order; those of a pair stand side by side.</param>
+/// <param name="Splits">How each split was drawn.</param>
+internal sealed record DrawnStates(IReadOnlyList<DrawnState> States, IReadOnlyList<SplitDraw> Splits);
+
+/// <summary>How a split was drawn.</summary>
+/// <param name="Split">The split.</param>
+/// <param name="Candidates">How many states were looked at.</param>
+/// <param name="Rejected">How many of them did not meet a condition, by the first that failed.</param>
+internal sealed record SplitDraw(Split Split, long Candidates, IReadOnlyDictionary<string, int> Rejected);
