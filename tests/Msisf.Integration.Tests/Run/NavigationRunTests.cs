@@ -200,7 +200,7 @@ public sealed class NavigationRunTests : IDisposable
 
     [Theory]
     [InlineData("--flow next", "--flow next leads to another image of the run, but that has one only.")]
-    [InlineData("--flow FILE:none.xml", "none.xml: there is no such file. Give next, previous, a meta file or a state")]
+    [InlineData("--flow FILE:none.xml", "none.xml: there is no such file. Give next, previous, pair, a meta file or a state")]
     [InlineData("--flow FILE:bad.csv", "bad.csv: no meta file, or it does not say what made it.")]
     [InlineData("--flow {1,2}", "--flow: 2 numbers, 8 expected")]
     [InlineData("--flow-format npy", "--flow-format is given, but no --flow that it is for.")]
