@@ -64,6 +64,22 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         Assert.DoesNotContain("--transfer", await viewer.CopiedAsync("copy-command"), StringComparison.Ordinal);
     }
 
+    /// <summary>An OEM that rises by 1 km/s for 100 s is a frame a second.</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Trajectory_ToItsEnd_ShowsItsStates()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.ShowAllAsync();
+
+        await viewer.MoveAsync(() => viewer.Page.SelectOptionAsync("#folder", "orbit.oem"));
+        Assert.Contains("1 of 101, 2024-01-19 12:00:00 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
+        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
+        await viewer.MoveAsync(() => viewer.Page.Locator("#frame-slider").FillAsync("100"));
+
+        Assert.Contains("101 of 101, 2024-01-19 12:01:40 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
+        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3);
+    }
+
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task OwnBatchFile_PlayedToItsEnd_ShowsEachState()
     {

@@ -5,8 +5,8 @@ using Xunit;
 namespace Msisf.Viewer.Tests;
 
 /// <summary>
-/// <c>msis view --no-browser</c> as a user starts it, in a process of its own, with a finished folder of two frames, a batch file and a
-/// catalogue of craters. Started when the first test asks for its address.
+/// <c>msis view --no-browser</c> as a user starts it, in a process of its own, with a finished folder of two frames, a batch file, a
+/// trajectory and a catalogue of craters. Started when the first test asks for its address.
 /// </summary>
 public sealed class ViewerServer : IDisposable
 {
@@ -50,6 +50,11 @@ public sealed class ViewerServer : IDisposable
     {
         string batch = Path.Combine(Folder, "approach.tab");
         File.WriteAllText(batch, $"{FirstState}\n55289.25 2000000 0 0 0 0 0 1\n");
+        string oem = Path.Combine(Folder, "orbit.oem");
+        File.WriteAllText(
+            oem,
+            "CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\n"
+                + "META_STOP\n2024-01-19T12:00:00 2000 0 0 1 0 0\n2024-01-19T12:01:40 2100 0 0 1 0 0\n");
         string craters = Path.Combine(Folder, "craters.csv");
         File.WriteAllText(craters, "Feature Name,Diameter,Center Latitude,Center Longitude\nPtolemaeus,153.67,-9.16,358.16\n");
         CommandLineRun run = CommandLineRun.Of([.. OptionsOfRun, "--batch-file", batch, "--output-dir", Run, "--batch"]);
@@ -57,7 +62,7 @@ public sealed class ViewerServer : IDisposable
 
         StringBuilder output = new();
         string[] arguments =
-            [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", batch, "--catalogues", craters];
+            [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues", craters];
         RunningProgram program = RunningProgram.Start(
             TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"), arguments, Folder,
             onOutput: text =>

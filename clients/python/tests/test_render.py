@@ -255,3 +255,20 @@ def test_trajectory_places_the_camera_between_its_states(moon):
 def test_wrong_trajectory_is_refused(moon, arguments, words):
     with pytest.raises(msisf.MsisfError, match=words):
         moon.render(**{"time": 60328.5, "nadir": True, "camera": SMALL, **arguments})
+
+
+def test_trajectory_of_an_oem_is_that_of_its_states(tmp_path):
+    states = circle(range(12))
+    with open(tmp_path / "orbit.oem", "w") as out:
+        out.write("CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = MOON_ME\n"
+                  "TIME_SYSTEM = UTC\nMETA_STOP\n")  # fmt: skip
+        for minute, row in enumerate(states):
+            out.write(f"2024-01-19T12:{minute:02d}:00 {' '.join(f'{number / 1000.0:.12f}' for number in row[1:])}\n")
+
+    with msisf.Moon(model="LDEM_4", serve=["--folders", str(tmp_path / "orbit.oem")], camera=SMALL) as moon:
+        by_name = moon.render(states="orbit.oem", time="2024-01-19T12:03:37Z", look_at=(0.0, 11.0))
+        by_list = moon.render(states=states, time="2024-01-19T12:03:37Z", look_at=(0.0, 11.0))
+
+    np.testing.assert_allclose(by_name.position, by_list.position, atol=2e-3)
+    np.testing.assert_array_equal(by_name.image, by_list.image)
+    assert by_name.image.max() > 50
