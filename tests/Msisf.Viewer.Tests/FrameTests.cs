@@ -76,7 +76,8 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
         await viewer.MoveAsync(() => viewer.Page.Locator("#frame-slider").FillAsync("100"));
 
-        Assert.Contains("101 of 101, 2024-01-19 12:01:40 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
+        Assert.Contains(
+            "101 of 101, 2024-01-19 12:01:40 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
         Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3);
     }
 

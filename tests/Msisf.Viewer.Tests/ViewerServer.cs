@@ -62,7 +62,10 @@ public sealed class ViewerServer : IDisposable
 
         StringBuilder output = new();
         string[] arguments =
-            [Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues", craters];
+        [
+            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues",
+            craters,
+        ];
         RunningProgram program = RunningProgram.Start(
             TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"), arguments, Folder,
             onOutput: text =>
