@@ -11,6 +11,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
     private const string Orbit = "--kepler-set {1.9E6,0.01,0,0,1,0} --epoch 55289 --time 55289.01";
     private const string OrbitOfTimes = "--kepler-set {1.9E6,0.01,0,0,1,0} --epoch 55289";
     private const string Place = "--position 10,20,160000 --time 55289";
+    private const string Lines = "--camera FILE:line.yaml --motion {0,9E5,0,0,0,0} --lines 16";
+    private const string Samples = "--trajectory FILE:a.path --time 55289.00005";
     private const string Far = "--fixed-state {55289,3E6,0,0,0,0,0,1} --fov 20";
 
     private const string Message = "--oem FILE:near/states.oem --aem FILE:near/states.aem --time 55289.01";
@@ -75,6 +77,14 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--width", "", "--width 33" },
         { "--height", "", "--height 33" },
         { "--camera", "--camera FILE:a.yaml", "--camera FILE:b.yaml" },
+        { "--lines", Lines, "--lines 17" },
+        { "--framelets", "--camera FILE:strip.yaml --motion {0,9E5,0,0,0,0} --framelets 2", "--framelets 3" },
+        { "--scan-period", Lines, "--scan-period 0.2" },
+        { "--jitter", "--jitter FILE:a.jitter", "--jitter FILE:b.jitter" },
+        { "--jitter", $"{Lines} --jitter FILE:a.jitter", "--jitter FILE:b.jitter" },
+        { "--trajectory", Samples, "--trajectory FILE:b.path" },
+        { "--trajectory-positions", Samples, "--trajectory-positions linear" },
+        { "--trajectory-attitudes", Samples, "--trajectory-attitudes squad" },
         { "--ignore-sun", "", "--ignore-sun" },
         { "--sun-position", "", "--sun-position {1.4E11,3E10,0}" },
         { "--aberration", "", "--aberration lt" },

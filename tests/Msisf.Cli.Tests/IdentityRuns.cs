@@ -27,7 +27,7 @@ public sealed class IdentityRuns : IDisposable
 
     /// <summary>The ways to say where the camera is: another one takes the place of the common one.</summary>
     private static readonly string[] Ways =
-        ["--batch-file", "--kepler-set", "--state-vectors", "--position", "--oem", "--spacecraft"];
+        ["--batch-file", "--kepler-set", "--state-vectors", "--position", "--oem", "--spacecraft", "--trajectory"];
 
     /// <summary>Of the common options, what a camera file says itself.</summary>
     private static readonly string[] OfCamera = ["--width", "--height", "--fov"];
@@ -45,6 +45,12 @@ public sealed class IdentityRuns : IDisposable
         _folder.Write("b.yaml", "focal-length-px: 61\nwidth: 32\nheight: 32\n");
         _folder.Write("detector.yaml", Detector);
         _folder.Write("shutter.yaml", $"{Detector}  shutter: global\n");
+        _folder.Write("line.yaml", "focal-length-px: 60\nwidth: 32\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.1\n");
+        _folder.Write("strip.yaml", "focal-length-px: 60\nwidth: 32\nheight: 8\nscan:\n  kind: push-frame\n  period: 0.1\n");
+        _folder.Write("a.jitter", "pitch 3 9000 1\n");
+        _folder.Write("b.jitter", "pitch 3 9001 1\n");
+        _folder.Write("a.path", "55289 1.9E6 0 0 0 0 0 1\n55289.0001 1.9E6 9E3 0 0 0 0.28 0.96\n55289.0003 1.9E6 3E4 0 0 0 0 1\n");
+        _folder.Write("b.path", "55289 1.9E6 0 0 0 0 0 1\n55289.0001 1.9E6 9E3 1E3 0 0 0.28 0.96\n55289.0003 1.9E6 3E4 0 0 0 0 1\n");
         _folder.Write("config.yaml", "exposure: 2\n");
         string[] kernels = ["de421.bsp", "moon_pa_de421_1900-2050.bpc", "moon_assoc_me.tf", "moon_080317.tf", "naif0012.tls"];
         _folder.Write("other.tm", string.Concat(

@@ -47,6 +47,27 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("ldem pyramid missing.lbl", 2, "missing.lbl: there is no such file or folder.")]
     [InlineData("ldem pyramid --res 1025", 1, "--res is '1025'")]
 
+    // Cameras that scan.
+    [InlineData($"{Fixed} --lines 4", 1, "--lines needs a camera that scans: one whose file has the section 'scan'.")]
+    [InlineData(
+        $"{Fixed} --renderer native --camera lroc-nac-l --lines 4", 1,
+        "nothing says how the camera moves while it scans. Give --traj")]
+    [InlineData($"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --lines 0", 1, "--lines is '0'; a whole number from 1")]
+    [InlineData(
+        $"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --framelets 4", 1,
+        "no meaning for --camera lroc-nac-l. Give --lines")]
+    [InlineData($"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --scan-period 1", 1, "--scan-period needs --lines: how many.")]
+    [InlineData(
+        $"{Orbit} --time 55289 --renderer native --camera lroc-wac-643 --lines 4", 1,
+        "for --camera lroc-wac-643. Give --framelets")]
+    [InlineData($"{Orbit} --time 55289 --jitter missing.txt", 2, "--jitter missing.txt: there is no such file.")]
+    [InlineData("--trajectory missing.txt", 2, "--trajectory missing.txt: there is no such file.")]
+    [InlineData("--trajectory a --epoch 55289 --attitude {0,0,0,1}", 1, "--attitude is not allowed with --trajectory, whose file says how")]
+    [InlineData("--trajectory -", 1, "--trajectory can't be read from standard input. Save the states to a file.")]
+    [InlineData(
+        $"{Fixed} --trajectory-attitudes squad", 1,
+        "--trajectory-attitudes is not allowed with --fixed-state, but with --trajectory only")]
+
     // Table 6.1: which argument goes with which mode.
     [InlineData($"{Fixed} {Kepler}", 1, "exclude each other")]
     [InlineData($"{Fixed} --batch-file a.tab", 1, "exclude each other")]

@@ -24,6 +24,9 @@ public sealed record CameraFile(
 
     /// <summary>px: height that the file does not say, but the user; null if the file says it.</summary>
     public int? AddedHeight { get; init; }
+
+    /// <summary>How the camera scans; null for one whose images are frames.</summary>
+    public CameraFileScan? Scan { get; init; }
 }
 
 /// <summary>What the section "detector" of a camera file says.</summary>

@@ -21,7 +21,7 @@ public static class CameraFileReader
     private static readonly string[] Keys =
     [
         "description", "width", "height", "focal-length", "pixel-pitch", "focal-length-px", "field-of-view", "principal-point",
-        "pixel-convention", "skew", "distortion", "detector",
+        "pixel-convention", "skew", "distortion", "detector", "scan",
     ];
 
     /// <summary>Coordinates of the middle of the first pixel, by convention.</summary>
@@ -90,6 +90,7 @@ public static class CameraFileReader
         {
             AddedWidth = ownWidth is null ? width : null,
             AddedHeight = ownHeight is null ? height : null,
+            Scan = ScanSection.Read(file, height, detector is not null),
         };
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;

@@ -64,6 +64,7 @@ public static class FitsLayerWriter
                 }
             },
             cancellation);
+        WriteRowStates(stream, frame);
 
         string Describe(Layer layer) => frame.Globe.Describe(layer.DescriptionOn(provenance.MeshResolution));
     }
@@ -97,6 +98,32 @@ public static class FitsLayerWriter
 
         using FitsUnit compressed = image.Compressed(TileRows, Lengths(layer, sampler.Width, sampler.Height));
         compressed.CopyTo(stream);
+    }
+
+    /// <summary>Writes the states of the rows of a scanned image; nothing for a frame.</summary>
+    private static void WriteRowStates(Stream stream, FrameMetadata frame)
+    {
+        if (RowStates.Of(frame) is not { Length: > 0 } numbers)
+        {
+            return;
+        }
+
+        using FitsUnit image = FitsUnit.Image(BitsPerPixel(LayerType.Real64), RowStates.Names.Count, frame.Camera.Height);
+        image.Put("EXTNAME", "ROWSTATES", "time and state of each row");
+        for (int column = 0; column < RowStates.Names.Count; column++)
+        {
+            image.Put(string.Create(CultureInfo.InvariantCulture, $"COLUMN{column + 1}"), RowStates.Names[column], "what NAXIS1 counts");
+        }
+
+        foreach (string line in FitsText.Wrap(frame.Globe.Describe(
+            "A row for each row of the image, the top one first: s after DATE-OBS, position (m, MOON_ME), the quaternion that turns camera "
+                + "axes into MOON_ME, position of the light (m).")))
+        {
+            image.PutComment(line);
+        }
+
+        image.Write(0, numbers);
+        image.CopyTo(stream);
     }
 
     private static FitsUnit NewImage(StoredLayer layer, int width, int height) =>

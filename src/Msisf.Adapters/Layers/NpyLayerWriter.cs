@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Msisf.Adapters.IO;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -84,7 +85,28 @@ public static class NpyLayerWriter
                 });
             },
             cancellation);
+        if (RowStates.Of(frame) is { Length: > 0 } rows)
+        {
+            WriteRowStates(put, rows, sampler.Height, hasHeads);
+        }
+
         put("layers.json", null, stream => LayersJson.Write(stream, frame, provenance, layers));
+    }
+
+    /// <summary>Writes the states of the rows of a scanned image.</summary>
+    private static void WriteRowStates(Action<string, long?, Action<Stream>> put, double[] rows, int height, bool hasHeads)
+    {
+        using MemoryStream head = new();
+        if (hasHeads)
+        {
+            NpyFile.WriteHead(head, LayerType.Real64, height, RowStates.Names.Count);
+        }
+
+        put($"rowstates.{(hasHeads ? "npy" : "raw")}", head.Length + (sizeof(double) * (long)rows.Length), stream =>
+        {
+            stream.Write(head.ToArray());
+            stream.Write(MemoryMarshal.AsBytes<double>(rows));
+        });
     }
 
     private static byte[] HeadOf(LayerSampler sampler, StoredLayer layer)

@@ -28,7 +28,7 @@ public static class MetadataXmlWriter
         Stream stream, FrameMetadata frame, PixelSampler pixels, LongEDigits digits = LongEDigits.Thesis,
         CancellationToken cancellation = default)
     {
-        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels.Surface, digits)));
+        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels, digits)));
         WritePixels(stream, pixels, digits, cancellation);
         stream.Write("  </PixelInformation>\n"u8);
         if (frame.Navigation is { } navigation)
@@ -56,12 +56,12 @@ public static class MetadataXmlWriter
         }
     }
 
-    private static string GeneralInformation(FrameMetadata frame, PixelSurface surface, LongEDigits digits)
+    private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
     {
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
             <!DOCTYPE MSISRendering [
-            {(frame.Navigation is null ? MetaFileGrammar.Text : MetaFileGrammar.TextWithNavigation)}
+            {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null)}
             ]>
             <MSISRendering>
               <GeneralInformation>
@@ -82,10 +82,10 @@ public static class MetadataXmlWriter
                 <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
                 <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
                 <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
-                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(surface, frame)}
+                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(pixels.Surface, frame)}
                 <FormatVersion>{FormatVersion}</FormatVersion>
                 <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain, digits)}</HeightOverTerrain>
-            {OriginXml.Lines(frame, digits)}
+            {OriginXml.Lines(frame, digits)}{ScanXml.Lines(frame, pixels.Grid, digits)}
               </GeneralInformation>
               <PixelInformation>
 

@@ -43,6 +43,7 @@ internal static class OriginXml
         InputKind.AlbedoMap => "albedo-map",
         InputKind.HapkeMap => "hapke-map",
         InputKind.Camera => "camera",
+        InputKind.Jitter => "jitter",
         InputKind.CraterCatalogue => "crater-catalogue",
         InputKind.Landmarks => "landmarks",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),

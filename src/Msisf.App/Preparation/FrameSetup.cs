@@ -33,11 +33,13 @@ internal static class FrameSetup
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
-            ICamera camera = model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
+            ICamera camera = CameraOf(state);
             frames.Add(new Frame(
                 step, names[step - 1], state.Time, camera, LightOf(FlowState.Of(state)), state.Motion, state.Noise)
             {
                 ExposureFactor = state.ExposureFactor,
+                Path = state.Path,
+                Scan = settings.Scan,
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
                         model.At(new CameraState(flow.PositionMoonMe, flow.MoonFromCamera)), LightOf(flow))
@@ -46,6 +48,14 @@ internal static class FrameSetup
         }
 
         return [.. frames];
+
+        ICamera CameraOf(SpacecraftState state) => settings.Scan is { } scan
+            ? scan.CameraOf(model, [.. state.Path!.States.Select(exposure => exposure with
+            {
+                SunPositionMoonMe = settings.IgnoreSun ? null
+                    : state.SunPositionMoonMe ?? sun().SunPositionMoonMe(state.Time.After(exposure.Seconds), settings.Aberration),
+            })])
+            : model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
 
         SceneLight LightOf(FlowState at) => settings.IgnoreSun
             ? new SceneLight(at.PositionMoonMe, IsSun: false)
@@ -88,6 +98,12 @@ internal sealed record Frame(
 
     /// <summary>The frame to which its flow leads; null without a flow.</summary>
     public FlowTarget? Flow { get; init; }
+
+    /// <summary>How the camera moves in all the time of the image; null where it does not scan and has no jitter.</summary>
+    public ScanPath? Path { get; init; }
+
+    /// <summary>How the image is scanned; null for a frame.</summary>
+    public Scan? Scan { get; init; }
 
     /// <summary>The camera for POV-Ray.</summary>
     /// <exception cref="BadInputException">Its rows have several states.</exception>

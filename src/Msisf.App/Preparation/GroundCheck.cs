@@ -33,7 +33,7 @@ internal static class GroundCheck
         {
             cancellation.ThrowIfCancellationRequested();
             Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = Depth(position);
+            double depth = frame.Camera.Bands.Max(band => Depth(band.Camera.PositionMoonMe));
             if (frame.Motion is { IsRest: false } motion)
             {
                 // At the ends of the way, and where it is nearest to the Moon's centre.

@@ -35,6 +35,9 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
             Body = settings.Body,
             Kernels = ephemeris.Kernels,
             CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
+            Scan = settings.Scan,
+            Jitter = settings.Jitter,
+            ExposureReach = settings.ExposureReach,
             HasDetector = settings.Native.Detector is not null,
         };
         IReadOnlyList<SpacecraftState> states = host.Times.Measure(

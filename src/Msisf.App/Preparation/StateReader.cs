@@ -6,6 +6,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -44,6 +45,15 @@ internal sealed class StateReader
     /// <summary>Whether a detector needs to know its noise.</summary>
     public bool HasDetector { get; init; }
 
+    /// <summary>How images are scanned; null for frames.</summary>
+    public Scan? Scan { get; init; }
+
+    /// <summary>Small turns of the camera; null for none.</summary>
+    public JitterFile? Jitter { get; init; }
+
+    /// <summary>s: how long before and after the middle of an exposure the state must be known.</summary>
+    public double ExposureReach { get; init; }
+
     /// <summary>Reads or computes all states.</summary>
     /// <param name="trajectory">The source of the states.</param>
     /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
@@ -62,6 +72,7 @@ internal sealed class StateReader
             PlaceSettings place => AtPlace(place, cancellation),
             OrbitSettings orbit => OnOrbit(orbit, cancellation),
             MissionSettings mission => OnMission(mission, cancellation),
+            SampledSettings sampled => BetweenSamples(sampled, cancellation),
             _ => throw new ArgumentException($"no states are known of {trajectory.GetType().Name}", nameof(trajectory)),
         };
         if (trajectory is BatchFileSettings)
@@ -73,7 +84,8 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateNoise.Of(Moving(Exposed(WithSun(states, trajectory), trajectory), trajectory), trajectory, HasDetector)
+            ? StateNoise.Of(
+                Moving(Exposed(WithSun(Scanning(states, trajectory), trajectory), trajectory), trajectory), trajectory, HasDetector)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -111,8 +123,14 @@ internal sealed class StateReader
 
     private bool NeedsMotion => FindsMotions || CameraWithShutter is not null;
 
+    private bool NeedsPath => Scan is not null || Jitter is not null;
+
+    private IReadOnlyList<SpacecraftState> Scanning(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
+        NeedsPath ? ScanStates.Of(states, trajectory.Motion, Scan, Jitter, ExposureReach) : states;
+
     private IReadOnlyList<SpacecraftState> Moving(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
-        !FindsMotions ? StateMotions.Of(states, trajectory, CameraWithShutter)
+        Scan is not null ? [.. states.Select(state => state with { Motion = null })]
+        : !FindsMotions ? StateMotions.Of(states, trajectory, CameraWithShutter)
         : trajectory.Motion is { } motion ? [.. states.Select(state => state with { Motion = motion })]
         : states;
 
@@ -191,9 +209,18 @@ internal sealed class StateReader
         return [.. settings.Times.Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            SpacecraftState state = StateAt(time);
-            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
+            SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time, seconds)) : null };
+            return NeedsMotion && Scan is null ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
         })];
+
+        CameraState CameraAt(ModifiedJulianDate start, double seconds)
+        {
+            ModifiedJulianDate time = start.After(seconds);
+            Vector3D position = orbit.PositionMoonMe(start, seconds);
+            return new CameraState(
+                position,
+                attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
+        }
 
         SpacecraftState StateAt(ModifiedJulianDate time)
         {
@@ -201,6 +228,16 @@ internal sealed class StateReader
             return new SpacecraftState(
                 time, position, attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
         }
+    }
+
+    private SpacecraftState[] BetweenSamples(SampledSettings settings, CancellationToken cancellation)
+    {
+        IReadOnlyList<SpacecraftState> samples = BatchFile(settings.Samples, cancellation);
+        SampledMotion motion = ScanStates.MotionOf(samples, settings);
+        return [.. (settings.Times ?? [motion.Start]).Select(time => ScanStates.Between(motion, time, settings.Samples.Path) with
+        {
+            Motion = NeedsMotion && Scan is null ? ScanStates.MotionAbout(motion, time) : null,
+        })];
     }
 
     private SpacecraftState[] OnMission(MissionSettings settings, CancellationToken cancellation)
@@ -217,10 +254,14 @@ internal sealed class StateReader
         return [.. mission.Times(settings).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            SpacecraftState state = mission.Path.At(time);
+            double start = mission.Scale.FromUtc(time);
+            SpacecraftState state = mission.Path.At(time) with
+            {
+                Path = NeedsPath ? new ScanPath(seconds => mission.Path.At(start + seconds)) : null,
+            };
             bool isMoving = CameraWithShutter is not null || mission.Path.Cover.Intervals.Any(interval => interval.End > interval.Start);
-            return NeedsMotion && isMoving
-                ? state with { Motion = StateMotions.About(mission.Scale.FromUtc(time), mission.Path) }
+            return NeedsMotion && isMoving && Scan is null
+                ? state with { Motion = StateMotions.About(start, mission.Path) }
                 : state;
         })];
     }

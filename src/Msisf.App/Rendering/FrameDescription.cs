@@ -41,6 +41,7 @@ internal sealed class FrameDescription(
     {
         Globe = new DrawnGlobe(settings.Body, model.Grid.ReferenceRadius),
         Orientation = Orientation,
+        Scan = frame.Scan,
     };
 
     /// <summary>The pixels that the meta file lists.</summary>

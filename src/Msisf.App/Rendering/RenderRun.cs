@@ -54,7 +54,10 @@ internal sealed class RenderRun
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
         NavigationInputs? navigation = _times.Measure(
             Phase.Navigation, () => NavigationInputs.Open(_settings.Native.Navigation, run.Model.Grid.ReferenceRadius));
-        IReadOnlyList<InputFile> files = [.. maps.Files, .. navigation?.Files ?? []];
+        IReadOnlyList<InputFile> files =
+        [
+            .. maps.Files, .. navigation?.Files ?? [], .. _settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
+        ];
         inputs.Begin(run.Model.Sets, files);
         RequireParts();
         _settings = ExposureSearch.Resolve(_settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);

@@ -64,6 +64,7 @@ internal sealed class RunPlan
         .. MemoryMarshal.AsBytes<double>(state.ToNumbers()),
         .. state.Flow is { } flow ? MemoryMarshal.AsBytes<double>(flow.ToNumbers()) : [],
         .. state.ExposureFactor is { } factor ? MemoryMarshal.AsBytes<double>([factor]) : [],
+        .. state.Path is { States.Count: > 1 } path ? Encoding.ASCII.GetBytes(path.Digest()) : [],
         .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],
     ];
 

@@ -118,13 +118,14 @@ internal static class CameraOptions
     public static OptionGroup Group { get; } = new(
         "Where the camera is",
         [
-            FixedState, BatchFile, KeplerSet, StateVectors, PointingOptions.Position, .. MissionOptions.All,
+            FixedState, BatchFile, KeplerSet, StateVectors, PointingOptions.Position, .. ScanOptions.OfTrajectory, .. MissionOptions.All,
             Epoch, Time, Times, TimeInterval, Attitude, AttitudeTransition, AttitudeFrame, OrbitFrame, .. PointingOptions.OfPosition,
             .. BatchOptions.All, Normalize, Motion,
         ])
     {
         Note =
-            "Exactly one of the first five, or --spacecraft. An orbit (-k, -s) needs --epoch; it and --position need one of --time, "
+            "Exactly one of the first five, --trajectory, or --spacecraft. An orbit (-k, -s) needs --epoch; it and --position need one "
+                + "of --time, "
                 + "--times and --time-interval. A time is an MJD (UTC) or ISO 8601 with its zone, e.g. 2024-01-19T12:00:00Z. "
                 + "Values in braces are quoted. docs/camera-model.md draws the axes.",
     };

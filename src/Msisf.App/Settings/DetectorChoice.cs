@@ -17,7 +17,8 @@ internal static class DetectorChoice
     /// <exception cref="UsageException">An option contradicts it.</exception>
     public static CameraFileDetector? Of(CameraFile? camera, OptionValues values)
     {
-        if (values.IsGiven(CameraOptions.Motion) && camera?.Detector?.Settings.Shutter is null)
+        if (values.IsGiven(CameraOptions.Motion) && camera?.Detector?.Settings.Shutter is null
+            && camera?.Scan is null)
         {
             throw new UsageException(
                 $"{CameraOptions.Motion.Name} has no meaning without a camera file whose section 'detector' has a 'shutter' "

@@ -25,6 +25,15 @@ internal sealed record RenderSettings
 
     public required int Height { get; init; }
 
+    /// <summary>How an image is scanned; null for a frame.</summary>
+    public Scan? Scan { get; init; }
+
+    /// <summary>s: the time between exposures as the user gives it; null for that of the camera file.</summary>
+    public double? GivenScanPeriod { get; init; }
+
+    /// <summary>Small turns of the camera; null for none.</summary>
+    public JitterFile? Jitter { get; init; }
+
     /// <summary>The geometry of the camera file, or of the thesis's camera.</summary>
     public CameraModel CameraModel => Camera?.Model
         ?? CameraModel.FromFieldOfView(FieldOfViewDegrees * Math.PI / 180.0, Width, Height);
@@ -51,7 +60,10 @@ internal sealed record RenderSettings
 
     /// <summary>s: how long the shutter is open for any row; 0 without a shutter, or before that is found.</summary>
     public double ShutterSpan =>
-        Native.FindsExposureTime ? 0.0 : Shutter?.Span(Native.Detector!.Settings.ExposureTime, Height) ?? 0.0;
+        Native.FindsExposureTime ? 0.0 : Shutter?.Span(Native.Detector!.Settings.ExposureTime, CameraModel.Height) ?? 0.0;
+
+    /// <summary>s: how long before and after the middle of an exposure the state must be known.</summary>
+    public double ExposureReach => (0.5 * ShutterSpan) + (Scan is { } scan ? 0.5 * (scan.Stages - 1) * scan.Period : 0.0);
 
     public required AlbedoSettings Albedo { get; init; }
 

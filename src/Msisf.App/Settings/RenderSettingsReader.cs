@@ -2,6 +2,7 @@ using Msisf.Adapters.Camera;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
@@ -30,13 +31,24 @@ internal static class RenderSettingsReader
         RendererOptions.Check(values);
         AlbedoSettings albedo = AlbedoOptions.Read(values);
         CameraFile? camera = CameraChoice.Read(values, openCamera);
+        Scan? scan = ScanOptions.Read(camera, values);
+        if (scan is not null && renderer == RendererKind.PovRay)
+        {
+            throw new UsageException(
+                "the rows of a camera that scans have times and places of their own, which POV-Ray can't draw. Add --renderer native.")
+                .About(ImageOptions.Camera, RendererOptions.Renderer);
+        }
+
         GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
         {
             Camera = camera,
             FieldOfViewDegrees = camera?.FieldOfViewDegrees ?? ImageOptions.FieldOfView.Read(values),
             Width = camera?.Model.Width ?? ImageOptions.Width.Read(values),
-            Height = camera?.Model.Height ?? ImageOptions.Height.Read(values),
+            Height = scan?.HeightOf(camera!.Model) ?? camera?.Model.Height ?? ImageOptions.Height.Read(values),
+            Scan = scan,
+            GivenScanPeriod = ScanOptions.Period.ReadIfGiven(values),
+            Jitter = ScanOptions.ReadJitter(values),
             GridHorizontal = OutputOptions.GridHorizontal.ReadIfGiven(values) ?? grid,
             GridVertical = OutputOptions.GridVertical.ReadIfGiven(values) ?? grid,
             Surface = surface,

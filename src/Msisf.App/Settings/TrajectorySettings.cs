@@ -42,6 +42,18 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
     public BatchConventions Conventions { get; init; } = new();
 }
 
+/// <summary>Images along a motion that states are samples of.</summary>
+/// <param name="Samples">The file of the states.</param>
+/// <param name="Times">Times of the images, UTC; null for one at the first sample.</param>
+internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<ModifiedJulianDate>? Times) : TrajectorySettings
+{
+    /// <summary>How positions are found; null for Hermite where all samples have velocities, else Lagrange.</summary>
+    public InterpolationMethod? Positions { get; init; }
+
+    /// <summary>Whether the rate of turning does not jump at the samples.</summary>
+    public bool IsSmooth { get; init; }
+}
+
 /// <summary>Images along an orbit.</summary>
 /// <param name="Elements">Orbital elements at the epoch.</param>
 /// <param name="Epoch">Epoch of the elements, UTC.</param>

@@ -33,7 +33,8 @@ internal sealed class TrajectorySettingsReader
     /// <summary>The options for the position of the camera, of which exactly one must be given.</summary>
     private OptionSpec[] Ways =>
         [
-            CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile, PointingOptions.Position,
+            CameraOptions.KeplerSet, CameraOptions.StateVectors, CameraOptions.FixedState, _batchFile, ScanOptions.Trajectory,
+            PointingOptions.Position,
             .. MissionOptions.Ways,
         ];
 
@@ -86,6 +87,12 @@ internal sealed class TrajectorySettingsReader
             return null;
         }
 
+        if (way == ScanOptions.Trajectory)
+        {
+            return Sampled();
+        }
+
+        Refuse(ScanOptions.OfTrajectory, $"is not allowed with {way.Name}, but with {ScanOptions.Trajectory.Name} only. Remove it.");
         if (way != _batchFile)
         {
             Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
@@ -139,6 +146,33 @@ internal sealed class TrajectorySettingsReader
         return isBatch
             ? new BatchFileSettings(_batchFile.Read(_values), _batchFile) { Motion = motion, Conventions = BatchOptions.Read(_values) }
             : new FixedStateSettings(FixedState()) { Motion = motion };
+    }
+
+    private SampledSettings Sampled()
+    {
+        Refuse(
+            [
+                .. OrbitOptions.Except([CameraOptions.Epoch]), .. MissionOptions.All, .. PointingOptions.OfPosition, CameraOptions.Motion,
+            ],
+            $"is not allowed with {ScanOptions.Trajectory.Name}, whose file says how the camera moves. Remove it.");
+        bool hasTimes = TimeOptions.Any(_values.IsGiven);
+        if (hasTimes)
+        {
+            RequireTimes(ScanOptions.Trajectory);
+        }
+
+        BatchFileSettings samples = new(ScanOptions.Trajectory.Read(_values), ScanOptions.Trajectory)
+        {
+            Conventions = BatchOptions.Read(_values),
+        };
+        return samples.IsStandardInput
+            ? throw new UsageException($"{ScanOptions.Trajectory.Name} can't be read from standard input. Save the states to a file.")
+                .About(ScanOptions.Trajectory)
+            : new SampledSettings(samples, hasTimes ? Times() : null)
+            {
+                Positions = ScanOptions.Positions.ReadIfGiven(_values),
+                IsSmooth = ScanOptions.Attitudes.Read(_values),
+            };
     }
 
     private SpacecraftState FixedState()

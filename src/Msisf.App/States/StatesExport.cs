@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.States;
@@ -32,13 +33,15 @@ internal static class StatesExport
         {
             Body = settings.Body,
             Kernels = ephemeris.Kernels,
-            FindsMotions = true,
+            FindsMotions = settings.Scan is null && settings.Jitter is null,
+            Scan = settings.Scan,
+            Jitter = settings.Jitter,
         };
         IReadOnlyList<SpacecraftState> all = reader.Read(trajectory, cancellation);
         IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. all.Select(state => state.Time)]);
         int[] steps = [.. settings.StepsOf(all.Count).Select(step => step - 1)];
-        SpacecraftState[] states = [.. steps.Select(step => all[step])];
-        string[] chosen = [.. steps.Select(step => names[step])];
+        SpacecraftState[] states = [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))];
+        string[] chosen = [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];
         string head = $"states of msis {host.Version}";
         if (path is null)
         {
@@ -68,6 +71,11 @@ internal static class StatesExport
             host.Results.WriteLine(file);
         }
     }
+
+    /// <summary>A name for each exposure: that of the image, with its number where there are several.</summary>
+    private static IEnumerable<string> NamesOf(SpacecraftState state, string name) => state.Path is { States.Count: > 1 } path
+        ? Enumerable.Range(1, path.States.Count).Select(number => string.Create(CultureInfo.InvariantCulture, $"{name}.{number:00000}"))
+        : [name];
 
     private static void MakeFolders(StatesFormat format, string path)
     {

@@ -38,6 +38,9 @@ public sealed record FrameMetadata(
     /// <summary>Which kernels give the body's frame; null where they are those of the installation.</summary>
     public string? Orientation { get; init; }
 
+    /// <summary>How the image was scanned; null for a frame.</summary>
+    public Scan? Scan { get; init; }
+
     /// <summary>Craters of the frame; null without such truth.</summary>
     public NavigationTruth? Navigation { get; init; }
 

@@ -21,6 +21,9 @@ public enum InputKind
     /// <summary>A camera file.</summary>
     Camera,
 
+    /// <summary>Small turns of the camera.</summary>
+    Jitter,
+
     /// <summary>A catalogue of craters.</summary>
     CraterCatalogue,
 

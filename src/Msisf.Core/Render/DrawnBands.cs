@@ -27,7 +27,7 @@ internal interface IDrawnFrame
     void ReadRow(int y, TruthRow row);
 }
 
-/// <summary>A frame whose bands are drawn one after the other, each as a frame of its own whose rows are copied.</summary>
+/// <summary>A frame whose bands are drawn each as a frame of its own, whose rows are copied.</summary>
 /// <param name="camera">Camera of the frame.</param>
 /// <param name="light">Light of the frame.</param>
 internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
@@ -45,12 +45,12 @@ internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
     /// <param name="drawn">The band, drawn as a frame.</param>
     /// <param name="first">Its first row, from 0.</param>
     /// <param name="hasTruth">Whether the ground truth was kept.</param>
-    public void Take(NativeFrame drawn, int first, bool hasTruth)
+    public void Take(IGroundTruth drawn, int first, bool hasTruth)
     {
         drawn.RadianceFactors.CopyTo(_radianceFactors.AsSpan(first * camera.Width));
         for (int row = 0; hasTruth && row < drawn.Camera.Height; row++)
         {
-            ((IGroundTruth)drawn).ReadRow(row + 1, _truth[first + row] = new TruthRow());
+            drawn.ReadRow(row + 1, _truth[first + row] = new TruthRow());
         }
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
@@ -73,12 +74,17 @@ public sealed class NativeRenderer
         ICamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
         DrawnBands drawn = new(camera, light);
-        foreach ((PixelRows rows, FrameCamera band) in camera.Bands)
-        {
-            using NativeFrame frame = Render(band, light.Of(band.State), options, threads, cancellation);
-            drawn.Take(frame, rows.First, options.KeepGroundTruth);
-        }
-
+        int atOnce = Math.Min(threads, camera.Bands.Count);
+        WorkerTeam.Run(
+            atOnce,
+            camera.Bands.Count,
+            (_, index) =>
+            {
+                (PixelRows rows, FrameCamera band) = camera.Bands[index];
+                using NativeFrame frame = Render(band, light.Of(band.State), options, threads / atOnce, cancellation);
+                drawn.Take(frame, rows.First, options.KeepGroundTruth);
+            },
+            cancellation);
         return new NativeFrame(drawn, static () => { });
     }
 }

@@ -31,6 +31,9 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>How the camera moves about this time; null if that is not known or not wanted.</summary>
     public CameraMotion? Motion { get; init; }
 
+    /// <summary>How the camera moves in all the time of an image that is scanned, or has jitter; null for others.</summary>
+    public ScanPath? Path { get; init; }
+
     /// <summary>The noise of the frame's detector; null for the one that the detector's seed and this state give.</summary>
     public NoiseSeed? Noise { get; init; }
 

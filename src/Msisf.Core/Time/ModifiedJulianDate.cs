@@ -58,6 +58,9 @@ public readonly record struct ModifiedJulianDate
     public double SecondsSince(ModifiedJulianDate epoch) =>
         (86400.0 * ((double)DayNumber - epoch.DayNumber)) + (SecondsOfDay - epoch.SecondsOfDay);
 
+    /// <summary>The time some seconds later, leap seconds left out.</summary>
+    public ModifiedJulianDate After(double seconds) => new(Days + (seconds / 86400.0));
+
     /// <summary>ISO 8601 with as many decimals of a second as the time needs, at most 6: "2010-04-03T00:00:00Z".</summary>
     public string ToIsoUtc()
     {

@@ -1,0 +1,147 @@
+using System.Security.Cryptography;
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of cameras that scan.</summary>
+internal static class ScanOptions
+{
+    /// <summary>Lines: each has a state of its own and is written when it is drawn, so there is no limit of memory.</summary>
+    private const int MaxExposures = 10_000_000;
+
+    /// <summary>Lines of a line-scan camera.</summary>
+    public static WholeNumberSpec Lines { get; } = new(
+        "--lines",
+        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.LineScan } scan ? scan.Count : null).OfRuns(),
+        "N", 1, MaxExposures, "Lines of the image, for a camera file whose section 'scan' is a line-scan: each has its own time and state");
+
+    /// <summary>Framelets of a push-frame camera.</summary>
+    public static WholeNumberSpec Framelets { get; } = new(
+        "--framelets",
+        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.PushFrame } scan ? scan.Count : null).OfRuns(),
+        "N", 1, MaxExposures, "Framelets of the image, for a camera file whose section 'scan' is a push-frame");
+
+    /// <summary>Time between exposures.</summary>
+    public static NumberSpec Period { get; } = new(
+        "--scan-period", DecidesBytes.UnlessDefault(frame => frame.Settings.GivenScanPeriod).OfRuns(), "SECONDS",
+        "Time from line to line, or from framelet to framelet, in place of the camera file's 'period'")
+    {
+        Limits = new NumberRange(0.0, 1e6) { ExcludesMin = true },
+    };
+
+    /// <summary>Jitter.</summary>
+    public static PathSpec Jitter { get; } = new(
+        "--jitter", DecidesBytes.UnlessDefault(frame => frame.Settings.Jitter?.Text).OfRuns(), PathKind.File,
+        "Small turns of the camera while it takes images: seconds, roll, pitch and yaw (microradians) a line, or sines");
+
+    /// <summary>Samples of a motion.</summary>
+    public static PathSpec Trajectory { get; } = new(
+        "--trajectory", DecidesBytes.ByStatesOfRun, PathKind.File,
+        "States as in --batch-file that are samples of one motion; images are taken between them, at --time, or from the first one on");
+
+    /// <summary>How positions between samples are found.</summary>
+    public static ChoiceSpec<InterpolationMethod> Positions { get; } = new(
+        "--trajectory-positions", DecidesBytes.ByStatesOfRun,
+        [("lagrange", InterpolationMethod.Lagrange), ("hermite", InterpolationMethod.Hermite), ("linear", InterpolationMethod.Linear)],
+        "With --trajectory: positions by a polynomial of degree 7 through eight samples, through four and their velocities, or by straight "
+            + "lines")
+    {
+        DefaultNote = "hermite where the file has velocities, else lagrange",
+    };
+
+    /// <summary>How attitudes between samples are found.</summary>
+    public static ChoiceSpec<bool> Attitudes { get; } = new(
+        "--trajectory-attitudes", DecidesBytes.ByStatesOfRun, [("slerp", false), ("squad", true)],
+        "With --trajectory: attitudes by turns at a constant rate from sample to sample, or by squad, whose rate does not jump")
+    {
+        Default = false,
+    };
+
+    /// <summary>The options that say how an image is scanned.</summary>
+    public static OptionSpec[] OfImage { get; } = [Lines, Framelets, Period, Jitter];
+
+    /// <summary>The options of a trajectory.</summary>
+    public static OptionSpec[] OfTrajectory { get; } = [Trajectory, Positions, Attitudes];
+
+    /// <summary>Reads how an image is scanned; null for a frame.</summary>
+    /// <param name="camera">The camera file; null for none.</param>
+    /// <param name="values">The options.</param>
+    /// <exception cref="UsageException">The camera does not scan so.</exception>
+    public static Scan? Read(CameraFile? camera, OptionValues values)
+    {
+        (int? lines, int? framelets, double? period) =
+            (Lines.ReadIfGiven(values), Framelets.ReadIfGiven(values), Period.ReadIfGiven(values));
+        OptionSpec? given = lines is not null ? Lines : framelets is not null ? Framelets : null;
+        if (camera?.Scan is not { } scan)
+        {
+            return (given ?? (period is null ? null : Period)) is { } wrong
+                ? throw new UsageException($"{wrong.Name} needs a camera that scans: one whose file has the section 'scan'. Give it by "
+                    + $"{ImageOptions.Camera.Name}, or leave {wrong.Name} out.").About(wrong, ImageOptions.Camera)
+                : null;
+        }
+
+        OptionSpec? own = scan.Kind switch
+        {
+            ScanKind.LineScan => Lines,
+            ScanKind.PushFrame => Framelets,
+            _ => null,
+        };
+        if (given is not null && given != own)
+        {
+            throw new UsageException($"{given.Name} has no meaning for --camera {camera.Name}"
+                + (own is null ? ", whose rows are its height. Leave it out." : $". Give {own.Name}.")).About(given, ImageOptions.Camera);
+        }
+
+        if (own is not null && given is null)
+        {
+            return period is null
+                ? null
+                : throw new UsageException($"{Period.Name} needs {own.Name}: how many. Add it.").About(Period);
+        }
+
+        return new Scan(
+            scan.Kind,
+            lines ?? framelets ?? camera.Model.Height,
+            period ?? scan.Period ?? throw new UsageException($"--camera {camera.Name} has no 'period' in its section 'scan'. Give "
+                + $"{Period.Name}: the seconds from one {(scan.Kind == ScanKind.LineScan ? "line" : "framelet")} to the "
+                + "next.").About(Period))
+        {
+            Stages = scan.Stages,
+            ChargeMovesDown = scan.ChargeMovesDown,
+            Framelet = scan.Framelet,
+            GrowsUpwards = scan.GrowsUpwards,
+            FlipsFramelets = scan.FlipsFramelets,
+        };
+    }
+
+    /// <summary>Reads the file of jitter; null if none is given.</summary>
+    public static JitterFile? ReadJitter(OptionValues values) => Jitter.ReadIfGiven(values) is not { } path ? null
+        : !File.Exists(path) ? throw new BadInputException($"{Jitter.Name} {path}: there is no such file.")
+        : FileErrors.ToBadInput($"{Jitter.Name} {path}: can't be read", () =>
+        {
+            byte[] bytes = File.ReadAllBytes(path);
+            using StreamReader reader = new(new MemoryStream(bytes));
+            string checksum = Convert.ToHexStringLower(SHA256.HashData(bytes));
+            return new JitterFile(path, checksum, JitterFileReader.Read(reader, path), bytes.Length);
+        });
+}
+
+/// <summary>A file of jitter.</summary>
+/// <param name="Path">Where it is.</param>
+/// <param name="Sha256">Its checksum, hexadecimal.</param>
+/// <param name="Jitter">Its content.</param>
+/// <param name="Bytes">Its length.</param>
+internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, long Bytes)
+{
+    /// <summary>Name and the beginning of the checksum, as the arguments of a frame have it.</summary>
+    public string Text => $"{System.IO.Path.GetFileName(Path)}#{Sha256[..16]}";
+
+    /// <summary>The file as one of those that a frame is made from.</summary>
+    public InputFile ToInput() => new(InputKind.Jitter, System.IO.Path.GetFileName(Path), Bytes, Sha256);
+}

@@ -1,0 +1,74 @@
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Camera;
+
+/// <summary>
+/// How a camera moves about the time of an image: its state at each time, and at the times of its exposures. As safe for several threads as
+/// what it gets the states from.
+/// </summary>
+public sealed class ScanPath
+{
+    private const int DigestDigits = 32;
+
+    private readonly Func<double, CameraState> _stateAt;
+    private readonly Jitter? _jitter;
+    private readonly double _jitterStart;
+
+    /// <summary>Takes a motion without any exposure.</summary>
+    /// <param name="stateAt">The state some seconds after the image's time.</param>
+    public ScanPath(Func<double, CameraState> stateAt)
+        : this(stateAt, null, 0.0, [])
+    {
+    }
+
+    private ScanPath(Func<double, CameraState> stateAt, Jitter? jitter, double jitterStart, CameraState[] states) =>
+        (_stateAt, _jitter, _jitterStart, States) = (stateAt, jitter, jitterStart, states);
+
+    /// <summary>The states of the exposures, the first one's first.</summary>
+    public IReadOnlyList<CameraState> States { get; }
+
+    /// <summary>The same motion with the states of exposures.</summary>
+    /// <param name="scan">The exposures; null for one at the image's time.</param>
+    /// <param name="jitter">Turns the camera; null for none.</param>
+    /// <param name="jitterStart">s: what the jitter's times count at the image's time.</param>
+    public ScanPath Of(Scan? scan, Jitter? jitter, double jitterStart)
+    {
+        ScanPath path = new(_stateAt, jitter, jitterStart, []);
+        return new ScanPath(_stateAt, jitter, jitterStart, scan is null
+            ? [path.At(0.0)]
+            : [.. Enumerable.Range(0, scan.Count).Select(exposure => path.At(scan.SecondsOf(exposure)))]);
+    }
+
+    /// <summary>The state at a time, with the jitter.</summary>
+    /// <param name="seconds">s after the image's time.</param>
+    public CameraState At(double seconds)
+    {
+        CameraState state = _stateAt(seconds) with { Seconds = seconds };
+        return _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
+    }
+
+    /// <summary>The motion about a time: what the camera does on average from one time to another.</summary>
+    /// <param name="from">s after the image's time.</param>
+    /// <param name="to">s, later.</param>
+    public CameraMotion MotionBetween(double from, double to)
+    {
+        (CameraState before, CameraState after) = (At(from), At(to));
+        return CameraMotion.Between(
+            (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), to - from);
+    }
+
+    /// <summary>Tells the states of exposures from others: the first half of their SHA-256, hexadecimal.</summary>
+    public string Digest()
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        foreach ((Vector3D position, UnitQuaternion turn, double seconds, _) in States)
+        {
+            hash.AppendData(MemoryMarshal.AsBytes<double>(
+                [position.X, position.Y, position.Z, turn.X, turn.Y, turn.Z, turn.W, seconds]));
+        }
+
+        return Convert.ToHexStringLower(hash.GetHashAndReset())[..DigestDigits];
+    }
+}

@@ -1,0 +1,136 @@
+using System.Globalization;
+using System.Xml.Linq;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>Scanned images as a user makes them, against still images of each of their rows.</summary>
+public sealed class ScanRunTests : IDisposable
+{
+    private const string Line = "focal-length-px: [90, 95]\nwidth: 40\nheight: 1\nprincipal-point: [15, 1.2]\nskew: 0.5\n"
+        + "distortion:\n  model: opencv\n  k1: -0.2\nscan:\n  kind: line-scan\n  period: 0.6\n";
+
+    private const string Orbit = "--kepler-set {1.86E6,0.02,0.7,1.1,0.9,2.0} --epoch 55289 --time 55289.003 --attitude {0,0.1,0,1} "
+        + "--normalize "
+        + "--attitude-frame lvlh --attitude-transition {0.002,0.005,-0.003}";
+
+    private const string Common = "--renderer native --reflectance lommel-seeliger --ephemeris builtin --grid 8 --batch";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>
+    /// Each row is the image of a camera of one row in the state that msis states writes. Its time is rounded to 0.6 microseconds there, so
+    /// that some levels may differ by one.
+    /// </summary>
+    [Theory]
+    [InlineData("")]
+    [InlineData("pitch 0.4 9000 1\nroll 0.1 9000 0\n")]
+    public void Run_LineScanOnAnOrbit_IsAStillImageOfEachLine(string jitter)
+    {
+        string[] scan =
+        [
+            .. Orbit.Split(' '), "--camera", _folder.Write("line.yaml", Line), "--lines", "24",
+            .. jitter.Length > 0 ? ["--jitter", _folder.Write("jitter.txt", jitter)] : (string[])[],
+        ];
+        Draw("scan", scan);
+        string states = _folder["states.tab"];
+        CommandLineRun run = CommandLineRun.Of(
+            ["states", .. scan, "--renderer", "native", "--to", states, "--ldem", Moon(), "--res", "2", "--ephemeris", "builtin"]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        string stillCamera = Line[..Line.IndexOf("scan", StringComparison.Ordinal)];
+        Draw("still", "--batch-file", states, "--camera", _folder.Write("still.yaml", stillCamera), "--output-name", "{step:00}");
+
+        PngPixels scanned = PngPixels.Read(_folder["scan/MoonSurfIllumSim_step_00001.png"]);
+        int differing = 0;
+        for (int y = 0; y < 24; y++)
+        {
+            PngPixels row = PngPixels.Read(_folder[string.Create(CultureInfo.InvariantCulture, $"still/{y + 1:00}.png")]);
+            for (int x = 0; x < 40; x++)
+            {
+                int difference = Math.Abs(scanned[x, y, 0] - row[x, 0, 0]);
+                Assert.InRange(difference, 0, 1);
+                differing += difference;
+            }
+        }
+
+        Assert.InRange(differing, 0, 3);
+        string[] second = File.ReadAllLines(states).Where(line => !line.StartsWith('#')).ToArray()[7].Split(' ');
+        XElement rowOfMeta = MetaFileXml.Parse(File.ReadAllText(_folder["scan/MoonSurfIllumSim_step_00001.xml"]))
+            .Descendants("Scan").Single().Elements("Row").First();
+        Assert.Equal(["8", "16", "24"], rowOfMeta.Parent!.Elements("Row").Select(element => element.Attribute("v")!.Value));
+        string[] names = ["mjd", "x", "y", "z", "qx", "qy", "qz", "q0"];
+        foreach ((string name, string text) in names.Zip(second))
+        {
+            Assert.Equal(Number(text), Number(rowOfMeta.Attribute(name)!.Value), 1e-9 * Math.Max(1.0, Math.Abs(Number(text))));
+        }
+
+        Assert.Equal(7 * 0.6, Number(rowOfMeta.Attribute("seconds")!.Value), 1e-12);
+    }
+
+    /// <summary>A scan whose states are all the same is the frame of as many equal rows; one along samples is that along the
+    /// orbit.</summary>
+    [Fact]
+    public void Run_SameStates_AreTheSameImage()
+    {
+        string camera = _folder.Write("line.yaml", Line);
+        Draw("orbit", [.. Orbit.Split(' '), "--camera", camera, "--lines", "16"]);
+        string samples = _folder["samples.tab"];
+        CommandLineRun run = CommandLineRun.Of(
+            [
+                "states", .. Orbit.Replace("--time 55289.003", "--time-interval [55289.003:1s:55289.0032]", StringComparison.Ordinal)
+                    .Split(' '),
+                "--to", samples, "--ldem", Moon(), "--res", "2", "--ephemeris", "builtin",
+            ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        Draw("samples", "--trajectory", samples, "--trajectory-positions", "lagrange", "--camera", camera, "--lines", "16");
+        PngPixels expected = PngPixels.Read(_folder["orbit/MoonSurfIllumSim_step_00001.png"]);
+        PngPixels sampled = PngPixels.Read(_folder["samples/MoonSurfIllumSim_step_00001.png"]);
+        int differing = 0;
+        for (int pixel = 0; pixel < 16 * 40; pixel++)
+        {
+            differing += expected[pixel % 40, pixel / 40, 0] == sampled[pixel % 40, pixel / 40, 0] ? 0 : 1;
+        }
+
+        Assert.InRange(differing, 0, 16);
+        CommandLineRun late = CommandLineRun.Of(
+        [
+            "--trajectory", samples, "--camera", camera, "--lines", "60", .. Common.Split(' '), "--ldem", Moon(), "--res", "2",
+            "--output-dir", _folder["late"],
+        ]);
+        Assert.Equal(2, late.ExitCode);
+        Assert.Contains("its states reach from", late.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["late"]));
+
+        CommandLineRun povRay = CommandLineRun.Of(
+        [
+            "--trajectory", samples, "--lines", "4", "--camera",
+            _folder.Write("pinhole.yaml", "field-of-view: 9\nwidth: 9\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.6\n"),
+        ]);
+        Assert.Equal(1, povRay.ExitCode);
+        Assert.Contains("which POV-Ray can't draw. Add --renderer native.", povRay.Error, StringComparison.Ordinal);
+    }
+
+    private void Draw(string folder, params string[] words)
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. words, .. Common.Split(' '), "--ldem", Moon(), "--res", "2", "--output-dir", _folder[folder]]);
+        Assert.True(run.ExitCode == 0, run.Error);
+    }
+
+    private string Moon()
+    {
+        string folder = _folder["moon"];
+        if (!Directory.Exists(folder))
+        {
+            CommandLineRun run = CommandLineRun.Of(["ldem", "synthesize", "--res", "2", "--seed", "1", "--output-dir", folder]);
+            Assert.True(run.ExitCode == 0, run.Error);
+        }
+
+        return folder;
+    }
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+}
