@@ -7,6 +7,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
@@ -50,6 +51,14 @@ internal sealed class RunConversion
                 $"{MissionOptions.Instrument.Name} gives the camera of its instrument kernel, which the pieces of a run do not read. Give "
                     + $"the camera with {ImageOptions.Camera.Name}.")
                 .About(MissionOptions.Instrument, ImageOptions.Camera);
+        }
+
+        if ((settings.Scan is not null || settings.Jitter is not null) && trajectory is not BatchFileSettings)
+        {
+            throw new UsageException(
+                "the pieces of a run read single states, and a camera that scans or has jitter needs all of its motion. Make the run "
+                    + $"without pieces, or give {CameraOptions.BatchFile.Name} with {string.Join(", ", CameraMotion.NumberNames)} in each "
+                    + "line.");
         }
 
         using EphemerisSource ephemeris = new(settings, _host);

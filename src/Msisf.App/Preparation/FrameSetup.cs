@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Adapters.Scene;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
+using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
@@ -40,6 +41,7 @@ internal static class FrameSetup
                 ExposureFactor = state.ExposureFactor,
                 Path = state.Path,
                 Scan = settings.Scan,
+                Model = model,
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
                         model.At(new CameraState(flow.PositionMoonMe, flow.MoonFromCamera)), LightOf(flow))
@@ -104,6 +106,12 @@ internal sealed record Frame(
 
     /// <summary>How the image is scanned; null for a frame.</summary>
     public Scan? Scan { get; init; }
+
+    /// <summary>The camera without its states.</summary>
+    public CameraModel? Model { get; init; }
+
+    /// <summary>The image as it is exposed part by part; null for a frame.</summary>
+    public ScannedShot? Shot => Scan is null ? null : new ScannedShot(Scan, Model!, Path!, Camera, Light, Time, Noise, HalfExposure: 0.0);
 
     /// <summary>The camera for POV-Ray.</summary>
     /// <exception cref="BadInputException">Its rows have several states.</exception>

@@ -15,6 +15,10 @@ internal static class ScanStates
     /// <summary>s: a time of a day is held to 0.6 microseconds, so that a scan up to the last sample may end so much behind it.</summary>
     private const double OfRounding = 2e-6;
 
+    /// <summary>s: as long before and after a time the camera is looked at to know its motion, if its shutter is not open for
+    /// longer.</summary>
+    private const double HalfStep = 0.005;
+
     /// <summary>The states with their exposures, and turned by the jitter.</summary>
     /// <param name="states">The states; those of orbits and files have a path.</param>
     /// <param name="motion">How the camera moves, where the user says it; null for what the states say.</param>
@@ -32,7 +36,13 @@ internal static class ScanStates
             RequireJitter(jitter, start - reach, start + end + reach);
             ScanPath path = PathOf(state, motion, scan).Of(scan, jitter?.Jitter, start);
             _ = (path.At(-reach), path.At(end + reach)); // else the last line would find what is missing
-            return state with { Path = path, MoonFromCamera = path.States[0].MoonFromCamera };
+            bool isMoving = scan is null && (motion ?? state.Motion) is not null;
+            return state with
+            {
+                Path = path,
+                MoonFromCamera = path.States[0].MoonFromCamera,
+                Motion = isMoving ? path.FastestMotion(-Math.Max(reach, HalfStep), Math.Max(reach, HalfStep)) : state.Motion,
+            };
         })];
     }
 
@@ -105,7 +115,6 @@ internal static class ScanStates
     /// <summary>The motion about a time, from states 5 ms before and after it where there are any.</summary>
     public static CameraMotion MotionAbout(SampledMotion motion, ModifiedJulianDate time)
     {
-        const double HalfStep = 0.005;
         double seconds = time.SecondsSince(motion.Start);
         (double from, double to) = (Math.Max(0.0, seconds - HalfStep), Math.Min(motion.End, seconds + HalfStep));
         return new ScanPath(motion.At).MotionBetween(from, to);

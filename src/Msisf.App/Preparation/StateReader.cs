@@ -130,6 +130,7 @@ internal sealed class StateReader
 
     private IReadOnlyList<SpacecraftState> Moving(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
         Scan is not null ? [.. states.Select(state => state with { Motion = null })]
+        : Jitter is not null && CameraWithShutter is not null && states.All(state => state.Motion is not null) ? states
         : !FindsMotions ? StateMotions.Of(states, trajectory, CameraWithShutter)
         : trajectory.Motion is { } motion ? [.. states.Select(state => state with { Motion = motion })]
         : states;

@@ -64,6 +64,11 @@ internal sealed class NativeDrawing
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
     {
+        if (_detectors is not null && frame.Shot is { } shot)
+        {
+            return DrawExposures(frame, shot, threads, cancellation);
+        }
+
         CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
         ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
         NativeRenderer renderer = _levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
@@ -111,6 +116,18 @@ internal sealed class NativeDrawing
         CancellationToken cancellation) =>
         _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
 
+    /// <summary>Draws and exposes an image that is scanned.</summary>
+    private NativeImage DrawExposures(Frame frame, ScannedShot shot, int threads, CancellationToken cancellation)
+    {
+        CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
+        NativeRenderer renderer = _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
+        ScanReadout readout = new(detector, renderer, _options);
+        double open = Settings.Detector!.Settings is { Shutter: not null, ExposureTime: var time } ? time : 0.0;
+        (NativeFrame drawn, DetectorImage image) = _times.Measure(
+            Phase.Detector, () => readout.Expose(shot with { HalfExposure = 0.5 * open }, threads, cancellation));
+        return new NativeImage(this, renderer, frame, drawn, null, image);
+    }
+
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
     /// <param name="detector">The detector.</param>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
@@ -130,10 +147,14 @@ internal sealed class NativeDrawing
         {
             using NativeFrame? other = index == exposures.Middle
                 ? null
-                : Draw(renderer, middle.Camera.Moved(motion, exposures.TimeOf(index)), frame, options, threads, cancellation);
+                : Draw(renderer, InstantOf(exposures.TimeOf(index)), frame, options, threads, cancellation);
             _times.Measure(
                 Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
         }
+
+        ICamera InstantOf(double seconds) => frame is { Path: { } path, Model: { } model }
+            ? detector.WindowOf(model.At(path.At(seconds)))
+            : middle.Camera.Moved(motion, seconds);
 
         _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, frame.Noise, threads, cancellation));
         return image;

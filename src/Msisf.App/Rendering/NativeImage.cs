@@ -31,7 +31,7 @@ internal sealed class NativeImage : IDisposable
         _detector = detector;
         Detected = detected;
         _grey = drawing.GreyOf(frame);
-        _truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector!.Margin, detected);
+        _truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector?.Margin ?? 0, detected);
     }
 
     /// <summary>What the camera's detector read out; null without a detector.</summary>
@@ -139,7 +139,7 @@ internal sealed class NativeImage : IDisposable
         _drawn.Dispose();
         if (Detected is { } detected)
         {
-            _detector!.GiveBack(detected);
+            _detector?.GiveBack(detected);
         }
 
         _drawing.Finished();

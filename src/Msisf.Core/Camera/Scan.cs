@@ -65,6 +65,33 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
         return BandedCamera.Of([.. order.SelectMany(exposure => shown.Select(part => part.At(states[exposure])))]);
     }
 
+    /// <summary>The camera of one exposure, all of its rows in the detector's order.</summary>
+    /// <param name="model">The camera.</param>
+    /// <param name="exposure">From 0.</param>
+    /// <param name="rowsBelow">px: how far below its place a stage of TDI lies; 0 for others.</param>
+    public CameraModel ExposureOf(CameraModel model, int exposure, double rowsBelow) => Kind switch
+    {
+        ScanKind.LineScan => LineOf(model, rowsBelow),
+        ScanKind.PushFrame => model.Window(0, RowsOf(model).First, model.Width, RowsOf(model).End - RowsOf(model).First),
+        _ => model.Window(0, exposure, model.Width, 1),
+    };
+
+    /// <summary>Which rows of its detector an exposure lies on: of a rolling shutter's one of the image, else all of its own.</summary>
+    /// <inheritdoc cref="ExposureOf"/>
+    public PixelRows DetectorRowsOf(CameraModel model, int exposure) => Kind == ScanKind.RollingShutter
+        ? new PixelRows(exposure, exposure + 1)
+        : new PixelRows(0, HeightOf(model) / Count);
+
+    /// <summary>The row of the image, from 0, that shows a row of an exposure.</summary>
+    /// <param name="model">The camera.</param>
+    /// <param name="exposure">From 0.</param>
+    /// <param name="row">Of the exposure, from 0.</param>
+    public int ImageRowOf(CameraModel model, int exposure, int row)
+    {
+        int rows = HeightOf(model) / Count;
+        return ((GrowsUpwards ? Count - 1 - exposure : exposure) * rows) + (FlipsFramelets ? rows - 1 - row : row);
+    }
+
     /// <summary>The camera of a line: that of the middle of the detector's rows, or as far below it as its stage lies.</summary>
     /// <param name="model">The camera, which has a row for each stage.</param>
     /// <param name="rowsBelow">px.</param>

@@ -12,6 +12,8 @@ public sealed class ScanPath
 {
     private const int DigestDigits = 32;
 
+    private const int PartsOfFastest = 16;
+
     private readonly Func<double, CameraState> _stateAt;
     private readonly Jitter? _jitter;
     private readonly double _jitterStart;
@@ -57,6 +59,18 @@ public sealed class ScanPath
         (CameraState before, CameraState after) = (At(from), At(to));
         return CameraMotion.Between(
             (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), to - from);
+    }
+
+    /// <summary>The motion where the camera turns fastest in a time, so that jitter is not averaged away.</summary>
+    /// <param name="from">s after the image's time.</param>
+    /// <param name="to">s, later.</param>
+    public CameraMotion FastestMotion(double from, double to)
+    {
+        double part = (to - from) / PartsOfFastest;
+        return _jitter is null
+            ? MotionBetween(from, to)
+            : Enumerable.Range(0, PartsOfFastest).Select(index => MotionBetween(from + (index * part), from + ((index + 1) * part)))
+                .MaxBy(motion => motion.AngularVelocityCamera.Length);
     }
 
     /// <summary>Tells the states of exposures from others: the first half of their SHA-256, hexadecimal.</summary>

@@ -109,11 +109,22 @@ public sealed class CameraDetector
     public void Collect(
         NativeFrame drawn, SubExposures exposures, int index, DetectorImage image, int threads, CancellationToken cancellation)
     {
-        double PerSteradian(int row) => _electronsPerSteradian
-            * SpectralBand.RadianceOfUnitIrradiance(drawn.Light.At(drawn.Camera, row + 1 + Margin).PositionMoonMe.Length);
         _pass.Expose(
-            drawn.RadianceFactorMemory, _throughput, PerSteradian, row => exposures.WeightOf(index, row), image, threads, cancellation);
+            drawn.RadianceFactorMemory, _throughput, row => PerSteradian(drawn, row), row => exposures.WeightOf(index, row),
+            new PixelRows(0, image.Height), image, threads, cancellation);
     }
+
+    /// <summary>Collects the electrons of one instant in some rows.</summary>
+    /// <param name="drawn">These rows at that instant, drawn with <see cref="WindowOf"/>.</param>
+    /// <param name="rows">The rows.</param>
+    /// <param name="weight">Part of the exposure for which the instant stands.</param>
+    /// <param name="image">Receives the electrons.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    internal void Collect(
+        NativeFrame drawn, PixelRows rows, double weight, DetectorImage image, int threads, CancellationToken cancellation) => _pass.Expose(
+        drawn.RadianceFactorMemory, _throughput, row => PerSteradian(drawn, row - rows.First), _ => weight, rows, image, threads,
+        cancellation);
 
     /// <summary>Reads out the image of a frame when all its electrons are collected.</summary>
     /// <param name="image">The image.</param>
@@ -132,6 +143,10 @@ public sealed class CameraDetector
         image.Noise = seed;
         _pass.Read(image, noise, threads, cancellation);
     }
+
+    /// <summary>Electrons that a pixel of a drawn row, from 0 behind the margin, collects at a radiance factor of 1, a steradian.</summary>
+    private double PerSteradian(NativeFrame drawn, int row) => _electronsPerSteradian
+        * SpectralBand.RadianceOfUnitIrradiance(drawn.Light.At(drawn.Camera, row + 1 + Margin).PositionMoonMe.Length);
 
     /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
     public void GiveBack(DetectorImage image) => _idle.Add(image);

@@ -36,6 +36,17 @@ public sealed class DetectorImage
     /// <summary>The noise that the user chose; null for that of the detector's seed and the frame's state.</summary>
     public NoiseSeed? Noise { get; internal set; }
 
+    /// <summary>Copies a row of another image of the same width.</summary>
+    /// <param name="other">The image.</param>
+    /// <param name="row">Its row, from 0.</param>
+    /// <param name="target">Which row it becomes, from 0.</param>
+    internal void Take(DetectorImage other, int row, int target)
+    {
+        other.Numbers.AsSpan(row * Width, Width).CopyTo(Numbers.AsSpan(target * Width));
+        other.Electrons.AsSpan(row * Width, Width).CopyTo(Electrons.AsSpan(target * Width));
+        other.Saturated.AsSpan(row * Width, Width).CopyTo(Saturated.AsSpan(target * Width));
+    }
+
     /// <summary>Electrons in the wells at the end of the exposure.</summary>
     internal double[] Charge { get; }
 }

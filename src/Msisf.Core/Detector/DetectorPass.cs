@@ -1,6 +1,7 @@
 using System.Buffers;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
 using Msisf.Core.Parallel;
@@ -39,17 +40,19 @@ internal sealed class DetectorPass
     /// Electrons that a pixel of a row, from 0, collects at a radiance factor of 1, for each steradian.
     /// </param>
     /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
+    /// <param name="rows">The detector's rows on which the light falls.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads.</param>
     /// <param name="cancellation">Stops the work.</param>
     public void Expose(
         ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, Func<int, double> perSteradianOfRow, Func<int, double> weightOfRow,
-        DetectorImage image, int threads, CancellationToken cancellation)
+        PixelRows rows, DetectorImage image, int threads, CancellationToken cancellation)
     {
         int width = image.Width;
         int margin = _settings.PointSpread?.Radius ?? 0;
-        WorkerTeam.Run(threads, image.Height, (_, row) =>
+        WorkerTeam.Run(threads, rows.End - rows.First, (_, drawnRow) =>
         {
+            int row = rows.First + drawnRow;
             double weight = weightOfRow(row);
             if (weight == 0.0)
             {
@@ -61,11 +64,11 @@ internal sealed class DetectorPass
             Span<double> spread = memory.AsSpan(0, width);
             if (_settings.PointSpread is PointSpreadKernel kernel)
             {
-                KernelConvolution.Row(light.Span, width + (2 * margin), kernel, row, spread);
+                KernelConvolution.Row(light.Span, width + (2 * margin), kernel, drawnRow, spread);
             }
             else
             {
-                light.Span.Slice(row * width, width).CopyTo(spread);
+                light.Span.Slice(drawnRow * width, width).CopyTo(spread);
             }
 
             Span<double> target = image.Electrons.AsSpan(row * width, width);

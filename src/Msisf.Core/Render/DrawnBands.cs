@@ -47,10 +47,23 @@ internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
     /// <param name="hasTruth">Whether the ground truth was kept.</param>
     public void Take(IGroundTruth drawn, int first, bool hasTruth)
     {
-        drawn.RadianceFactors.CopyTo(_radianceFactors.AsSpan(first * camera.Width));
-        for (int row = 0; hasTruth && row < drawn.Camera.Height; row++)
+        for (int row = 0; row < drawn.Camera.Height; row++)
         {
-            drawn.ReadRow(row + 1, _truth[first + row] = new TruthRow());
+            Take(drawn, row, first + row, hasTruth);
+        }
+    }
+
+    /// <summary>Copies a row of an image.</summary>
+    /// <param name="drawn">The image.</param>
+    /// <param name="row">Its row, from 0.</param>
+    /// <param name="target">Which row it becomes, from 0.</param>
+    /// <param name="hasTruth">Whether the ground truth was kept.</param>
+    public void Take(IGroundTruth drawn, int row, int target, bool hasTruth)
+    {
+        drawn.RadianceFactors.Slice(row * camera.Width, camera.Width).CopyTo(_radianceFactors.AsSpan(target * camera.Width));
+        if (hasTruth)
+        {
+            drawn.ReadRow(row + 1, _truth[target] = new TruthRow());
         }
     }
 

@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
@@ -181,7 +182,7 @@ public sealed class DetectorPassTests
     {
         double[] throughput = new double[Side * Side];
         Array.Fill(throughput, 1.0);
-        pass.Expose(light, throughput, _ => 1.0, _ => 1.0, image, threads, CancellationToken.None);
+        pass.Expose(light, throughput, _ => 1.0, _ => 1.0, new PixelRows(0, Side), image, threads, CancellationToken.None);
         Assert.Equal(Side, image.Width);
         Assert.True(settings.Gain > 0.0);
         pass.Read(image, settings.Seed is ulong seed ? NoiseSource.OfFrame(seed, frame) : null, threads, CancellationToken.None);

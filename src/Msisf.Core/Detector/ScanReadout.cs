@@ -1,0 +1,159 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Parallel;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Detector;
+
+/// <summary>
+/// Exposes a scanned image: each exposure is drawn and collected by itself, with all instants of its time and all stages of its TDI. Lines
+/// and
+/// framelets are read out each after its exposure, the rows of a rolling shutter all at the end.
+/// </summary>
+/// <param name="detector">The detector: of one line or framelet, or of the whole image.</param>
+/// <param name="renderer">Draws the instants.</param>
+/// <param name="options">Settings of the renderer.</param>
+public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer, NativeRenderOptions options)
+{
+    private readonly CameraDetector _detector = detector;
+    private readonly NativeRenderer _renderer = renderer;
+    private readonly NativeRenderOptions _options = options;
+
+    /// <summary>The camera of which a scan has the detector.</summary>
+    /// <param name="shot">The image.</param>
+    public static FrameCamera CameraOf(ScannedShot shot) => (shot.Scan.Kind == ScanKind.RollingShutter
+        ? shot.Model
+        : shot.Scan.ExposureOf(shot.Model, 0, 0.0)).At(shot.Path.States[0]);
+
+    /// <summary>Exposes and reads out an image.</summary>
+    /// <param name="shot">The image.</param>
+    /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <returns>What is drawn in the middle of each exposure, and the detector's numbers.</returns>
+    public (NativeFrame Drawn, DetectorImage Image) Expose(ScannedShot shot, int threads, CancellationToken cancellation)
+    {
+        DrawnBands drawn = new(shot.Camera, shot.Light);
+        DetectorImage whole = new(shot.Camera.Width, shot.Camera.Height) { Noise = shot.Noise };
+        bool isRolling = shot.Scan.Kind == ScanKind.RollingShutter;
+        WorkerTeam.Run(
+            threads,
+            shot.Scan.Count,
+            (_, exposure) =>
+            {
+                Exposure one = new(this, shot, exposure, drawn, isRolling ? whole : null, cancellation);
+                one.Run(whole);
+            },
+            cancellation);
+        if (isRolling)
+        {
+            _detector.Read(whole, shot.Time, shot.Camera, shot.Noise, threads, cancellation);
+        }
+
+        return (new NativeFrame(drawn, static () => { }), whole);
+    }
+
+    /// <summary>One exposure of a scan.</summary>
+    /// <param name="readout">The detector, and what draws for it.</param>
+    /// <param name="shot">The image.</param>
+    /// <param name="number">From 0.</param>
+    /// <param name="drawn">Gets what the exposure's pixels show in the middle of its time.</param>
+    /// <param name="shared">The detector's image that all exposures share; null for one of its own.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    private sealed class Exposure(
+        ScanReadout readout, ScannedShot shot, int number, DrawnBands drawn, DetectorImage? shared, CancellationToken cancellation)
+    {
+        private readonly CameraDetector _detector = readout._detector;
+        private readonly double _middle = shot.Scan.SecondsOf(number);
+
+        public void Run(DetectorImage whole)
+        {
+            FrameCamera middleCamera = At(0.0, 0.0);
+            bool isMoving = shot.HasShutter;
+            NativeRenderOptions ofMiddle = isMoving ? readout._options with { KeepGroundTruth = true } : readout._options;
+            using NativeFrame middle = Draw(middleCamera, ofMiddle);
+            CameraMotion motion = isMoving
+                ? shot.Path.FastestMotion(_middle - shot.HalfExposure, _middle + shot.HalfExposure)
+                : default;
+            SubExposures instants = _detector.SubExposuresOf(middle, motion, 1, cancellation);
+            PixelRows rows = shot.Scan.DetectorRowsOf(shot.Model, number);
+            DetectorImage image = shared ?? _detector.Begin(middle);
+            Collect(middle, instants, rows, image);
+            if (shared is null)
+            {
+                _detector.Read(image, shot.Time.After(_middle), middleCamera, shot.NoiseOf(number), 1, cancellation);
+            }
+
+            DetectedFrame seen = new(middleCamera, middle, _detector.Margin, image);
+            for (int row = 0; row < middleCamera.Height; row++)
+            {
+                int target = shot.Scan.ImageRowOf(shot.Model, number, row);
+                drawn.Take(seen, row, target, readout._options.KeepGroundTruth);
+                if (shared is null)
+                {
+                    whole.Take(image, row, target);
+                }
+            }
+
+            if (shared is null)
+            {
+                _detector.GiveBack(image);
+            }
+        }
+
+        private void Collect(NativeFrame middle, SubExposures instants, PixelRows rows, DetectorImage image)
+        {
+            NativeRenderOptions ofOthers = readout._options with { KeepGroundTruth = false };
+            for (int stage = 0; stage < shot.Scan.Stages; stage++)
+            {
+                (double rowsBelow, double seconds) = shot.Scan.Stage(stage);
+                for (int index = 0; index < instants.Count; index++)
+                {
+                    bool isMiddle = index == instants.Middle && rowsBelow == 0.0;
+                    using NativeFrame? other = isMiddle ? null : Draw(At(seconds + instants.TimeOf(index), rowsBelow), ofOthers);
+                    _detector.Collect(other ?? middle, rows, 1.0 / instants.Count, image, 1, cancellation);
+                }
+            }
+        }
+
+        /// <summary>The camera of the exposure some seconds after its middle, with the Sun of its middle.</summary>
+        private FrameCamera At(double seconds, double rowsBelow)
+        {
+            CameraState middle = shot.Camera.BandAt(shot.Scan.ImageRowOf(shot.Model, number, 0) + 1).Camera.State;
+            CameraState state = seconds == 0.0
+                ? middle
+                : shot.Path.At(_middle + seconds) with { SunPositionMoonMe = middle.SunPositionMoonMe };
+            return shot.Scan.ExposureOf(shot.Model, number, rowsBelow).At(state);
+        }
+
+        private NativeFrame Draw(ICamera camera, NativeRenderOptions options)
+        {
+            ICamera window = _detector.WindowOf(camera);
+            return readout._renderer.Render(window, shot.Light.Of(window.State), options, threads: 1, cancellation);
+        }
+    }
+}
+
+/// <summary>A scanned image to be exposed.</summary>
+/// <param name="Scan">Its exposures.</param>
+/// <param name="Model">The camera whose rows are exposed.</param>
+/// <param name="Path">How the camera moves.</param>
+/// <param name="Camera">The camera of the image, with the Sun of each exposure.</param>
+/// <param name="Light">The Sun, or the lamp at the camera.</param>
+/// <param name="Time">Time of the image, UTC; goes into the noise.</param>
+/// <param name="Noise">The noise of the image, whatever time and camera are; null for that of the detector's seed.</param>
+/// <param name="HalfExposure">s: half of the time that the shutter is open; 0 for images without the camera's motion in it.</param>
+public sealed record ScannedShot(
+    Scan Scan, CameraModel Model, ScanPath Path, ICamera Camera, SceneLight Light, ModifiedJulianDate Time, NoiseSeed? Noise,
+    double HalfExposure)
+{
+    private const ulong GoldenRatio = 0x9E3779B97F4A7C15; // as SplitMix64 steps: exposures of one image have far apart numbers
+
+    /// <summary>Whether the camera moves while the shutter is open.</summary>
+    public bool HasShutter => HalfExposure > 0.0;
+
+    /// <summary>The noise of an exposure; null for that of the detector's seed, of time and camera.</summary>
+    public NoiseSeed? NoiseOf(int exposure) =>
+        Noise is { } seed ? seed with { Number = unchecked(seed.Number + ((ulong)exposure * GoldenRatio)) } : null;
+}
