@@ -1,3 +1,4 @@
+using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 
 namespace Msisf.Adapters.Camera;
@@ -39,7 +40,7 @@ internal static class ScanSection
     /// <param name="hasDetector">Whether the file describes a detector.</param>
     /// <returns>Null if there is no section.</returns>
     /// <exception cref="Core.Errors.BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFileScan? Read(CameraSection file, int height, bool hasDetector)
+    public static CameraFileScan? Read(SettingsSection file, int height, bool hasDetector)
     {
         if (file.Section(Name, "a scan", Keys) is not { } section)
         {
@@ -65,7 +66,7 @@ internal static class ScanSection
         };
     }
 
-    private static void RefuseOthers(CameraSection section, ScanKind kind, string word)
+    private static void RefuseOthers(SettingsSection section, ScanKind kind, string word)
     {
         string[] allowed = kind switch
         {
@@ -81,7 +82,7 @@ internal static class ScanSection
         DetectorSection.RequireWith(section, "tdi-direction", "tdi");
     }
 
-    private static int Stages(CameraSection section, CameraSection file, int height, bool hasDetector)
+    private static int Stages(SettingsSection section, SettingsSection file, int height, bool hasDetector)
     {
         int stages = section.Whole("tdi", 1, CameraFileReader.MaxSide) ?? 1;
         if (stages != height)
@@ -96,7 +97,7 @@ internal static class ScanSection
             : throw section.Wrong("tdi", "'tdi' adds electrons and needs the section 'detector'. Add it, or leave 'tdi' out");
     }
 
-    private static PixelRows Framelet(CameraSection section, double[] rows, int height)
+    private static PixelRows Framelet(SettingsSection section, double[] rows, int height)
     {
         (double first, double count) = (rows[0], rows[1]);
         return first >= 1.0 && count >= 1.0 && first == Math.Floor(first) && count == Math.Floor(count) && first + count - 1.0 <= height

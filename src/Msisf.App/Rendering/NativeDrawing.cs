@@ -122,7 +122,8 @@ internal sealed class NativeDrawing
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
         NativeRenderer renderer = _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
         ScanReadout readout = new(detector, renderer, _options);
-        double open = Settings.Detector!.Settings is { Shutter: not null, ExposureTime: var time } ? time : 0.0;
+        DetectorSettings settings = Settings.Detector!.Settings.Exposed(frame.ExposureFactor);
+        double open = settings.Shutter is null ? 0.0 : settings.ExposureTime;
         (NativeFrame drawn, DetectorImage image) = _times.Measure(
             Phase.Detector, () => readout.Expose(shot with { HalfExposure = 0.5 * open }, threads, cancellation));
         return new NativeImage(this, renderer, frame, drawn, null, image);
