@@ -36,6 +36,16 @@ public sealed class OffsetGrid(ITerrainGrid grid, double offset) : ITerrainGrid
     public void ReadGaps(int line, int firstSample, Span<bool> isGap) => grid.ReadGaps(line, firstSample, isGap);
 
     /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
+
+    /// <inheritdoc/>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) =>
+        grid.BoundsOf(firstLine, lines, firstSample, samples) is { } known
+            ? known with { Min = known.Min + offset, Max = known.Max + offset }
+            : null;
+
+    /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         grid.ReadRadii(line, firstSample, radii);

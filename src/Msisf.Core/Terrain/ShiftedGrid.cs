@@ -128,6 +128,16 @@ public sealed class ShiftedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
+        ? MayHaveGaps
+        : _grid.MayHaveGapsIn(firstLine - _down, lines, SourceSample(firstSample), samples);
+
+    /// <inheritdoc/>
+    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
+        ? null
+        : _grid.BoundsOf(firstLine - _down, lines, SourceSample(firstSample), samples);
+
+    /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         if (!IsBetween)
