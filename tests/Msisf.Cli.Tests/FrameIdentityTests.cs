@@ -25,6 +25,9 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
     private const string Map =
         "--albedo-map FILE:WAC_A.IMG --albedo-map-properties scale=0.001,incidence=60,emission=0,phase=60";
 
+    private const string Maps = "--albedo-map FILE:WAC_B.IMG,factor=2 "
+        + "--albedo-map FILE:WAC_A.IMG,scale=0.001,incidence=60,emission=0,phase=60";
+
     /// <summary>Options that POV-Ray alone has, and the choice of it: it is no part of these tests.</summary>
     private static readonly OptionSpec[] OfPovRay = [RendererOptions.Renderer, .. PovOptions.Group.Options];
 
@@ -105,6 +108,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--lod", "--fixed-state {55289,3E7,0,0,0,0,0,1} --fov 4", "--lod off" },
         { "--lod-error", Far, "--lod-error 5" },
         { "--albedo-map", "--reflectance moon", Map },
+        { "--albedo-map", "--reflectance moon", Maps },
+        { "--albedo-map", $"--reflectance moon {Maps}", Maps.Replace("factor=2", "factor=3", StringComparison.Ordinal) },
         { "--albedo-map-properties", Map, "--albedo-map-properties scale=0.002,incidence=60,emission=0,phase=60" },
         { "--albedo-map-checksum", Map, "--albedo-map-checksum SHA" },
         { "--band", "--reflectance moon", "--band 415" },

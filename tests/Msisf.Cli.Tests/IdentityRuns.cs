@@ -57,6 +57,8 @@ public sealed class IdentityRuns : IDisposable
             "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = (\n",
             string.Concat(kernels.Select(kernel => $"'{Path.Combine(TestParts.Kernels, kernel)}'\n")), ")\n"));
         string map = PdsMap.Write(_folder, "WAC_A", "PC_REAL", 32, 1, (column, line) => 50 + ((column + line) % 50));
+        PdsMap.Write(
+            _folder, "WAC_B", "PC_REAL", 32, 2, (column, _) => 0.04 + (0.001 * column), west: 350.0, north: 10.0, degrees: (20, 20));
         _checksumOfMap = Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(map)));
         _folder.Write("hapke.img", HapkeMap());
         _folder.Write("landmarks.csv", "lat,lon\n0,0\n");

@@ -71,6 +71,12 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=0", 1, "scale is 0; a number from 1E-12 to")]
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties size=3", 1, "'size=3' is no property of a map")]
     [InlineData($"{Native} --albedo-map a.img --albedo-map-properties scale=1,scale=2", 1, "the property scale is given twice")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map none", 1, "--albedo-map none stands beside a map")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map a.img,factor=2", 1, "a.img is given twice")]
+    [InlineData($"{Native} --albedo-map a.img,factor=auto", 1, "factor= scales a map to the coarser one around it, and there is none")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map b.img,factor=0", 1, "factor is a number from 1E-12 to 1E6")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map b.img,colour=2", 1, "'colour=2' is no property of a map")]
+    [InlineData($"{Native} --albedo-map a.img --albedo-map b.img --albedo-map-properties scale=1", 1, "write the properties behind each")]
     [InlineData($"{Native} --albedo-map-checksum 12", 1, "64 hexadecimal digits are needed")]
     [InlineData($"{Native} --hapke-map nowhere.img", 2, "nowhere.img: there is no such file")]
     [InlineData($"{Native} --hapke-map a.img --reflectance lambert", 1, "--hapke-map is for --reflectance moon")]
@@ -90,6 +96,7 @@ public sealed class NativeOptionsTests : IDisposable
 
     // Options of one renderer with the other.
     [InlineData($"{Fixed} --reflectance hapke", 1, "--reflectance is for --renderer native only")]
+    [InlineData($"{Fixed} --albedo-map a.img --albedo-map b.img", 1, "several --albedo-map are drawn by the native renderer only")]
     [InlineData($"{Fixed} --albedo 0.2", 1, "--albedo is for --renderer native only")]
     [InlineData($"{Fixed} --sun disc", 1, "--sun is for --renderer native only")]
     [InlineData($"{Fixed} --samples 4", 1, "--samples is for --renderer native only")]

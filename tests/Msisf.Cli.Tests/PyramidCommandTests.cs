@@ -39,6 +39,59 @@ public sealed class PyramidCommandTests : IDisposable
         Assert.Contains("is whole, and made of the samples that LDEM_4_SYNTHETIC has", verified.Error, StringComparison.Ordinal);
     }
 
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Pyramid_LargeMap_KeepsWhatItsPixelsAreAndChecksIt()
+    {
+        // 4100 x 4100 px, of which one block is not 0; another map is small.
+        const string Script = """
+            import sys
+            from osgeo import gdal, osr
+            system = osr.SpatialReference()
+            system.ImportFromProj4('+proj=stere +lat_0=-90 +R=1737400')
+            for name, size in (('large.tif', 4100), ('small.tif', 100)):
+                data = gdal.GetDriverByName('GTiff').Create(
+                    sys.argv[1] + '/' + name, size, size, 1, gdal.GDT_Int16, ['TILED=YES', 'SPARSE_OK=TRUE'])
+                data.SetGeoTransform([50000, 5, 0, 50000, 0, -5])
+                data.SetProjection(system.ExportToWkt())
+                data.GetRasterBand(1).WriteRaster(8, 8, 1, 1, b'\x64\x00')
+            """;
+        ChildRun.Of(TestParts.Python!, ["-c", Script, _folder.Path], _folder.Path).Succeeded();
+        string scan = _folder["large.scan"];
+        string[] words = ["ldem", "pyramid", _folder["large.tif"]];
+
+        CommandLineRun missing = CommandLineRun.Of([.. words, "--verify"]);
+        CommandLineRun made = CommandLineRun.Of([.. words, "--batch"]);
+        CommandLineRun verified = CommandLineRun.Of([.. words, "--verify"]);
+        byte[] bytes = File.ReadAllBytes(scan);
+        bytes[^1000] ^= 1;
+        File.WriteAllBytes(scan, bytes);
+        CommandLineRun damaged = CommandLineRun.Of([.. words, "--verify"]);
+        CommandLineRun small = CommandLineRun.Of(["ldem", "pyramid", _folder["small.tif"]]);
+
+        Assert.Equal((0, scan + "\n"), (made.ExitCode, made.Output.ReplaceLineEndings("\n")));
+        Assert.Equal((0, scan + "\n"), (verified.ExitCode, verified.Output.ReplaceLineEndings("\n")));
+        Assert.All([missing, damaged], run => Assert.Equal((2, string.Empty), (run.ExitCode, run.Output)));
+        Assert.Contains("large.tif: no file beside it holds what its pixels are", damaged.Error, StringComparison.Ordinal);
+        Assert.Equal((0, string.Empty), (small.ExitCode, small.Output));
+        Assert.Contains("small is so small that each run looks at all its pixels", small.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Pyramid_PolarMapInPds3_SaysThatItNeedsNone()
+    {
+        CommandLineRun.Of(
+        [
+            "ldem", "synthesize", "--projection", "polar-south", "--map-scale", "20000", "--seed", "1", "--output-dir", _folder.Path,
+            "--batch",
+        ]);
+        string label = Assert.Single(Directory.GetFiles(_folder.Path, "LDEM_*M_SYNTHETIC.LBL"));
+
+        CommandLineRun run = CommandLineRun.Of(["ldem", "pyramid", label]);
+
+        Assert.Equal((2, string.Empty), (run.ExitCode, run.Output));
+        Assert.Contains("a polar map in PDS3 needs no pyramid", run.Error, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Verify_NoSidecar_SaysHowToMakeIt()
     {

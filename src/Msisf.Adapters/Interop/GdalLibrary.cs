@@ -19,7 +19,7 @@ internal static unsafe class GdalLibrary
     /// </summary>
     private static readonly (string Name, string Value)[] Settings =
     [
-        ("GDAL_CACHEMAX", "192"), ("GDAL_HTTP_CONNECTTIMEOUT", "10"), ("GDAL_HTTP_TIMEOUT", "60"),
+        ("GDAL_CACHEMAX", "64"), ("GDAL_HTTP_CONNECTTIMEOUT", "10"), ("GDAL_HTTP_TIMEOUT", "60"),
         ("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"),
     ];
 

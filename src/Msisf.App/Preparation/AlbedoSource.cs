@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Settings;
@@ -11,16 +12,17 @@ namespace Msisf.App.Preparation;
 /// <summary>Finds and opens the map of the Moon's reflectance that a run draws with.</summary>
 internal static class AlbedoSource
 {
-    /// <summary>Opens the map; null if the run has none. What is used is logged.</summary>
+    /// <summary>Opens the maps, the coarsest first; none if the run has none. What is used is logged.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <exception cref="MsisfException">A map is given, but can't be used.</exception>
-    public static OpenedAlbedoMap? Open(RenderSettings settings, ProgramHost host)
+    public static IReadOnlyList<OpenedAlbedoMap> Open(RenderSettings settings, ProgramHost host)
     {
         AlbedoSettings albedo = settings.Albedo;
-        if (albedo.MapPath is { } given)
+        if (albedo.Maps.Count > 0)
         {
-            return AlbedoOptions.Map.NamedInErrors(() => Open(Find(given, host), albedo, host));
+            return AlbedoOptions.Map.NamedInErrors(() => Open(
+                [.. albedo.Maps.Select(map => map with { Path = Find(map.Path, host) })], albedo, host));
         }
 
         bool isMoon = settings.Renderer == RendererKind.Native && settings.Native.ReflectanceText == ReflectanceFactory.DefaultLaw;
@@ -29,29 +31,29 @@ internal static class AlbedoSource
             host.Log.Note(
                 $"Reflectance: {settings.Body.Name} is drawn with the law of the Moon, the same everywhere; its own is not known here. "
                     + $"--reflectance takes another law.");
-            return null;
+            return [];
         }
 
         if (albedo.IsGiven || !isMoon)
         {
-            return null;
+            return [];
         }
 
         if (Installed(Folders(host), albedo.Band) is not { } installed)
         {
             host.Log.Note(
                 "Albedo: no map in input/albedo (scripts/get-albedo.sh fetches one); the surface reflects alike everywhere.");
-            return null;
+            return [];
         }
 
         try
         {
-            return Open(installed, albedo, host);
+            return Open([AlbedoMapPath.Parse(installed) with { Path = installed }], albedo, host);
         }
         catch (ExternalPartException exception)
         {
             host.Log.Warning($"{exception.Message} The map is not used: the surface reflects alike everywhere.");
-            return null;
+            return [];
         }
     }
 
@@ -86,24 +88,46 @@ internal static class AlbedoSource
         return known.FirstOrDefault(path => OpenedAlbedoMap.IsKnown(path, band.Nanometres)) ?? known.FirstOrDefault();
     }
 
-    private static OpenedAlbedoMap Open(string path, AlbedoSettings albedo, ProgramHost host)
+    private static IReadOnlyList<OpenedAlbedoMap> Open(IReadOnlyList<AlbedoMapPath> paths, AlbedoSettings albedo, ProgramHost host)
     {
-        OpenedAlbedoMap map = OpenedAlbedoMap.Open(
-            path, albedo.Properties, albedo.Band.Nanometres, CacheFolder.Of(host), host.Environment("MSISF_GDAL"));
-        if (albedo.Sha256 is { } expected && expected != map.Sha256)
+        (int band, string? gdal) = (albedo.Band.Nanometres, host.Environment("MSISF_GDAL"));
+        IReadOnlyList<OpenedAlbedoMap> maps = paths is [var only]
+            ? [OpenedAlbedoMap.Open(only.Path, albedo.Properties, band, CacheFolder.Of(host), gdal)]
+            : OpenedAlbedoMap.OpenSeveral(paths, band, CacheFolder.Of(host), gdal);
+        if (albedo.Sha256 is { } expected && OpenedAlbedoMap.WholeOf(maps) is var whole && expected != whole.Sha256)
         {
-            map.Dispose();
+            foreach (OpenedAlbedoMap map in maps)
+            {
+                map.Dispose();
+            }
+
             throw new BadInputException(
-                $"{path}: its SHA-256 is {map.Sha256}, but --albedo-map-checksum is {expected}. Give the map that was meant.")
+                $"{string.Join(" and ", paths.Select(path => path.Path))}: the SHA-256 is {whole.Sha256}, but --albedo-map-checksum is "
+                    + $"{expected}. Give the map that was meant.")
                 .About(AlbedoOptions.Checksum);
         }
 
-        foreach (string note in map.Notes)
+        foreach (OpenedAlbedoMap map in maps)
         {
-            host.Log.Note($"Albedo: {note}");
+            Tell(map, host.Log);
         }
 
-        host.Log.Note($"Albedo: {map.Name}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
-        return map;
+        return maps;
+    }
+
+    private static void Tell(OpenedAlbedoMap map, ILog log)
+    {
+        foreach (string note in map.Notes)
+        {
+            log.Note($"Albedo: {note}");
+        }
+
+        log.Note($"Albedo: {map.Name}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
+        if (map.Factor is { } factor)
+        {
+            log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"Its values times {factor:G6} count as reflectances in the geometry of the map around it."));
+        }
     }
 }

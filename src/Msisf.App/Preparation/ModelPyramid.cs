@@ -3,21 +3,31 @@ using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>Makes or checks the sidecar file of an elevation model that holds its coarser levels.</summary>
+/// <summary>
+/// Makes or checks the sidecar file of an elevation model that holds its coarser levels; of a map that GDAL reads, what was found by
+/// looking at all its pixels.
+/// </summary>
 internal static class ModelPyramid
 {
     /// <summary>Makes the file.</summary>
     /// <param name="settings">Names the model.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
-    /// <returns>Path of the file.</returns>
+    /// <returns>Path of the file; null if the model needs none, which is logged.</returns>
     /// <exception cref="MsisfException">There is no such model, or the file can't be written.</exception>
-    public static string Make(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
+    public static string? Make(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
     {
+        if (TryOpenMap(settings, host) is { } opened)
+        {
+            using GeoTiffGrid map = opened;
+            return MakeOfMap(map, settings, host, cancellation);
+        }
+
         using LdemImage image = LdemImage.Open(Find(settings, host));
         SidecarPlaces places = ModelLevels.PlacesOf(image.Set, CacheFolder.Of(host));
         string path = places.ForWriting();
@@ -29,7 +39,7 @@ internal static class ModelPyramid
 
         using IRunProgress progress = host.Progress.Start("Pyramid", FractionProgress.Steps, settings.Unattended);
         PyramidWriter.Write(image, path, Environment.ProcessorCount, new FractionProgress(progress, "pyramid"), cancellation);
-        RememberChecksums(image, host, cancellation);
+        RememberChecksums(image.Set, host, cancellation);
         return path;
     }
 
@@ -37,10 +47,16 @@ internal static class ModelPyramid
     /// <param name="settings">Names the model.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    /// <returns>Path of the file.</returns>
+    /// <returns>Path of the file; null if the model needs none, which is logged.</returns>
     /// <exception cref="MsisfException">There is no such model or no such file, or they differ.</exception>
-    public static string Verify(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
+    public static string? Verify(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
     {
+        if (TryOpenMap(settings, host) is { } opened)
+        {
+            using GeoTiffGrid map = opened;
+            return VerifyOfMap(map, host, cancellation);
+        }
+
         using LdemImage image = LdemImage.Open(Find(settings, host));
         using ModelLevels levels = ModelLevels.Open(image, CacheFolder.Of(host));
         if (levels.Sidecar is not { } sidecar)
@@ -56,12 +72,74 @@ internal static class ModelPyramid
     }
 
     /// <summary>The first run would read the whole model once more for them.</summary>
-    private static void RememberChecksums(LdemImage image, ProgramHost host, CancellationToken cancellation)
+    private static void RememberChecksums(LdemSet set, ProgramHost host, CancellationToken cancellation)
     {
-        if (LdemChecksums.Open(image.Set, CacheFolder.Of(host)).Read(cancellation).Warning is { } warning)
+        if (LdemChecksums.Open(set, CacheFolder.Of(host)).Read(cancellation).Warning is { } warning)
         {
             host.Log.Warning(warning);
         }
+    }
+
+    /// <summary>The map that is named, if GDAL reads it.</summary>
+    private static GeoTiffGrid? TryOpenMap(PyramidSettings settings, ProgramHost host)
+    {
+        if (settings.Model is not { } text || !RasterFiles.IsForGdal(ModelPath.Parse(text).Path))
+        {
+            return null;
+        }
+
+        ModelPath model = ModelPath.Parse(text);
+        return settings.PixelsPerDegree is null
+            ? host.GeoTiffs.Open(model.Path, model.Heights)
+            : throw new UsageException(
+                $"{ModelOptions.ModelResolution.Name} is for a folder of models; {model.Path} has its own. Leave it out.")
+                .About(ModelOptions.ModelResolution);
+    }
+
+    private static string? MakeOfMap(GeoTiffGrid map, PyramidSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        if (!IsLarge(map, host))
+        {
+            return null;
+        }
+
+        FractionDisplay Display()
+        {
+            IRunProgress progress = host.Progress.Start(map.ProductId, FractionProgress.Steps, settings.Unattended);
+            return new FractionDisplay(new FractionProgress(progress, map.ProductId), progress);
+        }
+
+        if (map.Prepare(CacheFolder.Of(host), Display, cancellation) is { } failure)
+        {
+            throw new ExternalPartException(failure);
+        }
+
+        RememberChecksums(LdemSet.OfMap(map.ToLabel()), host, cancellation);
+        return map.FindKept(CacheFolder.Of(host));
+    }
+
+    private static string? VerifyOfMap(GeoTiffGrid map, ProgramHost host, CancellationToken cancellation)
+    {
+        if (!IsLarge(map, host))
+        {
+            return null;
+        }
+
+        string path = map.VerifyKept(CacheFolder.Of(host), cancellation)
+            ?? throw new BadInputException(
+                $"{map.Files[0]}: no file beside it holds what its pixels are. Make it with 'msis ldem pyramid'.");
+        host.Log.Note($"{path} is whole, and made of the pixels that {map.ProductId} has.");
+        return path;
+    }
+
+    private static bool IsLarge(GeoTiffGrid map, ProgramHost host)
+    {
+        if (!map.IsLarge)
+        {
+            host.Log.Note($"{map.ProductId} is so small that each run looks at all its pixels; it needs no file.");
+        }
+
+        return map.IsLarge;
     }
 
     private static LdemSet Find(PyramidSettings settings, ProgramHost host)
@@ -76,6 +154,12 @@ internal static class ModelPyramid
         {
             return LdemCatalog.Find(
                 pixelsPerDegree, path, ModelOpening.Folders(host), "give the label of another one instead of --res");
+        }
+
+        if (path is not null && !Directory.Exists(path) && LdemCatalog.TryReadMap(path) is not null)
+        {
+            throw new BadInputException(
+                $"{path}: a polar map in PDS3 needs no pyramid, as its levels are computed where they are read. Draw with it as it is.");
         }
 
         return path is not null && !Directory.Exists(path)

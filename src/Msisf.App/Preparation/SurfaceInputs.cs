@@ -10,10 +10,25 @@ namespace Msisf.App.Preparation;
 
 /// <summary>The maps of the surface's reflectance that a run draws with.</summary>
 /// <param name="Albedo">Map of the reflectance; null for none. Disposed with this object.</param>
+/// <param name="Sites">Maps that count before it where they have data, the finest last. Disposed with this object.</param>
 /// <param name="Hapke">Map of Hapke's parameters; null for none.</param>
-/// <param name="Files">The files of both.</param>
-internal sealed record SurfaceInputs(OpenedAlbedoMap? Albedo, HapkeMapFile? Hapke, IReadOnlyList<InputFile> Files) : IDisposable
+/// <param name="Files">The files of all.</param>
+internal sealed record SurfaceInputs(
+    OpenedAlbedoMap? Albedo, IReadOnlyList<OpenedAlbedoMap> Sites, HapkeMapFile? Hapke, IReadOnlyList<InputFile> Files) : IDisposable
 {
+    /// <summary>The maps of the reflectance as one input; null for none.</summary>
+    public InputFile? WholeAlbedo => Albedo is null ? null : OpenedAlbedoMap.WholeOf([Albedo, .. Sites]);
+
+    /// <summary>Releases the maps' pages that were read.</summary>
+    public void ReleasePages()
+    {
+        Albedo?.ReleasePages();
+        foreach (OpenedAlbedoMap site in Sites)
+        {
+            site.ReleasePages();
+        }
+    }
+
     /// <summary>Opens the maps.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
@@ -23,16 +38,23 @@ internal sealed record SurfaceInputs(OpenedAlbedoMap? Albedo, HapkeMapFile? Hapk
         HapkeMapFile? hapke = settings is { Renderer: RendererKind.Native, Native.HapkeMap: { } path }
             ? NativeOptions.HapkeMap.NamedInErrors(() => HapkeMapFile.Read(path))
             : null;
-        OpenedAlbedoMap? albedo = AlbedoSource.Open(settings, host);
-        List<InputFile> files = [.. albedo?.Files ?? []];
+        IReadOnlyList<OpenedAlbedoMap> maps = AlbedoSource.Open(settings, host);
+        List<InputFile> files = [.. maps.SelectMany(map => map.Files)];
         if (hapke is not null)
         {
             files.Add(new InputFile(InputKind.HapkeMap, Path.GetFileName(settings.Native.HapkeMap!), hapke.FileBytes, hapke.Sha256));
         }
 
-        return new SurfaceInputs(albedo, hapke, files);
+        return new SurfaceInputs(maps.FirstOrDefault(), [.. maps.Skip(1)], hapke, files);
     }
 
-    /// <summary>Closes the map of the reflectance.</summary>
-    public void Dispose() => Albedo?.Dispose();
+    /// <summary>Closes the maps of the reflectance.</summary>
+    public void Dispose()
+    {
+        Albedo?.Dispose();
+        foreach (OpenedAlbedoMap site in Sites)
+        {
+            site.Dispose();
+        }
+    }
 }

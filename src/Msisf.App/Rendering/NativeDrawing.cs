@@ -1,5 +1,4 @@
 using System.Runtime;
-using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -29,7 +28,7 @@ internal sealed class NativeDrawing
 
     private readonly NativeRenderOptions _options;
     private readonly ITerrain _model;
-    private readonly OpenedAlbedoMap? _map;
+    private readonly SurfaceInputs _maps;
     private readonly NativeLevels _levels;
     private readonly DetectorsOfRun? _detectors;
     private readonly RunTimes _times;
@@ -41,9 +40,14 @@ internal sealed class NativeDrawing
     {
         Settings = settings;
         _grey = new GreyTable(settings.Grey, settings.BitDepth);
-        _options = settings.Render with { Albedo = maps.Albedo?.Map, Hapke = maps.Hapke?.Map };
+        _options = settings.Render with
+        {
+            Albedo = maps.Albedo?.Map,
+            AlbedoSites = [.. maps.Sites.Select(site => site.Map)],
+            Hapke = maps.Hapke?.Map,
+        };
         _model = model;
-        _map = maps.Albedo;
+        _maps = maps;
         _levels = levels;
         _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);
         _times = times;
@@ -92,7 +96,7 @@ internal sealed class NativeDrawing
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
         {
             _model.ReleasePages(); // an orbit would have the whole model in memory in the end
-            _map?.ReleasePages();
+            _maps.ReleasePages();
             ReturnReplaced();
         }
     }

@@ -70,7 +70,7 @@ internal sealed class RenderRun
             run.Names,
             RunIdentity.Of(
                 _host.Version,
-                FrameArguments.OfSettings(_settings, sun?.Choice, maps.Albedo?.Whole),
+                FrameArguments.OfSettings(_settings, sun?.Choice, maps.WholeAlbedo),
                 run.Model.Fingerprint(),
                 sun?.Engine.EngineName,
                 kernels,

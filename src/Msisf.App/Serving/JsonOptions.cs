@@ -2,6 +2,7 @@ using System.Text;
 using System.Text.Json;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
@@ -207,9 +208,16 @@ internal sealed class JsonOptions
             _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
             _ => JsonText.Of(value, option.Name),
         };
+        if (option == AlbedoOptions.Map)
+        {
+            _values[option.Name] = new OptionValue(
+                [.. text!.Split(PathSpec.Separator).Select(map => _names.AlbedoMap(option.Key, AlbedoMapPath.Parse(map)))]);
+            return;
+        }
+
         Put(
             option,
-            option == AlbedoOptions.Map || option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!)
+            option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!)
                 : NavigationOptions.Lists.Contains(option) ? _names.Catalogue(option.Key, text!)
                 : text);
         if (option == RendererOptions.Renderer && RendererOptions.Renderer.Read(new OptionValues(_values)) != RendererKind.Native)

@@ -53,7 +53,7 @@ internal sealed class RenderSession : IDisposable
     public string Arguments => FrameArguments.OfSettings(
         Settings,
         Settings.IgnoreSun ? null : _ephemeris.Of(Settings).Opened?.Choice,
-        _maps.Value.Albedo?.Whole);
+        _maps.Value.WholeAlbedo);
 
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
     /// <exception cref="MsisfException">There is no such frame.</exception>

@@ -33,7 +33,7 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
     }
 
     private static string MapsKeyOf(RenderSettings settings) =>
-        $"{settings.Albedo} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
+        $"{settings.Albedo.Key} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
 
     private static string ListsKeyOf(RenderSettings settings) =>
         $"{settings.Native.Navigation?.Craters} {settings.Native.Navigation?.Landmarks}";

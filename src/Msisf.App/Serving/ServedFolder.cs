@@ -5,6 +5,7 @@ using Msisf.Adapters.Metadata;
 using Msisf.App.Host;
 using Msisf.App.Series;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
@@ -107,11 +108,12 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
         {
             string key = words[index].TrimStart('-');
             bool isMapElsewhere = key == AlbedoOptions.Map.Key && words[index + 1] != AlbedoOptions.NoMap
-                && !names.Maps.Contains(words[index + 1]);
+                && !names.Maps.Contains(words[index + 1].Split(',')[0]);
             if (words[index].StartsWith("--", StringComparison.Ordinal) && Known.Contains(key) && !isMapElsewhere
                 && !words[index + 1].StartsWith("--", StringComparison.Ordinal))
             {
-                options[key] = words[++index];
+                string value = words[++index];
+                options[key] = options.TryGetValue(key, out string? before) ? before + PathSpec.Separator + value : value;
             }
         }
 

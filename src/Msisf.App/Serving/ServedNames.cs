@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Input;
+using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -65,6 +66,10 @@ internal sealed class ServedNames : IDisposable
     /// <exception cref="UsageException">There is none.</exception>
     public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
         : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
+
+    /// <summary>The text of a map of the reflectance with its path in place of its name.</summary>
+    /// <exception cref="UsageException">There is none.</exception>
+    public string AlbedoMap(string option, AlbedoMapPath named) => named.TextWith(Map(option, named.Path));
 
     /// <summary>The path of a catalogue of craters, or of a list of landmarks.</summary>
     /// <param name="option">Key of the option, for the message.</param>

@@ -1,6 +1,8 @@
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;
@@ -13,17 +15,23 @@ internal static partial class AlbedoOptions
 
     /// <summary>The map.</summary>
     public static PathSpec Map { get; } = new(
-        "--albedo-map", DecidesBytes.As(frame => frame.Map?.Name ?? (frame.MayHaveMap ? NoMap : null)), PathKind.Any,
+        "--albedo-map", DecidesBytes.As(
+            frame => frame.Settings.Albedo.NamesOfSeveral ?? (object?)frame.Map?.Name ?? (frame.MayHaveMap ? NoMap : null)),
+        PathKind.Any,
         "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...; of several tiles one, or their folder), or an image that "
-            + "GDAL reads; none for no map")
+            + "GDAL reads; none for no map; given several times, the finest map wins where it has data, behind whose path "
+            + ",factor=auto makes it as bright as the map around it (unless its values are known), ,factor=F multiplies it, and "
+            + "the properties of --albedo-map-properties may stand")
     {
+        TakesSeveral = true,
         DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; else none",
     };
 
     /// <summary>What the map's values mean.</summary>
     public static TextSpec Properties { get; } = new(
         "--albedo-map-properties", DecidesBytes.As(frame => frame.Map is null ? null : frame.Settings.Albedo.Properties.ToString()), "LIST",
-        "What the map's values mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band (nm)")
+        "What the values of the one map mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band "
+            + "(nm)")
     {
         DefaultNote = "those of the known map, or of its label",
     };
@@ -31,7 +39,7 @@ internal static partial class AlbedoOptions
     /// <summary>Checksum of the map.</summary>
     public static TextSpec Checksum { get; } = new(
         "--albedo-map-checksum", DecidesBytes.As(frame => frame.Map?.Sha256),
-        "HEX", "SHA-256 that the map's file must have (of several tiles that of all: docs/photometry.md)")
+        "HEX", "SHA-256 that the map's file must have (of several tiles or maps that of all: docs/photometry.md)")
     {
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };
@@ -49,16 +57,57 @@ internal static partial class AlbedoOptions
     public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Checksum, Band]);
 
     /// <summary>Reads the options.</summary>
-    /// <exception cref="Core.Errors.MsisfException">A value is wrong.</exception>
+    /// <exception cref="MsisfException">A value is wrong.</exception>
     public static AlbedoSettings Read(OptionValues values)
     {
-        string? path = Map.ReadIfGiven(values);
+        IReadOnlyList<string> texts = Map.ReadAll(values);
+        MapProperties properties =
+            Properties.ReadIfGiven(values) is { } text ? Properties.Named(() => MapProperties.Parse(text)) : new MapProperties();
+        bool isNone = texts.Any(path => Path.GetFileName(path) == NoMap);
+        AlbedoMapPath[] maps = isNone ? [] : [.. texts.Select(path => Map.Named(() => AlbedoMapPath.Parse(path)))];
+        CheckSeveral(values, texts, maps, isNone);
+        properties = maps is [var only] ? only.Properties.Or(properties) : properties;
         return new AlbedoSettings(
-            path is not null && Path.GetFileName(path) == NoMap ? null : path,
-            path is not null,
-            Properties.ReadIfGiven(values) is { } text ? Properties.Named(() => MapProperties.Parse(text)) : new MapProperties(),
+            maps,
+            texts.Count > 0,
+            properties,
             Checksum.ReadIfGiven(values)?.ToLowerInvariant(),
             SpectralBand.Of(Band.Read(values)));
+    }
+
+    private static void CheckSeveral(OptionValues values, IReadOnlyList<string> texts, AlbedoMapPath[] maps, bool isNone)
+    {
+        if (isNone && texts.Count > 1)
+        {
+            throw new UsageException($"{Map.Name} {NoMap} stands beside a map. Leave one of them out.").About(Map);
+        }
+
+        if (maps is [{ Factor: not null } or { IsMatched: true }])
+        {
+            throw new UsageException(
+                $"{Map.Name} {maps[0]}: factor= scales a map to the coarser one around it, and there is none. Give that one too, or "
+                    + "scale=.")
+                .About(Map);
+        }
+
+        if (maps.Length > 1 && Properties.ReadIfGiven(values) is not null)
+        {
+            throw new UsageException(
+                $"{Properties.Name} is for one map; of several write the properties behind each path, as in {maps[0].Path},scale=3.16e-4.")
+                .About(Properties, Map);
+        }
+
+        if (maps.GroupBy(map => Path.GetFullPath(map.Path)).FirstOrDefault(same => same.Count() > 1) is { } twice)
+        {
+            throw new UsageException($"{Map.Name} {twice.First().Path} is given twice. Leave one of them out.").About(Map);
+        }
+
+        if (maps.Length > 1 && RendererOptions.Renderer.Read(values) == RendererKind.PovRay)
+        {
+            throw new UsageException(
+                $"several {Map.Name} are drawn by the native renderer only. Add {RendererOptions.Renderer.Name} "
+                    + $"{RendererOptions.Renderer.WordOf(RendererKind.Native)}, or give one map.").About(Map, RendererOptions.Renderer);
+        }
     }
 
     [GeneratedRegex("^[0-9A-Fa-f]{64}$")]
@@ -66,10 +115,18 @@ internal static partial class AlbedoOptions
 }
 
 /// <summary>The checked options of the map of the Moon's reflectance.</summary>
-/// <param name="MapPath">The map; null for none, or for the installed one.</param>
+/// <param name="Maps">The maps; empty for none, or for the installed one.</param>
 /// <param name="IsGiven">Whether the user names a map, or none; if not, an installed map may be used.</param>
-/// <param name="Properties">Properties of the map that the user gives.</param>
+/// <param name="Properties">Properties of the one map that the user gives.</param>
 /// <param name="Sha256">SHA-256 that the map must have; null for any.</param>
 /// <param name="Band">Band of the law moon, of the map and of the radiance.</param>
 internal sealed record AlbedoSettings(
-    string? MapPath, bool IsGiven, MapProperties Properties, string? Sha256, SpectralBand Band);
+    IReadOnlyList<AlbedoMapPath> Maps, bool IsGiven, MapProperties Properties, string? Sha256, SpectralBand Band)
+{
+    /// <summary>Several maps as the arguments of a frame name them, in any order; null for one.</summary>
+    public IEnumerable<string>? NamesOfSeveral =>
+        Maps.Count > 1 ? Maps.Select(map => map.TextWith(Path.GetFileName(map.Path))).Order(StringComparer.Ordinal) : null;
+
+    /// <summary>Tells other maps, or other uses of them, apart.</summary>
+    public string Key => $"{string.Join('\n', Maps)} {IsGiven} {Properties} {Sha256} {Band}";
+}

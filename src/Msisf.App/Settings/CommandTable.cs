@@ -128,9 +128,14 @@ internal static class CommandTable
     /// <summary>msis ldem pyramid.</summary>
     public static CommandSpec Pyramid { get; } = new("pyramid", "Write a model's coarser levels into a file beside it.")
     {
-        Details = "Far views of fine models then need not read the whole model.",
+        Details = "Far views of fine models then need not read the whole model. Of a large map that GDAL reads, bounds and one "
+            + "coarser level are kept, which the first run with it would else find.",
         MakeArgument = () => ModelOptions.Model,
-        Examples = [("The levels of one model:", "msis ldem pyramid input/ldem/LDEM_64.LBL")],
+        Examples =
+        [
+            ("The levels of one model:", "msis ldem pyramid input/ldem/LDEM_64.LBL"),
+            ("What the first run with a large map would look for:", "msis ldem pyramid site.tif"),
+        ],
         MakeGroups = () => [new OptionGroup("The model", [ModelOptions.ModelResolution, ModelOptions.Verify]), Progress],
     };
 

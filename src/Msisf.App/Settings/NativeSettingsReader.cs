@@ -95,7 +95,7 @@ internal static class NativeSettingsReader
 
     private static void RefuseTwoBrightnesses(double? albedo, AlbedoSettings map)
     {
-        if (albedo is not null && map.MapPath is not null)
+        if (albedo is not null && map.Maps.Count > 0)
         {
             throw new UsageException("--albedo and --albedo-map both set the brightness of the surface. Leave one out.")
                 .About(NativeOptions.Albedo, AlbedoOptions.Map);

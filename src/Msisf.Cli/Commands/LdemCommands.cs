@@ -10,9 +10,14 @@ internal static class PyramidCommand
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         PyramidSettings settings = ModelOptions.ReadPyramid(call.Values);
-        call.Host.Results.WriteLine(ModelOptions.Verify.Read(call.Values)
+        string? path = ModelOptions.Verify.Read(call.Values)
             ? ModelPyramid.Verify(settings, call.Host, cancellation)
-            : ModelPyramid.Make(settings, call.Host, cancellation));
+            : ModelPyramid.Make(settings, call.Host, cancellation);
+        if (path is not null)
+        {
+            call.Host.Results.WriteLine(path);
+        }
+
         return 0;
     }
 }

@@ -23,7 +23,7 @@ internal sealed record MapLevelsHeader(
     /// <summary>Size of the header.</summary>
     public const int Bytes = 4096;
 
-    private const ulong Magic = 0x31_4C_42_4C_41_53_49_4D; // "MISALBL1": version 1
+    private const ulong Magic = 0x32_4C_42_4C_41_53_49_4D; // "MISALBL2": version 2, of warped images too
     private const int HashedBytes = 128;
     private const int HashBytes = SHA256.HashSizeInBytes;
 

@@ -10,11 +10,13 @@ namespace Msisf.Adapters.Raster.Albedo;
 public sealed class OpenedAlbedoMap : IDisposable
 {
     private readonly MapLevelsFile _levels;
+    private readonly string _path;
+    private readonly MapProperties _properties;
+    private AlbedoMap? _map;
 
-    private OpenedAlbedoMap(string path, PdsMapFiles? tiles, AlbedoMap map, MapLevelsFile levels)
+    private OpenedAlbedoMap(string path, PdsMapFiles? tiles, MapProperties properties, MapLevelsFile levels)
     {
-        Map = map;
-        _levels = levels;
+        (_path, _properties, _levels) = (path, properties, levels);
         Sha256 = Convert.ToHexStringLower(levels.Header.SourceHash);
         string[] names = tiles is { Files.Paths: var paths } && (paths.Count > 1 || Directory.Exists(path))
             ? [.. paths.Select(tile => Path.GetFileName(tile))]
@@ -40,6 +42,12 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <summary>The map as one input: its file; of several tiles the first one, with the length and the checksum of all.</summary>
     public InputFile Whole => Files[0] with { Bytes = _levels.Header.SourceBytes, Sha256 = Sha256 };
 
+    /// <summary>Several maps as one input: the name and length of the coarsest; the checksum is made of theirs.</summary>
+    public static InputFile WholeOf(IReadOnlyList<OpenedAlbedoMap> maps) => maps[0].Whole with
+    {
+        Sha256 = Convert.ToHexStringLower(MapFiles.HashOf([.. maps.Select(map => map._levels.Header.SourceHash)])),
+    };
+
     /// <summary>What the user should know of the map: tiles that are left out, or a resolution that is too fine.</summary>
     public IReadOnlyList<string> Notes { get; }
 
@@ -49,7 +57,15 @@ public sealed class OpenedAlbedoMap : IDisposable
     public string Sha256 { get; }
 
     /// <summary>The map.</summary>
-    public AlbedoMap Map { get; }
+    public AlbedoMap Map => _map ??= Describe();
+
+    /// <summary>
+    /// By what the map's values are multiplied to be those of the map around it; null for a map that has its own reflectances.
+    /// </summary>
+    public double? Factor { get; private set; }
+
+    /// <summary>Latitude that a pixel covers, rad: what tells which of several maps is the finest.</summary>
+    private double PixelHeight => (_levels.Header.Extent?.Height ?? Math.PI) / _levels.Header.Height;
 
     /// <summary>Whether a file is a map whose properties the program knows without any option.</summary>
     /// <param name="path">The file.</param>
@@ -79,6 +95,55 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <exception cref="ExternalPartException">GDAL is needed and missing, or the file system refuses.</exception>
     public static OpenedAlbedoMap Open(string path, MapProperties given, int bandNanometres, string? cacheFolder, string? gdalPath)
     {
+        OpenedAlbedoMap opened = OpenLevels(path, given, bandNanometres, cacheFolder, gdalPath);
+        try
+        {
+            _ = opened.Map;
+            return opened;
+        }
+        catch
+        {
+            opened.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Opens maps of which the finest counts where it has data; the others are scaled to those around them.</summary>
+    /// <param name="paths">The maps, in any order.</param>
+    /// <returns>The maps, the coarsest first.</returns>
+    /// <param name="bandNanometres">The band that is wanted, nm.</param>
+    /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
+    /// <param name="gdalPath">MSISF_GDAL, or null.</param>
+    /// <inheritdoc cref="Open" path="/exception"/>
+    public static IReadOnlyList<OpenedAlbedoMap> OpenSeveral(
+        IEnumerable<AlbedoMapPath> paths, int bandNanometres, string? cacheFolder, string? gdalPath)
+    {
+        List<(OpenedAlbedoMap Map, AlbedoMapPath Given)> maps = [];
+        try
+        {
+            foreach (AlbedoMapPath path in paths)
+            {
+                maps.Add((OpenLevels(path.Path, path.Properties, bandNanometres, cacheFolder, gdalPath), path));
+            }
+
+            maps = [.. maps.OrderByDescending(map => map.Map.PixelHeight).ThenBy(map => map.Map.Sha256, StringComparer.Ordinal)];
+            for (int i = 0; i < maps.Count; i++)
+            {
+                maps[i].Map.FitInto([.. maps[..i].Select(map => map.Map.Map).Reverse()], maps[i].Given);
+            }
+
+            return [.. maps.Select(map => map.Map)];
+        }
+        catch
+        {
+            maps.ForEach(map => map.Map.Dispose());
+            throw;
+        }
+    }
+
+    private static OpenedAlbedoMap OpenLevels(
+        string path, MapProperties given, int bandNanometres, string? cacheFolder, string? gdalPath)
+    {
         if (!File.Exists(path) && !Directory.Exists(path))
         {
             throw new BadInputException($"{path}: there is no such file. Give a map, or none.");
@@ -99,16 +164,8 @@ public sealed class OpenedAlbedoMap : IDisposable
 
         MapLevelsFile levels = MapLevelsFile.Open(
             tiles?.Files ?? new MapFiles(path, [path]), cacheFolder,
-            () => tiles?.OpenSource() ?? new GdalMapSource(GdalImage.Open(path, gdalPath)));
-        try
-        {
-            return new OpenedAlbedoMap(path, tiles, Describe(path, levels, properties), levels);
-        }
-        catch
-        {
-            levels.Dispose();
-            throw;
-        }
+            () => tiles?.OpenSource() ?? GdalMapSource.Open(path, gdalPath));
+        return new OpenedAlbedoMap(path, tiles, properties, levels);
     }
 
     /// <summary>Releases the map's pages that were read; they are mapped again when they are read again.</summary>
@@ -117,24 +174,61 @@ public sealed class OpenedAlbedoMap : IDisposable
     /// <summary>Unmaps the levels.</summary>
     public void Dispose() => _levels.Dispose();
 
-    private static AlbedoMap Describe(string path, MapLevelsFile levels, MapProperties properties)
+    /// <summary>Scales a map to those around it, unless its values are known to be reflectances in a known geometry.</summary>
+    /// <param name="coarser">The coarser maps, the finest first.</param>
+    /// <param name="given">How the user has it scaled.</param>
+    private void FitInto(IReadOnlyList<AlbedoMap> coarser, AlbedoMapPath given)
     {
-        MapLevelsHeader header = levels.Header;
-        ReferenceGeometry reference = properties.Reference ?? throw Unknown(path, "incidence, emission and phase angle");
+        bool isKnown = _properties is { Scale: not null, Reference: not null };
+        if (!given.IsMatched && isKnown)
+        {
+            _map = given.Factor is { } times ? Map.Scaled(times, Map.Reference) : Map;
+            return;
+        }
+
+        if (coarser.Count == 0 && !given.IsMatched && given.Factor is null)
+        {
+            _ = Map; // says what is not known of it
+        }
+
+        AlbedoMap own = OfValues(_properties.Scale ?? 1.0, default);
+        if (AlbedoMatch.Of(own, coarser) is not { } match)
+        {
+            throw new BadInputException(
+                $"{_path}: no coarser map shows the half of its border, so its brightness can't be taken from there. Give a map around it "
+                    + $"too, or what its values are: ,scale=...,incidence=...,emission=...,phase=... behind the path.");
+        }
+
+        double factor = given.Factor ?? match.Factor;
+        Factor = factor > 0.0 && double.IsFinite(factor) ? factor : throw new BadInputException(
+            $"{_path}: its values along the border are 0 or below in the mean, so they can't be scaled to the map around. Give offset=, "
+                + $"or declare what is no data, e.g. with gdal_edit.py -a_nodata 0.");
+        _map = own.Scaled(factor, _properties.Reference is { } reference && !given.IsMatched ? reference : match.Around.Reference);
+    }
+
+    private AlbedoMap Describe()
+    {
+        ReferenceGeometry reference = _properties.Reference ?? throw Unknown(_path, "incidence, emission and phase angle");
         if (Math.Abs(reference.IncidenceDegrees - reference.EmissionDegrees) > reference.PhaseDegrees
             || reference.IncidenceDegrees + reference.EmissionDegrees < reference.PhaseDegrees)
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{path}: no surface has incidence {reference.IncidenceDegrees:R}, emission {reference.EmissionDegrees:R} and phase angle "
+                $"{_path}: no surface has incidence {reference.IncidenceDegrees:R}, emission {reference.EmissionDegrees:R} and phase angle "
                     + $"{reference.PhaseDegrees:R} degrees. Correct --albedo-map-properties."));
         }
 
-        double scale = properties.Scale ?? throw Unknown(path, "scale");
-        MapExtent extent = header.Extent ?? WholeMoon(path, header, properties.WestDegrees ?? throw Unknown(path, "left edge (west)"));
-        extent = properties.WestDegrees is double left ? extent with { West = double.DegreesToRadians(left) } : extent;
+        return OfValues(_properties.Scale ?? throw Unknown(_path, "scale"), reference);
+    }
+
+    /// <summary>The map, its values being reflectances but for a factor.</summary>
+    private AlbedoMap OfValues(double scale, ReferenceGeometry reference)
+    {
+        MapLevelsHeader header = _levels.Header;
+        MapExtent extent = header.Extent ?? WholeMoon(_path, header, _properties.WestDegrees ?? throw Unknown(_path, "left edge (west)"));
+        extent = _properties.WestDegrees is double left ? extent with { West = double.DegreesToRadians(left) } : extent;
         return new AlbedoMap(
-            levels.Levels, extent, (scale * header.Offset) + (properties.Offset ?? 0.0), scale * header.Step, reference);
+            _levels.Levels, extent, (scale * header.Offset) + (_properties.Offset ?? 0.0), scale * header.Step, reference);
     }
 
     private static MapExtent WholeMoon(string path, MapLevelsHeader header, double west) =>

@@ -130,22 +130,20 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <exception cref="BadInputException">The file is damaged.</exception>
     public string? Prepare(string? cacheFolder, Func<FractionDisplay> start, CancellationToken cancellation = default)
     {
-        if (_scan is not null || (long)_blocks.Height * _blocks.Width < RasterScanFile.LeastPixels)
+        if (_scan is not null || !IsLarge)
         {
             Scan(cancellation: cancellation);
             return null;
         }
 
-        SidecarPlaces places = LdemSet.OfMap(ToLabel()).PlacesOf(RasterScanFile.Extension, cacheFolder);
         try
         {
-            byte[] fingerprint = RasterScanFile.Fingerprint(
-                Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}"));
-            _scan = places.Read(path => RasterScanFile.TryRead(path, fingerprint));
+            KeptScan kept = Kept(cacheFolder);
+            _scan = kept.Find()?.Scan;
             if (_scan is null)
             {
                 using FractionDisplay display = start();
-                RasterScanFile.Write(places.ForWriting(), fingerprint, Scan(display.Progress, cancellation));
+                kept.Write(Scan(display.Progress, cancellation));
             }
 
             return null;
@@ -155,6 +153,26 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             return $"{exception.Message} The next run looks at all pixels of {ProductId} again.";
         }
     }
+
+    /// <summary>Whether what was found by looking at all pixels is kept for other runs; fewer are looked at in some 0.1 s.</summary>
+    public bool IsLarge => (long)_blocks.Height * _blocks.Width >= RasterScanFile.LeastPixels;
+
+    /// <summary>The file in which that is kept; null if there is none that holds.</summary>
+    /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
+    public string? FindKept(string? cacheFolder) => Kept(cacheFolder).Find()?.Path;
+
+    /// <summary>Looks at all pixels again, and compares what is found with the file in which it is kept.</summary>
+    /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
+    /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>The file; null if there is none that holds.</returns>
+    /// <exception cref="BadInputException">They differ.</exception>
+    public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) => Kept(cacheFolder).Find() is not { } kept ? null
+        : Scan(cancellation: cancellation).IsSameAs(kept.Scan) ? kept.Path
+        : throw new BadInputException($"{kept.Path}: does not hold what the pixels of {_path} are. Delete it, and make it again.");
+
+    private KeptScan Kept(string? cacheFolder) => new(
+        LdemSet.OfMap(ToLabel()).PlacesOf(RasterScanFile.Extension, cacheFolder),
+        RasterScanFile.Fingerprint(Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}")));
 
     private RasterScan Scan(IProgress<double>? progress = null, CancellationToken cancellation = default)
     {
@@ -219,18 +237,15 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         for (int i = 0; i < isGap.Length;)
         {
             int column = ColumnOf(firstSample + i);
-            int count = Math.Min(
-                isGap.Length - i, Math.Min(RasterScan.Side - (column & (RasterScan.Side - 1)), _blocks.Width - column));
+            int count = _blocks.RunLength(column, isGap.Length - i);
             Span<bool> part = isGap.Slice(i, count);
-            if (scan.Of(row, 1, column, count).Gaps == 0)
+            part.Clear();
+            if (scan.Of(row, 1, column, count).Gaps > 0)
             {
-                part.Clear();
-            }
-            else
-            {
+                ReadOnlySpan<float> values = _blocks.RunAt(row, column, count);
                 for (int j = 0; j < count; j++)
                 {
-                    part[j] = float.IsNaN(_blocks.ValueAt(row, column + j));
+                    part[j] = float.IsNaN(values[j]);
                 }
             }
 
@@ -242,11 +257,18 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         int row = RowOf(line);
-        for (int i = 0; i < radii.Length; i++)
+        for (int i = 0; i < radii.Length;)
         {
             int column = ColumnOf(firstSample + i);
-            float value = _blocks.ValueAt(row, column);
-            radii[i] = float.IsNaN(value) ? throw Hole(row, column) : _placement.SphereRadius + _rule.HeightOf(value);
+            ReadOnlySpan<float> values = _blocks.RunAt(row, column, radii.Length - i);
+            for (int j = 0; j < values.Length; j++)
+            {
+                radii[i + j] = float.IsNaN(values[j])
+                    ? throw Hole(row, column + j)
+                    : _placement.SphereRadius + _rule.HeightOf(values[j]);
+            }
+
+            i += values.Length;
         }
     }
 

@@ -43,7 +43,7 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
         }
 
         ProjText proj = new(projection);
-        if (proj.Radius is not double radius || radius < MoonRadii.Min || radius > MoonRadii.Max)
+        if (proj.Radius is not double radius || !IsMoonRadius(radius))
         {
             throw new BadInputException(
                 $"{path}: its coordinate system ({proj}) is not one on a sphere of the Moon (R = 1737400 m). Take a lunar model, or "
@@ -70,6 +70,9 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
                 return null;
         }
     }
+
+    /// <summary>Whether a sphere is one of the Moon, m.</summary>
+    public static bool IsMoonRadius(double radius) => radius >= MoonRadii.Min && radius <= MoonRadii.Max;
 
     private static GeoTiffPlacement? Polar(
         string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,

@@ -12,8 +12,8 @@ internal sealed class RasterBlocks : IDisposable
     private const int BlockShift = RasterScan.SideShift;
     private const int BlockSide = RasterScan.Side;
 
-    /// <summary>Blocks that are kept, 256 MB; beyond that all are dropped.</summary>
-    private const int MaxBlocks = 1024;
+    /// <summary>Blocks that are kept, 128 MB; beyond that all are dropped.</summary>
+    private const int MaxBlocks = 512;
 
     private readonly Func<OpenedRaster> _open;
     private readonly HeightRule _rule;
@@ -47,9 +47,19 @@ internal sealed class RasterBlocks : IDisposable
     /// <summary>Whether a part of a row costs as much as all of it.</summary>
     public bool HasWideBlocks { get; }
 
-    /// <summary>The value of a pixel; NaN without data.</summary>
-    public float ValueAt(int row, int column) =>
-        Block(row >> BlockShift, column >> BlockShift)[((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1))];
+    /// <summary>How many pixels of a row from one on lie in one block.</summary>
+    /// <param name="column">The first.</param>
+    /// <param name="most">At most so many.</param>
+    public int RunLength(int column, int most) =>
+        Math.Min(most, Math.Min(BlockSide - (column & (BlockSide - 1)), Width - column));
+
+    /// <summary>The values of the next pixels of a row, as many as lie in one block; NaN without data.</summary>
+    /// <param name="row">The row.</param>
+    /// <param name="column">The first.</param>
+    /// <param name="most">At most so many.</param>
+    public ReadOnlySpan<float> RunAt(int row, int column, int most) =>
+        Block(row >> BlockShift, column >> BlockShift).AsSpan(
+            ((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1)), RunLength(column, most));
 
     private float[] Block(int blockRow, int blockColumn) =>
         Volatile.Read(ref Volatile.Read(ref _blocks)[blockRow]) is { } inRow && Volatile.Read(ref inRow[blockColumn]) is { } block
@@ -128,6 +138,9 @@ internal sealed class RasterBlocks : IDisposable
             {
                 Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
                 _blockCount = 1;
+
+                // Large arrays are else collected late: as many again, or more, would be in memory.
+                GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true, compacting: false);
             }
 
             if (_blocks[blockRow] is null)

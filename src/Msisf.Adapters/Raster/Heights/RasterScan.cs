@@ -24,6 +24,11 @@ internal sealed record RasterScan(
     /// <summary>Whether any pixel has no data.</summary>
     public bool HasGaps { get; } = Array.Exists(Squares, square => square.Gaps > 0);
 
+    /// <summary>Whether another scan has found the same.</summary>
+    public bool IsSameAs(RasterScan other) =>
+        (Rows, Columns, Undeclared, Halvings) == (other.Rows, other.Columns, other.Undeclared, other.Halvings)
+        && Squares.AsSpan().SequenceEqual(other.Squares) && Level.AsSpan().SequenceEqual(other.Level);
+
     /// <summary>The squares of a rectangle of pixels together.</summary>
     public ScannedSquare Of(int firstRow, int rows, int firstColumn, int columns)
     {

@@ -109,3 +109,19 @@ internal static class RasterScanFile
         Array.ForEach(scan.Level, writer.Write);
     }
 }
+
+/// <summary>Where the scan of a raster is kept.</summary>
+/// <param name="Places">The possible places.</param>
+/// <param name="Fingerprint">What the raster is.</param>
+internal sealed record KeptScan(SidecarPlaces Places, byte[] Fingerprint)
+{
+    /// <summary>The kept scan with its file; null if there is none, or none of this raster.</summary>
+    public (string Path, RasterScan Scan)? Find() => Places.Read(
+        path => RasterScanFile.TryRead(path, Fingerprint) is { } scan ? Tuple.Create(path, scan) : null) is { } kept
+            ? (kept.Item1, kept.Item2)
+            : null;
+
+    /// <summary>Writes the scan.</summary>
+    /// <exception cref="ExternalPartException">The file system refuses.</exception>
+    public void Write(RasterScan scan) => RasterScanFile.Write(Places.ForWriting(), Fingerprint, scan);
+}

@@ -16,6 +16,9 @@ public sealed record NativeRenderOptions
     /// <summary>Map by which the law's radiance factors are scaled; null for the law alone.</summary>
     public AlbedoMap? Albedo { get; init; }
 
+    /// <summary>Maps of parts of the Moon that count before <see cref="Albedo"/> where they have data, the finest last.</summary>
+    public IReadOnlyList<AlbedoMap> AlbedoSites { get; init; } = [];
+
     /// <summary>Hapke's parameters by place, which then replace <see cref="Reflectance"/>; null for the same law everywhere.</summary>
     public HapkeMap? Hapke { get; init; }
 

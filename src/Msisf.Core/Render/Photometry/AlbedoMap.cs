@@ -1,8 +1,17 @@
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>A map of the Moon's reflectance at one geometry of light and view, with its coarser levels. Immutable.</summary>
 public sealed class AlbedoMap
 {
+    /// <summary>1: by so much the cosine of the cap around a map is less, for rounding.</summary>
+    private const double CapSlack = 1e-9;
+
+    private readonly Vector3D _middle;
+    private readonly double _cosReach;
+
     /// <summary>Takes a map.</summary>
     /// <param name="levels">Finest first, each half as wide and high as the one before.</param>
     /// <param name="extent">What the map shows.</param>
@@ -17,6 +26,7 @@ public sealed class AlbedoMap
         Offset = offset;
         Step = step;
         Reference = reference;
+        (_middle, _cosReach) = CapOf(extent);
     }
 
     /// <summary>Finest first.</summary>
@@ -33,6 +43,44 @@ public sealed class AlbedoMap
 
     /// <summary>The geometry of the reflectances.</summary>
     public ReferenceGeometry Reference { get; }
+
+    /// <summary>The same map with other reflectances.</summary>
+    /// <param name="factor">By what they are multiplied.</param>
+    /// <param name="reference">Their geometry of light and view.</param>
+    public AlbedoMap Scaled(double factor, ReferenceGeometry reference) =>
+        new(Levels, Extent, factor * Offset, factor * Step, reference);
+
+    /// <summary>Whether points may lie on the map; a quick test, which points beside it pass too.</summary>
+    internal bool MayHold(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z)
+    {
+        for (int i = 0; i < x.Length; i++)
+        {
+            double along = (x[i] * _middle.X) + (y[i] * _middle.Y) + (z[i] * _middle.Z);
+            if (along >= _cosReach * Math.Sqrt((x[i] * x[i]) + (y[i] * y[i]) + (z[i] * z[i])))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>The direction of a map's middle, and the cosine of the angle to its farthest corner.</summary>
+    private static (Vector3D Middle, double CosReach) CapOf(MapExtent extent)
+    {
+        Vector3D At(double right, double down) => new SelenographicPoint(
+            Math.Clamp(extent.North - (down * extent.Height), -Math.PI / 2.0, Math.PI / 2.0),
+            extent.West + (right * extent.Width)).ToDirectionMoonMe();
+        if (extent.Width > Math.PI)
+        {
+            return extent.North - extent.Height > 0.0 ? (new Vector3D(0.0, 0.0, 1.0), Math.Sin(extent.North - extent.Height) - CapSlack)
+                : extent.North < 0.0 ? (new Vector3D(0.0, 0.0, -1.0), Math.Sin(-extent.North) - CapSlack)
+                : (new Vector3D(0.0, 0.0, 1.0), -2.0);
+        }
+
+        Vector3D middle = At(0.5, 0.5);
+        return (middle, Math.Min(Vector3D.Dot(middle, At(0.0, 0.0)), Vector3D.Dot(middle, At(0.0, 1.0))) - CapSlack);
+    }
 }
 
 /// <summary>A level of a map: the same extent with fewer pixels, each the mean of its area.</summary>

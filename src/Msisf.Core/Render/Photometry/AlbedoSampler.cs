@@ -29,7 +29,13 @@ internal sealed class AlbedoSampler
     /// The law's radiance factor in the map's geometry, above 0; null if it differs from place to place
     /// (<see cref="SunlitPoints.ReferenceFactors"/>).
     /// </param>
-    public void Scale(SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference)
+    /// <param name="ofLaw">The law's radiance factors, which the map scales.</param>
+    /// <param name="isSite">
+    /// Whether only pixels count whose middles lie on the map; else also those half a pixel of a level beside it.
+    /// </param>
+    public void Scale(
+        SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference, double[] ofLaw,
+        bool isSite = false)
     {
         _footprints.Find(points, camera, samplesAcross, map);
         double perReference = 1.0 / (factorOfReference ?? 1.0);
@@ -44,16 +50,21 @@ internal sealed class AlbedoSampler
             AverageCodes(first, count, places);
             for (int i = 0; i < count; i++)
             {
-                if (_codes[i] > 0.0)
+                if (_codes[i] > 0.0 && (!isSite || IsOn(map.Levels[0], first + i)))
                 {
                     double scale = offset + (step * _codes[i]);
-                    factors[first + i] *= factorOfReference is null ? scale / points.ReferenceFactors[first + i] : scale;
+                    scale = factorOfReference is null ? scale / points.ReferenceFactors[first + i] : scale;
+                    factors[first + i] = ofLaw[first + i] * scale;
                 }
             }
 
             first += count;
         }
     }
+
+    /// <summary>Whether the middle of a pixel lies on a map; longitudes are counted from its left edge, so none is below 0.</summary>
+    private bool IsOn(AlbedoMapLevel finest, int pixel) =>
+        _footprints.X[pixel] <= finest.Width && _footprints.Y[pixel] >= 0.0 && _footprints.Y[pixel] <= finest.Height;
 
     /// <summary>Takes the places on the map of pixels of one level, as many as there is room for.</summary>
     /// <returns>How many pixels.</returns>

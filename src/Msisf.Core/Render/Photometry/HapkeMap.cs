@@ -42,7 +42,13 @@ public sealed class HapkeMap
     /// The geometry of a map of the reflectance; the radiance factors there go to <see cref="SunlitPoints.ReferenceFactors"/>. Null if
     /// there is no map.
     /// </param>
-    internal void FindFactors(SunlitPoints points, ReferenceGeometry? reference)
+    internal void FindFactors(SunlitPoints points, ReferenceGeometry? reference) => FindFactors(points, reference, isForView: true);
+
+    /// <summary>Computes the radiance factors that pixels have in the geometry of a map, and no others.</summary>
+    internal void FindReferenceFactors(SunlitPoints points, ReferenceGeometry reference) =>
+        FindFactors(points, reference, isForView: false);
+
+    private void FindFactors(SunlitPoints points, ReferenceGeometry? reference, bool isForView)
     {
         Span<double> parameters = stackalloc double[Planes * Vector512<double>.Count];
         Span<Vector512<double>> buffer = stackalloc Vector512<double>[HapkeLanes.BufferLength];
@@ -57,9 +63,13 @@ public sealed class HapkeMap
             HapkeLanes lanes = new(
                 Vector512<double>.One, Plane(parameters, 0), Plane(parameters, 1), Plane(parameters, 2), Plane(parameters, 3),
                 Plane(parameters, 4), Plane(parameters, 5));
-            HapkeLanes.RadianceFactors(
-                lanes, Lanes(points.CosIncidence, i), Lanes(points.CosEmission, i), Lanes(points.PhaseHaversine, i),
-                Lanes(points.Factors, i), buffer);
+            if (isForView)
+            {
+                HapkeLanes.RadianceFactors(
+                    lanes, Lanes(points.CosIncidence, i), Lanes(points.CosEmission, i), Lanes(points.PhaseHaversine, i),
+                    Lanes(points.Factors, i), buffer);
+            }
+
             if (reference is { } there)
             {
                 HapkeLanes.RadianceFactors(

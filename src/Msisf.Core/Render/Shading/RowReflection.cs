@@ -15,6 +15,7 @@ internal sealed class RowReflection(SurfaceModel surface)
     private const int MostOver = 8;
 
     private readonly AlbedoSampler _albedo = new();
+    private double[] _ofLaw = [];
     private readonly SurfaceRow _row = new();
     private readonly SmoothNormals _normals = new(surface);
 
@@ -142,12 +143,47 @@ internal sealed class RowReflection(SurfaceModel surface)
                 Points.Factors);
         }
 
-        if (options.Albedo is { Reference: var there } map)
+        if (options.AlbedoSites.Count > 0)
         {
-            double? factorOfReference = options.Hapke is null
-                ? options.Reflectance.RadianceFactor(there.CosIncidence, there.CosEmission, there.PhaseHaversine)
-                : null;
-            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, factorOfReference);
+            ScaleWithSites(camera, options);
+        }
+        else if (options.Albedo is { } map)
+        {
+            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), Points.Factors);
+        }
+    }
+
+    /// <summary>The law's radiance factor in a geometry; null if it differs from place to place.</summary>
+    private static double? FactorOf(NativeRenderOptions options, ReferenceGeometry there) => options.Hapke is null
+        ? options.Reflectance.RadianceFactor(there.CosIncidence, there.CosEmission, there.PhaseHaversine)
+        : null;
+
+    /// <summary>Scales the law's radiance factors by the map, and those of the sites anew where they have data.</summary>
+    private void ScaleWithSites(FrameCamera camera, NativeRenderOptions options)
+    {
+        int count = Points.Count;
+        _ofLaw = _ofLaw.Length < count ? new double[Points.Factors.Length] : _ofLaw;
+        Points.Factors.AsSpan(0, count).CopyTo(_ofLaw);
+        if (options.Albedo is { } map)
+        {
+            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), _ofLaw);
+        }
+
+        ReferenceGeometry? there = options.Albedo?.Reference;
+        foreach (AlbedoMap site in options.AlbedoSites)
+        {
+            if (!site.MayHold(Points.X.AsSpan(0, count), Points.Y.AsSpan(0, count), Points.Z.AsSpan(0, count)))
+            {
+                continue;
+            }
+
+            if (site.Reference != there)
+            {
+                there = site.Reference;
+                options.Hapke?.FindReferenceFactors(Points, site.Reference);
+            }
+
+            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, site, FactorOf(options, site.Reference), _ofLaw, isSite: true);
         }
     }
 }

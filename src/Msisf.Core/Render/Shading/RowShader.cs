@@ -150,7 +150,7 @@ internal sealed class RowShader
 
     /// <summary>Whether the brightness of lit ground follows from the facet and the Sun alone.</summary>
     public static bool IsFlat(NativeRenderOptions options) =>
-        options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null };
+        options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null, AlbedoSites.Count: 0 };
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
