@@ -45,7 +45,7 @@ internal sealed record SurfaceInputs(
             files.Add(new InputFile(InputKind.HapkeMap, Path.GetFileName(settings.Native.HapkeMap!), hapke.FileBytes, hapke.Sha256));
         }
 
-        return new SurfaceInputs(maps.FirstOrDefault(), [.. maps.Skip(1)], hapke, files);
+        return new SurfaceInputs(maps.Count > 0 ? maps[0] : null, [.. maps.Skip(1)], hapke, files);
     }
 
     /// <summary>Closes the maps of the reflectance.</summary>

@@ -64,7 +64,8 @@ internal readonly record struct HeightRule(double Factor, double Offset)
         bool isSilent = (factor, offset) == (1.0, 0.0) && image.Unit.Length == 0;
         metres = isSilent && RasterProducts.Find(path) is { } product ? product.MetresPerStep : metres;
         HeightRule rule = new(metres * factor, (metres * offset) + (given.Offset ?? 0.0));
-        HeightGuess.Check(path, image, rule, pixel, isUnitKnown: image.Unit.Length > 0 || RasterProducts.Find(path) is not null);
+        bool isUnitKnown = image.Unit.Length > 0 || RasterProducts.Find(path) is not null;
+        HeightGuess.Check(path, image, rule, given.Offset ?? 0.0, pixel, isUnitKnown);
         return rule;
     }
 
@@ -98,8 +99,8 @@ internal static class HeightGuess
     private const double Flattest = 5e-4;
 
     /// <summary>Looks at values spread over a file.</summary>
-    /// <exception cref="BadInputException">They look like something else than heights.</exception>
-    public static void Check(string path, GdalImage image, HeightRule rule, double pixel, bool isUnitKnown)
+    /// <exception cref="BadInputException">They look like something else than heights, or the user's offset is too large.</exception>
+    public static void Check(string path, GdalImage image, HeightRule rule, double given, double pixel, bool isUnitKnown)
     {
         if (image.IsBytes && rule == new HeightRule(1.0, 0.0) && !isUnitKnown)
         {
@@ -112,6 +113,14 @@ internal static class HeightGuess
         if (heights.Length == 0)
         {
             return; // nothing but no data, which is told elsewhere
+        }
+
+        if (IsMost(heights, height => Math.Abs(height) > MoonConstants.MaxRelief)
+            && IsMost(heights, height => Math.Abs(height - given) <= MoonConstants.MaxRelief))
+        {
+            throw new BadInputException(
+                $"{path}: offset={Text(given)} makes heights of it such as {Text(heights[0])} m; the Moon's ground is at most "
+                    + $"{Text(MoonConstants.MaxRelief)} m off its sphere. Correct the offset.");
         }
 
         double radius = MoonConstants.ReferenceRadius;

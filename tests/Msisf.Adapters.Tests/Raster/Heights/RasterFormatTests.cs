@@ -100,6 +100,13 @@ public sealed class RasterFormatTests : IDisposable
     }
 
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Open_OffsetThatMovesHeightsOffTheMoon_IsNamed() => Assert.Contains(
+        "site.tif: offset=30000 makes heights of it such as ",
+        Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(
+            TestRaster.Write(_folder, "site.tif", "pass"), libraryPath: null, new HeightOptions { Offset = 30_000.0 })).Message,
+        StringComparison.Ordinal);
+
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Open_ComplexNumbers_AreRefused() => Assert.Contains(
         "complex numbers",
         Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(
