@@ -296,15 +296,3 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, cut the file to what "
             + $"is whole, with gdal_translate -srcwin, or put a coarser model around it, with a second --ldem."));
 }
-
-/// <summary>Shows how far a work has come.</summary>
-/// <param name="progress">Receives the fraction that is done.</param>
-/// <param name="display">Ends the display.</param>
-public sealed class FractionDisplay(IProgress<double> progress, IDisposable display) : IDisposable
-{
-    /// <summary>Receives the fraction that is done.</summary>
-    public IProgress<double> Progress => progress;
-
-    /// <summary>Ends the display.</summary>
-    public void Dispose() => display.Dispose();
-}
