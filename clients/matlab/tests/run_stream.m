@@ -1,6 +1,5 @@
-% Driven by test_matlab.py: writes images of some states as raw bytes, and what goes wrong as text.
-function run_stream(host, port, folder)
-    pkg('load', 'instrument-control');
+% Driven by test_matlab.py: writes images of some states as raw bytes, and what goes wrong as text. The server at the port dying says no HTTP, and closes.
+function run_stream(host, port, folder, dying)
     frame = '{"width": 37, "height": 20, "fov": 33.5, "bit-depth": 16}';
     stream = MsisfStream(host, port, frame, '0123456789abcdef');
     first = stream.render(55289.25, [1.9e6 1e5 -2e5], [0 0 0 1]);
@@ -27,6 +26,19 @@ function run_stream(host, port, folder)
         fprintf('%s\n', problem.message);
     end
     fprintf('%s %d %d\n', class(first), size(first));
+    wrong = {{port, '/v1/render', '{"width": 0}', '0123456789abcdef'}, {port, '/v1/sun?mjd=55289', '', 'wrong'}, {dying, '/', ''}};
+    for k = 1:3
+        try
+            msisf_ask(host, wrong{k}{:});
+        catch problem
+            fprintf('%s\n', problem.message);
+        end
+    end
+    try
+        MsisfStream(host, dying, frame);
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
 end
 
 function keep(folder, name, image)

@@ -43,10 +43,11 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         BatchRow row = new(columns, values);
         ModifiedJulianDate time = TimeOf(row);
         Vector3D position = PositionMoonMe(row, time);
-        return new SpacecraftState(time, position, MoonFromCamera(row, time, position, lineNumber))
+        Vector3D? sun = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null;
+        return new SpacecraftState(time, position, MoonFromCamera(row, time, position, SceneWithSun.Of(scene, sun), lineNumber))
         {
             Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
-            SunPositionMoonMe = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null,
+            SunPositionMoonMe = sun,
             Noise = row.Has(BatchNames.Noise) ? row.Read(BatchNames.Noise, text => NoiseSeedText.Parse(text, _step)) : null,
             ExposureFactor = row.Has(BatchNames.Exposure)
                 ? row.Read(BatchNames.Exposure, _ => SpacecraftState.CheckedExposure(row.Number(BatchNames.Exposure)))
@@ -107,7 +108,8 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         : row.Has(BatchNames.Altitude) ? (row.Number(BatchNames.Altitude), false)
         : (MetresPerKilometre * row.Number(BatchNames.HeightKilometres), false);
 
-    private UnitQuaternion MoonFromCamera(BatchRow row, ModifiedJulianDate time, Vector3D position, int lineNumber)
+    private UnitQuaternion MoonFromCamera(
+        BatchRow row, ModifiedJulianDate time, Vector3D position, ISceneGeometry withSun, int lineNumber)
     {
         if (row.Has(BatchNames.Quaternion[0]))
         {
@@ -127,8 +129,8 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         }
 
         CameraPointing pointing = PointingOf(row);
-        UnitQuaternion pointed = pointing.MoonFromCamera(position, time, scene);
-        if (pointing.IsTargetHidden(position, scene))
+        UnitQuaternion pointed = pointing.MoonFromCamera(position, time, withSun);
+        if (pointing.IsTargetHidden(position, withSun))
         {
             _hiddenTargets.Add(lineNumber);
         }

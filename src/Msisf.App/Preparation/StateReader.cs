@@ -65,14 +65,15 @@ internal sealed class StateReader
             _host.Log.Warning(mistake);
         }
 
+        ISceneGeometry scene = SceneWithSun.Of(_scene, trajectory.SunPositionMoonMe);
         IReadOnlyList<SpacecraftState> states = trajectory switch
         {
             FixedStateSettings fixedState => [fixedState.State],
-            BatchFileSettings file => BatchFile(file, cancellation),
-            PlaceSettings place => AtPlace(place, cancellation),
+            BatchFileSettings file => BatchFile(file, scene, cancellation),
+            PlaceSettings place => AtPlace(place, scene, cancellation),
             OrbitSettings orbit => OnOrbit(orbit, cancellation),
-            MissionSettings mission => OnMission(mission, cancellation),
-            SampledSettings sampled => BetweenSamples(sampled, cancellation),
+            MissionSettings mission => OnMission(mission, scene, cancellation),
+            SampledSettings sampled => BetweenSamples(sampled, scene, cancellation),
             _ => throw new ArgumentException($"no states are known of {trajectory.GetType().Name}", nameof(trajectory)),
         };
         if (trajectory is BatchFileSettings)
@@ -138,14 +139,14 @@ internal sealed class StateReader
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
 
     // A read from a terminal or pipe can't be cancelled, so its thread is abandoned.
-    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, CancellationToken cancellation) =>
-        Task.Run(() => BatchFile(file), CancellationToken.None).WaitAsync(cancellation).GetAwaiter().GetResult();
+    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, ISceneGeometry scene, CancellationToken cancellation) =>
+        Task.Run(() => BatchFile(file, scene), CancellationToken.None).WaitAsync(cancellation).GetAwaiter().GetResult();
 
-    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file)
+    private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, ISceneGeometry scene)
     {
         if (file.IsStandardInput)
         {
-            return States(_host.StandardInput(), file);
+            return States(_host.StandardInput(), file, scene);
         }
 
         if (!File.Exists(file.Path))
@@ -158,7 +159,7 @@ internal sealed class StateReader
         try
         {
             using StreamReader reader = new(file.Path, Encoding.UTF8);
-            return States(reader, file);
+            return States(reader, file, scene);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
@@ -166,14 +167,14 @@ internal sealed class StateReader
         }
     }
 
-    private IReadOnlyList<SpacecraftState> States(TextReader reader, BatchFileSettings file) => BatchFileReader.Read(
-        reader, NameOf(file), _scene, file.Conventions, _host.Log.Warning, _host.Log.Note);
+    private IReadOnlyList<SpacecraftState> States(TextReader reader, BatchFileSettings file, ISceneGeometry scene) => BatchFileReader.Read(
+        reader, NameOf(file), scene, file.Conventions, _host.Log.Warning, _host.Log.Note);
 
-    private SpacecraftState[] AtPlace(PlaceSettings settings, CancellationToken cancellation)
+    private SpacecraftState[] AtPlace(PlaceSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
         Vector3D position = PointingOptions.Position.NamedInErrors(
-            () => settings.Place.ToPositionMoonMe(_scene.GroundRadius, _scene.ReferenceRadius));
-        if (settings.Pointing.IsTargetHidden(position, _scene))
+            () => settings.Place.ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius));
+        if (settings.Pointing.IsTargetHidden(position, scene))
         {
             _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
         }
@@ -181,7 +182,7 @@ internal sealed class StateReader
         return [.. settings.Times.Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            return new SpacecraftState(time, position, settings.Pointing.MoonFromCamera(position, time, _scene));
+            return new SpacecraftState(time, position, settings.Pointing.MoonFromCamera(position, time, scene));
         })];
     }
 
@@ -231,9 +232,9 @@ internal sealed class StateReader
         }
     }
 
-    private SpacecraftState[] BetweenSamples(SampledSettings settings, CancellationToken cancellation)
+    private SpacecraftState[] BetweenSamples(SampledSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
-        IReadOnlyList<SpacecraftState> samples = BatchFile(settings.Samples, cancellation);
+        IReadOnlyList<SpacecraftState> samples = BatchFile(settings.Samples, scene, cancellation);
         SampledMotion motion = ScanStates.MotionOf(samples, settings);
         return [.. (settings.Times ?? [motion.Start]).Select(time => ScanStates.Between(motion, time, settings.Samples.Path) with
         {
@@ -241,7 +242,7 @@ internal sealed class StateReader
         })];
     }
 
-    private SpacecraftState[] OnMission(MissionSettings settings, CancellationToken cancellation)
+    private SpacecraftState[] OnMission(MissionSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
         if (settings.Position is OemPosition && !Body.IsMoon)
         {
@@ -251,7 +252,7 @@ internal sealed class StateReader
         }
 
         OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");
-        MissionPath mission = MissionPath.Open(settings, kernels, _scene, _host.Log.Note);
+        MissionPath mission = MissionPath.Open(settings, kernels, scene, _host.Log.Note);
         return [.. mission.Times(settings).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();

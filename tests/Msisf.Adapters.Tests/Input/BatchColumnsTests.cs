@@ -70,6 +70,18 @@ public class BatchColumnsTests
         }
     }
 
+    /// <summary>Each line's own Sun is what is above in its image.</summary>
+    [Fact]
+    public void Read_SunAndUpSun_AreTheSameSun()
+    {
+        SpacecraftState[] states = [.. Read(
+            "time,x,y,z,off_nadir,up,sun_x,sun_y,sun_z\n60328.5,2E6,0,0,0,sun,1.4E11,0,-1E10\n60328.5,2E6,0,0,0,sun,1E10,1.4E11,0")];
+
+        Vector3D[] up = [.. states.Select(state => state.MoonFromCamera * Vector3D.UnitZ)];
+        Assert.Equal(0.0, (up[0] + Vector3D.UnitZ).Length, 1e-12);
+        Assert.Equal(0.0, (up[1] - Vector3D.UnitY).Length, 1e-12);
+    }
+
     [Theory]
     [InlineData("sun_x,sun_y,sun_z", "1,0,0", "metres are needed")]
     [InlineData("sun_x,sun_y,sun_z", "1.5E8,0,0", "metres are needed")]
