@@ -58,12 +58,15 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     public virtual async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
     {
         SetHeaders(response, isMultipart, _parts[0]);
-        foreach (AnswerPart part in _parts)
+        byte[][] heads = [.. _parts.Select(part => isMultipart ? Encoding.ASCII.GetBytes(HeadOf(part)) : [])];
+        if (isMultipart)
         {
-            if (isMultipart)
-            {
-                await response.Body.WriteAsync(Encoding.ASCII.GetBytes(HeadOf(part)), cancellation).ConfigureAwait(false);
-            }
+            response.ContentLength = heads.Sum(head => (long)head.Length) + _parts.Sum(part => part.Content.Length) + End.Length;
+        }
+
+        foreach ((byte[] head, AnswerPart part) in heads.Zip(_parts))
+        {
+            await response.Body.WriteAsync(head, cancellation).ConfigureAwait(false);
 
             await response.Body.WriteAsync(part.Bytes, cancellation).ConfigureAwait(false);
         }

@@ -9,6 +9,7 @@ using Msisf.App.Settings;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Server;
 
@@ -60,7 +61,9 @@ internal sealed class FrameAnswers
         {
             case AnswerForm.Raw:
                 string type = image.BytesPerPixel == 1 ? "u8" : "u16";
-                answer.Add("image.raw", form, stream => CopyLevels(image, stream, threads), SizeOf(image.Width, image.Height, type));
+                answer.Add(
+                    "image.raw", form, stream => CopyLevels(image, stream, threads),
+                    [.. SizeOf(image.Width, image.Height, type), .. MeaningOf(image)]);
                 break;
             case AnswerForm.Npy:
                 answer.Add("image.npy", form, stream =>
@@ -80,6 +83,12 @@ internal sealed class FrameAnswers
         CancellationToken cancellation)
     {
         AnswerPlan plan = AnswerPlan.Of(form, session.Settings);
+        if (plan is { HasImage: true, Layers: null, HasNumbers: false, Meta: { } both, IsSentAsMade: false } && threads > 1)
+        {
+            WriteBoth(answer, session, frame, image, form, both, cancellation);
+            return;
+        }
+
         if (plan.HasImage)
         {
             AddImage(answer, image, form.IsMultipart ? form.Image : form.Main, threads);
@@ -107,12 +116,39 @@ internal sealed class FrameAnswers
 
         if (plan.Meta is { } meta)
         {
-            answer.Add(
-                meta == AnswerForm.Xml ? "xml" : "json",
-                meta,
-                stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
+            AddMeta(answer, meta, stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
         }
     }
+
+    /// <summary>Writes image and meta file side by side: a closed loop waits for both.</summary>
+    private static void WriteBoth(
+        Answer answer, RenderSession session, PreparedFrame frame, NativeImage image, AnswerForm form, string metaForm,
+        CancellationToken cancellation)
+    {
+        Task<MemoryStream> meta = Task.Run(
+            () =>
+            {
+                MemoryStream stream = new();
+                RenderedFrame rendered = image.ToRendered(Stream.Null);
+                WriteMeta(stream, metaForm, session, frame, rendered, session.Describe(frame, rendered), cancellation);
+                return stream;
+            },
+            CancellationToken.None);
+        try
+        {
+            AddImage(answer, image, form.Image, threads: 1);
+        }
+        finally
+        {
+            Task.WaitAny([meta], CancellationToken.None); // it reads the image, which is gone after an exception
+        }
+
+        using MemoryStream written = meta.GetAwaiter().GetResult();
+        AddMeta(answer, metaForm, written.WriteTo);
+    }
+
+    private static void AddMeta(Answer answer, string form, Action<MemoryStream> write) =>
+        answer.Add(form == AnswerForm.Xml ? "xml" : "json", form, write);
 
     private static void AddLayers(
         Answer answer, RenderSession session, AnswerPlan plan, LayerSet layers, AnswerForm form, LayersOf of,
@@ -192,6 +228,12 @@ internal sealed class FrameAnswers
         ("X-Msisf-Width", width.ToString(CultureInfo.InvariantCulture)),
         ("X-Msisf-Height", height.ToString(CultureInfo.InvariantCulture)),
         ("X-Msisf-Type", type),
+    ];
+
+    private static (string Name, string Value)[] MeaningOf(NativeImage image) =>
+    [
+        ("X-Msisf-Bits", image.Bits.ToString(CultureInfo.InvariantCulture)),
+        ("X-Msisf-Transfer", image.Transfer is { } transfer ? transfer == GreyTransfer.Srgb ? "srgb" : "linear" : "detector"),
     ];
 
     /// <summary>What the files of layers are written from.</summary>

@@ -10,7 +10,7 @@ namespace Msisf.Server;
 /// </summary>
 internal static class MetadataJson
 {
-    private static readonly string[] Lists = ["Pixel", "Input", "Crater", "CraterLeftOut", "Landmark"];
+    private static readonly string[] Lists = ["Pixel", "Input", "ElevationPart", "Crater", "CraterLeftOut", "Landmark"];
 
     /// <summary>Attributes that stay texts, even if they look like a number.</summary>
     private static readonly string[] Texts = ["name", "id", "product", "sha256", "hiddenBy"];
@@ -21,86 +21,139 @@ internal static class MetadataJson
     /// <param name="xml">The meta file.</param>
     public static void Write(Stream json, Stream xml)
     {
-        XmlDocument document = new() { XmlResolver = null };
         using XmlReader reader = XmlReader.Create(xml, Reading);
-        document.Load(reader);
         using Utf8JsonWriter writer = new(json);
-        WriteElement(writer, document.DocumentElement!);
+        reader.MoveToContent();
+        WriteElement(writer, reader);
     }
 
-    private static void WriteElement(Utf8JsonWriter json, XmlElement element)
+    /// <summary>Writes the element at which the reader is, which is at its end afterwards.</summary>
+    private static void WriteElement(Utf8JsonWriter json, XmlReader reader)
     {
-        XmlElement[] children = [.. element.ChildNodes.OfType<XmlElement>()];
-        if (children.Length == 0 && element.Attributes.Count == 0)
+        bool isObject = reader.HasAttributes;
+        bool isEmpty = reader.IsEmptyElement;
+        if (isObject)
         {
-            WriteText(json, element.InnerText);
-            return;
+            WriteAttributes(json, reader);
         }
 
-        json.WriteStartObject();
-        foreach (XmlAttribute attribute in element.Attributes)
+        string text = string.Empty;
+        string? list = null;
+        while (!isEmpty && reader.Read() && reader.NodeType != XmlNodeType.EndElement)
         {
-            json.WritePropertyName(attribute.Name);
-            if (Texts.Contains(attribute.Name))
+            if (reader.NodeType == XmlNodeType.Text)
             {
-                json.WriteStringValue(attribute.Value);
+                text += reader.Value;
             }
-            else
+            else if (reader.NodeType == XmlNodeType.Element)
             {
-                WriteText(json, attribute.Value);
+                if (!isObject)
+                {
+                    json.WriteStartObject();
+                    isObject = true;
+                }
+
+                list = WriteName(json, reader.Name, list);
+                WriteElement(json, reader);
             }
         }
 
-        foreach (IGrouping<string, XmlElement> same in children.GroupBy(child => child.Name))
+        if (list is not null)
         {
-            json.WritePropertyName(same.Key);
-            if (!Lists.Contains(same.Key))
-            {
-                WriteElement(json, same.First());
-                continue;
-            }
-
-            json.WriteStartArray();
-            foreach (XmlElement child in same)
-            {
-                WriteElement(json, child);
-            }
-
             json.WriteEndArray();
         }
 
-        if (children.Length == 0 && element.InnerText.Trim().Length > 0)
+        if (!isObject)
+        {
+            WriteText(json, text);
+            return;
+        }
+
+        if (text.Length > 0)
         {
             json.WritePropertyName("value");
-            WriteText(json, element.InnerText);
+            WriteText(json, text);
         }
 
         json.WriteEndObject();
     }
 
+    private static void WriteAttributes(Utf8JsonWriter json, XmlReader reader)
+    {
+        json.WriteStartObject();
+        while (reader.MoveToNextAttribute())
+        {
+            json.WritePropertyName(reader.Name);
+            if (Texts.Contains(reader.Name))
+            {
+                json.WriteStringValue(reader.Value);
+            }
+            else
+            {
+                WriteText(json, reader.Value);
+            }
+        }
+
+        reader.MoveToElement();
+    }
+
+    /// <summary>Writes the name of a member, once for all elements of a list, which follow each other.</summary>
+    /// <returns>The list that is open now; null for none.</returns>
+    private static string? WriteName(Utf8JsonWriter json, string name, string? list)
+    {
+        if (list == name)
+        {
+            return list;
+        }
+
+        if (list is not null)
+        {
+            json.WriteEndArray();
+        }
+
+        json.WritePropertyName(name);
+        if (!Lists.Contains(name))
+        {
+            return null;
+        }
+
+        json.WriteStartArray();
+        return name;
+    }
+
     /// <summary>A number, a list of numbers separated by blanks, or a text.</summary>
     private static void WriteText(Utf8JsonWriter json, string text)
     {
+        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double single) && double.IsFinite(single))
+        {
+            json.WriteNumberValue(single);
+            return;
+        }
+
         string[] words = text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
-        double[] numbers = [.. words.Select(word =>
-            double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : double.NaN)];
-        if (numbers.Length == 0 || !numbers.All(double.IsFinite))
+        double[] numbers = new double[words.Length];
+        for (int index = 0; index < words.Length; index++)
+        {
+            if (!double.TryParse(words[index], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[index])
+                || !double.IsFinite(numbers[index]))
+            {
+                json.WriteStringValue(text);
+                return;
+            }
+        }
+
+        if (numbers.Length == 0)
         {
             json.WriteStringValue(text);
+            return;
         }
-        else if (numbers.Length == 1)
-        {
-            json.WriteNumberValue(numbers[0]);
-        }
-        else
-        {
-            json.WriteStartArray();
-            foreach (double number in numbers)
-            {
-                json.WriteNumberValue(number);
-            }
 
-            json.WriteEndArray();
+        json.WriteStartArray();
+        foreach (double number in numbers)
+        {
+            json.WriteNumberValue(number);
         }
+
+        json.WriteEndArray();
     }
 }

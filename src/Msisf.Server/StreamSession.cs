@@ -5,19 +5,12 @@ using System.Threading.Channels;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
-using Msisf.Core.Scene;
 
 namespace Msisf.Server;
 
 /// <summary>One WebSocket: the first message says the camera and its options, each further one where it is.</summary>
 internal sealed class StreamSession : IDisposable
 {
-    /// <summary>bytes: eight doubles.</summary>
-    private const int StateLength = 64;
-
-    /// <summary>bytes: with the six of a motion.</summary>
-    private const int StateWithMotionLength = 112;
-
     private const int HeadLength = 16;
 
     /// <summary>Messages that are read ahead in lock-step.</summary>
@@ -35,18 +28,15 @@ internal sealed class StreamSession : IDisposable
     private readonly StreamSocket _socket;
     private readonly CancellationTokenSource _gone;
     private readonly CancellationToken _stopping;
-    private JsonDocument? _opening;
-    private AnswerForm _form = AnswerForm.Of(AnswerForm.Raw);
-    private RequestedFrame? _frame;
-    private JsonElement _base;
+    private JsonDocument? _document;
+    private StreamOpening? _opening;
+    private RequestedFrame[] _cameras = [];
     private uint _number;
     private uint _numberOfFirst;
-    private bool _isNewestOnly;
-    private bool _isTimed;
 
     public StreamSession(FrameService frames, WebSocket socket, CancellationToken aborted, CancellationToken stopping)
     {
-        (_frames, _socket, _stopping) = (frames, new StreamSocket(socket, StateWithMotionLength), stopping);
+        (_frames, _socket, _stopping) = (frames, new StreamSocket(socket, StreamMessage.StateWithMotionLength), stopping);
         _gone = CancellationTokenSource.CreateLinkedTokenSource(aborted);
     }
 
@@ -63,11 +53,12 @@ internal sealed class StreamSession : IDisposable
                 return;
             }
 
-            Channel<StreamMessage> messages = Channel.CreateBounded<StreamMessage>(new BoundedChannelOptions(_isNewestOnly ? 1 : Ahead)
+            int ahead = _opening!.IsNewestOnly ? 1 : Ahead;
+            Channel<StreamMessage> messages = Channel.CreateBounded<StreamMessage>(new BoundedChannelOptions(ahead)
             {
-                FullMode = _isNewestOnly ? BoundedChannelFullMode.DropOldest : BoundedChannelFullMode.Wait,
+                FullMode = _opening.IsNewestOnly ? BoundedChannelFullMode.DropOldest : BoundedChannelFullMode.Wait,
                 SingleReader = true,
-                SingleWriter = true,
+                AllowSynchronousContinuations = true, // a state is drawn without a change of threads
             });
             Task reading = ReadAsync(messages.Writer);
             using CancellationTokenRegistration end = _stopping.Register(() => messages.Writer.TryComplete());
@@ -103,7 +94,7 @@ internal sealed class StreamSession : IDisposable
     {
         _gone.Cancel();
         _gone.Dispose();
-        _opening?.Dispose();
+        _document?.Dispose();
     }
 
     private async Task<StreamMessage?> ReceiveFirstAsync()
@@ -119,24 +110,23 @@ internal sealed class StreamSession : IDisposable
     {
         try
         {
-            _opening = JsonText.Parse(first.Bytes);
-            IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(_opening.RootElement);
-            if (members.Keys.FirstOrDefault(key => key is not ("frame" or "mode" or "format" or "timing")) is { } unknown)
-            {
-                throw new UsageException($"'{unknown}' is not known here; the first message has 'frame', 'mode', 'format' and 'timing'.");
-            }
-
-            _isNewestOnly = WordOf(members, "mode", "lock-step", "newest-only") == "newest-only";
-            _form = AnswerForm.Of(WordOf(members, "format", "u8", "png") == "png" ? AnswerForm.Png : AnswerForm.Raw);
-            _isTimed = FlagOf(members, "timing");
-            _base = FrameOf(members);
-            _frame = _frames.Read(_base, needsPlace: false);
+            _document = JsonText.Parse(first.Bytes);
+            _opening = StreamOpening.Read(_document.RootElement);
+            _cameras = [.. _opening.Cameras.Select(camera => _frames.Read(_opening.Frame, camera, needsPlace: false))];
             await _socket.SendAsync(
                 json =>
                 {
                     json.WriteBoolean("ready", true);
-                    json.WriteNumber("width", _frame.Settings.Width);
-                    json.WriteNumber("height", _frame.Settings.Height);
+                    WriteSize(json, _cameras[0]);
+                    json.WriteStartArray("cameras");
+                    foreach (RequestedFrame camera in _cameras)
+                    {
+                        json.WriteStartObject();
+                        WriteSize(json, camera);
+                        json.WriteEndObject();
+                    }
+
+                    json.WriteEndArray();
                 },
                 _gone.Token).ConfigureAwait(false);
             return true;
@@ -148,25 +138,28 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    /// <summary>Draws the frame of a message and sends it, or what is wrong with it.</summary>
+    private static void WriteSize(Utf8JsonWriter json, RequestedFrame camera)
+    {
+        json.WriteNumber("width", camera.Settings.Width);
+        json.WriteNumber("height", camera.Settings.Height);
+    }
+
+    /// <summary>Draws the images of a message and sends them, or what is wrong with the first of them that can't be drawn.</summary>
     private async Task AnswerAsync(StreamMessage message)
     {
         _number = message.Order + _numberOfFirst; // counts states that were left out too: the client knows which one this is
         try
         {
-            (RequestedFrame requested, TrajectorySettings place) = message.Type == WebSocketMessageType.Binary
-                ? (_frame!, WithNoise(PlaceOf(message.Bytes), _frame!))
+            (RequestedFrame Requested, TrajectorySettings Place)[] images = message.Type == WebSocketMessageType.Binary
+                ? PlacesOf(message)
                 : ReadChanges(message);
-            using Answer answer = _frames.Answers.InMemory(HeadLength);
-            await _frames.DrawAsync(requested, place, _form, answer, _gone.Token).ConfigureAwait(false);
-            if (_isTimed)
+            Task sending = Task.CompletedTask;
+            foreach ((RequestedFrame requested, TrajectorySettings place) in images)
             {
-                await SendTimesAsync(answer.Times).ConfigureAwait(false);
+                sending = await DrawAsync(requested, place, sending).ConfigureAwait(false);
             }
 
-            AnswerPart image = answer.Parts[0];
-            WriteHead(image.Content.GetBuffer(), requested.Settings);
-            await _socket.SendAsync(image.Bytes, _gone.Token).ConfigureAwait(false);
+            await sending.ConfigureAwait(false);
         }
         catch (Exception exception) when (Problem.Of(exception) is not null)
         {
@@ -174,26 +167,56 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    private static FixedStateSettings PlaceOf(byte[] bytes)
+    /// <summary>Draws an image while that of the camera before is sent.</summary>
+    /// <param name="requested">The frame.</param>
+    /// <param name="place">Where the camera is.</param>
+    /// <param name="before">The sending of the image before.</param>
+    /// <returns>The sending of this one.</returns>
+    private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, Task before)
     {
-        if (bytes.Length != StateLength && bytes.Length != StateWithMotionLength)
+        Answer answer = _frames.Answers.InMemory(HeadLength);
+        try
         {
-            throw new UsageException(
-                $"the message has {bytes.Length} bytes; {StateLength} are needed: {string.Join(' ', SpacecraftState.NumberNames)} as "
-                    + $"little-endian doubles; or {StateWithMotionLength} with the six numbers of --motion.");
+            await _frames.DrawAsync(requested, place, _opening!.Form, answer, _gone.Token).ConfigureAwait(false);
+        }
+        catch
+        {
+            answer.Dispose();
+            throw;
+        }
+        finally
+        {
+            await before.ConfigureAwait(false);
         }
 
-        double[] numbers = new double[bytes.Length / sizeof(double)];
-        for (int index = 0; index < numbers.Length; index++)
-        {
-            numbers[index] = BinaryPrimitives.ReadDoubleLittleEndian(bytes.AsSpan(index * sizeof(double)));
-        }
+        return SendAsync(answer, requested.Settings);
+    }
 
-        return new FixedStateSettings(SpacecraftState.FromNumbers(numbers));
+    /// <summary>Sends an image and gives its memory back.</summary>
+    private async Task SendAsync(Answer answer, RenderSettings settings)
+    {
+        using (answer)
+        {
+            if (_opening!.IsTimed)
+            {
+                await SendTimesAsync(answer.Times).ConfigureAwait(false);
+            }
+
+            AnswerPart image = answer.Parts[0];
+            WriteHead(image.Content.GetBuffer(), settings);
+            await _socket.SendAsync(image.Bytes, _gone.Token).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>A state for each camera.</summary>
+    private (RequestedFrame Requested, TrajectorySettings Place)[] PlacesOf(StreamMessage message)
+    {
+        FixedStateSettings place = message.ToPlace();
+        return [.. _cameras.Select(camera => (camera, WithNoise(place, camera)))];
     }
 
     /// <summary>The options of the first message with those of a later one, which may give the frame's number too.</summary>
-    private (RequestedFrame Requested, TrajectorySettings Place) ReadChanges(StreamMessage message)
+    private (RequestedFrame Requested, TrajectorySettings Place)[] ReadChanges(StreamMessage message)
     {
         using JsonDocument json = JsonText.Parse(message.Bytes);
         Dictionary<string, JsonElement> changes = new(JsonText.Members(json.RootElement), StringComparer.Ordinal);
@@ -205,9 +228,14 @@ internal sealed class StreamSession : IDisposable
             _numberOfFirst = _number - message.Order;
         }
 
-        RequestedFrame requested = _frames.Read(_base, changes);
         bool hasOwnNoise = changes.ContainsKey(NativeOptions.NoiseSeed.Key);
-        return (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested));
+        return
+        [
+            .. _opening!.Cameras
+                .Select(camera => _frames.Read(
+                    _opening.Frame, camera.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary()))
+                .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested))),
+        ];
     }
 
     /// <summary>The number of a state in the stream is its step in the series of noises that the first message chooses.</summary>
@@ -269,26 +297,4 @@ internal sealed class StreamSession : IDisposable
             json.WriteString("error", Problem.Shortened(Problem.Of(exception)!.Detail));
         },
         _gone.Token);
-
-    private static JsonElement FrameOf(IReadOnlyDictionary<string, JsonElement> members) =>
-        members.TryGetValue("frame", out JsonElement frame)
-            ? frame
-            : throw new UsageException("the first message has no 'frame', the options of the images.");
-
-    private static bool FlagOf(IReadOnlyDictionary<string, JsonElement> members, string name) =>
-        members.TryGetValue(name, out JsonElement value)
-        && value.ValueKind switch
-        {
-            JsonValueKind.True => true,
-            JsonValueKind.False => false,
-            _ => throw new UsageException($"'{name}' is {JsonText.Shown(value)}; true or false is needed."),
-        };
-
-    private static string WordOf(IReadOnlyDictionary<string, JsonElement> members, string name, params string[] words)
-    {
-        string word = members.TryGetValue(name, out JsonElement value) ? JsonText.Of(value, $"'{name}'") : words[0];
-        return words.Contains(word)
-            ? word
-            : throw new UsageException($"'{name}' is '{word}'; one of {string.Join(", ", words)} is needed.");
-    }
 }

@@ -1,5 +1,9 @@
+using System.Buffers.Binary;
 using System.Net.WebSockets;
 using System.Text.Json;
+using Msisf.App.Settings;
+using Msisf.Core.Errors;
+using Msisf.Core.Scene;
 
 namespace Msisf.Server;
 
@@ -88,4 +92,30 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 /// <param name="Type">Binary for a state, text for JSON.</param>
 /// <param name="Bytes">Its content.</param>
 /// <param name="Order">Which one of the stream's messages it is; 0 for the first.</param>
-internal sealed record StreamMessage(WebSocketMessageType Type, byte[] Bytes, uint Order);
+internal sealed record StreamMessage(WebSocketMessageType Type, byte[] Bytes, uint Order)
+{
+    /// <summary>bytes: eight doubles with the six of a motion.</summary>
+    public const int StateWithMotionLength = 112;
+
+    private const int StateLength = 64;
+
+    /// <summary>The state of a binary message.</summary>
+    /// <exception cref="BadInputException">It is none.</exception>
+    public FixedStateSettings ToPlace()
+    {
+        if (Bytes.Length != StateLength && Bytes.Length != StateWithMotionLength)
+        {
+            throw new UsageException(
+                $"the message has {Bytes.Length} bytes; {StateLength} are needed: {string.Join(' ', SpacecraftState.NumberNames)} as "
+                    + $"little-endian doubles; or {StateWithMotionLength} with the six numbers of --motion.");
+        }
+
+        double[] numbers = new double[Bytes.Length / sizeof(double)];
+        for (int index = 0; index < numbers.Length; index++)
+        {
+            numbers[index] = BinaryPrimitives.ReadDoubleLittleEndian(Bytes.AsSpan(index * sizeof(double)));
+        }
+
+        return new FixedStateSettings(SpacecraftState.FromNumbers(numbers));
+    }
+}

@@ -77,6 +77,8 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
 
         Assert.Equal(type, answer.Headers.GetValues("X-Msisf-Type").Single());
         Assert.Equal("64", answer.Headers.GetValues("X-Msisf-Width").Single());
+        Assert.Equal($"{bits}", answer.Headers.GetValues("X-Msisf-Bits").Single());
+        Assert.Equal("srgb", answer.Headers.GetValues("X-Msisf-Transfer").Single());
         Assert.Equal(64 * 48 * bits / 8, raw.Length);
         byte[] npy = await server.RenderAsync(options, "application/x-npy");
         Assert.Equal(raw, npy[^raw.Length..]);

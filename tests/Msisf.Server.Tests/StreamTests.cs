@@ -60,6 +60,40 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             await server.RenderAsync($"{Frame}55289.005", "application/octet-stream"), (await ReceiveAsync(socket)).Bytes[16..]);
     }
 
+    /// <summary>Each state has an image of each camera, in their order, by states of numbers and of options.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Cameras_HaveAnImageEach_OfEveryState()
+    {
+        using ClientWebSocket socket = await OpenAsync(
+            """{"frame": {"width": 64, "height": 48}, "cameras": [{}, {"fov": 5, "width": 30}, {"bit-depth": 16, "height": 20}]}""");
+        string[] cameras = ["\"width\": 64, \"height\": 48", "\"width\": 30, \"height\": 48, \"fov\": 5",
+            "\"width\": 64, \"height\": 20, \"bit-depth\": 16"];
+        await SendAsync(socket, State);
+        await SendAsync(socket, """{"number": 9, "position": [0, 0, 300000], "time": 55289}""");
+        await SendAsync(socket, [55289, 1e6, 0, 0, 0, 0, 0, 1]); // inside the Moon: one error for the state
+        await SendAsync(socket, State);
+
+        foreach ((uint number, string place) in ((uint, string)[])[
+            (1, "\"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]"), (9, "\"position\": [0, 0, 300000], \"time\": 55289"), (10, ""),
+            (11, "\"fixed-state\": [55289, 1.9e6, 0, 0, 0, 0, 0, 1]")])
+        {
+            if (place.Length == 0)
+            {
+                (WebSocketMessageType type, byte[] error) = await ReceiveAsync(socket);
+                Assert.Equal(WebSocketMessageType.Text, type);
+                Assert.Contains("\"number\":10,", Encoding.UTF8.GetString(error), StringComparison.Ordinal);
+                continue;
+            }
+
+            foreach (string camera in cameras)
+            {
+                byte[] answer = (await ReceiveAsync(socket)).Bytes;
+                Assert.Equal(number, BinaryPrimitives.ReadUInt32LittleEndian(answer.AsSpan(4)));
+                Assert.Equal(await server.RenderAsync($"{place}, {camera}", "application/octet-stream"), answer[16..]);
+            }
+        }
+    }
+
     /// <summary>The number of a state is its step: the noise of a run with the same seed, whatever the form of the messages.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task NoiseSeed_OfTheFirstMessage_CountsTheStates()

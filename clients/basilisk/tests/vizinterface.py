@@ -1,4 +1,7 @@
-"""Plays Basilisk's vizInterface against a server: its messages, its order of calls, and what they mean, in numpy. Shares nothing with msis."""
+"""Plays Basilisk's vizInterface against a server: its messages, its order of calls, and what they mean, in numpy.
+
+Shares nothing with msis.
+"""
 import struct
 
 import numpy as np

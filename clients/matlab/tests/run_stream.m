@@ -1,4 +1,5 @@
-% Driven by test_matlab.py: writes images of some states as raw bytes, and what goes wrong as text. The server at the port dying says no HTTP, and closes.
+% Driven by test_matlab.py: writes images of some states as raw bytes, and what goes wrong as text.
+% The server at the port dying says no HTTP, and closes.
 function run_stream(host, port, folder, dying)
     frame = '{"width": 37, "height": 20, "fov": 33.5, "bit-depth": 16}';
     stream = MsisfStream(host, port, frame, '0123456789abcdef');

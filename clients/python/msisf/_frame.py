@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import json
+from functools import cached_property
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Sequence, Union
 
 import numpy as np
 
-from ._png import image_of
+from ._errors import answers_of
+from ._http import Part
+from ._png import png_of
 from ._view import View
 
 if TYPE_CHECKING:
@@ -30,7 +34,7 @@ class Frame(View):
         sun_direction: [3], length 1, from the camera to the Sun, MOON_ME.
         mjd: Time, days, UTC.
         utc: Time, ISO 8601.
-        meta: The meta file.
+        meta: The meta file; read when it is first asked for, as are craters and landmarks.
         warnings: What the server finds strange about the request.
         craters: With ``craters="NAME"`` a record array of the craters in the image: id, name, latitude, longitude, diameter, h, v,
             semiMajor, semiMinor, turn (degrees), inside, hidden, lit, incidence, emission; NaN where a number is not defined.
@@ -42,12 +46,13 @@ class Frame(View):
         self,
         moon: "Moon",
         request: Mapping[str, Any],
-        png: bytes,
+        image: Part,
         layers: Mapping[str, "NDArray[Any]"],
-        meta: Mapping[str, Any],
+        meta: str,
         warnings: Sequence[str],
     ) -> None:
-        general = meta["GeneralInformation"]
+        self._meta = meta
+        general = _member_of(meta, "GeneralInformation")
         camera = general["Camera"]
         matrices = (
             np.array(camera["K"]["value"], dtype=float).reshape(3, 3),
@@ -55,13 +60,11 @@ class Frame(View):
             np.array(camera["t"]["value"], dtype=float),
         )
         super().__init__(moon, request, _vector(general["CameraPosition"]), matrices, camera.get("Distortion"))
-        self._png = png
-        self.image = image_of(png)
+        self._levels = _levels_of(image)
+        self._meaning = (int(image.headers["x-msisf-bits"]), image.headers["x-msisf-transfer"])
+        self.image = self._levels.copy()
         self.layers: Dict[str, "NDArray[Any]"] = dict(layers)
-        self.meta = meta
         self.warnings = list(warnings)
-        self.craters = _records(meta, "CraterInformation", "Crater", _CRATER)
-        self.landmarks = _records(meta, "LandmarkInformation", "Landmark", _LANDMARK)
         quaternion = general["CameraOrientation"]["Quaternion"]
         self.quaternion: "NDArray[np.float64]" = np.array([quaternion[name] for name in ("x", "y", "z", "r")], dtype=float)
         self.sun_position = _vector(general["SunPosition"])
@@ -71,9 +74,23 @@ class Frame(View):
         self.mjd = float(general["SimulationTime"]["MJD"])
         self.utc = str(general["SimulationTime"]["UTC"])
 
+    @cached_property
+    def meta(self) -> Dict[str, Any]:
+        with answers_of("the meta file"):
+            meta: Dict[str, Any] = json.loads(self._meta)
+            return meta
+
+    @cached_property
+    def craters(self) -> "NDArray[Any]":
+        return _records(self.meta, "CraterInformation", "Crater", _CRATER)
+
+    @cached_property
+    def landmarks(self) -> "NDArray[Any]":
+        return _records(self.meta, "LandmarkInformation", "Landmark", _LANDMARK)
+
     def save(self, path: "Union[str, PathLike[str]]") -> None:
         """Writes the image as the PNG file that msis writes, byte for byte, whatever was done to ``image`` since."""
-        Path(path).write_bytes(self._png)
+        Path(path).write_bytes(png_of(self._levels, *self._meaning))
 
     def __repr__(self) -> str:
         height, width = self.image.shape
@@ -108,6 +125,19 @@ def _records(meta: Mapping[str, Any], group: str, element: str, fields: Sequence
         values = [each.get(name, missing) for each in elements]
         records[name] = [value == "yes" for value in values] if kind is bool else values
     return records.view(np.recarray)
+
+
+def _member_of(text: str, name: str) -> Any:
+    """The first member of an object in JSON: most of a meta file's time is that of its pixels, which few ask for."""
+    head = '{"' + name + '":'
+    return json.JSONDecoder().raw_decode(text, len(head))[0] if text.startswith(head) else json.loads(text)[name]
+
+
+def _levels_of(image: Part) -> "NDArray[Any]":
+    kind = {"u8": "u1", "u16": "<u2"}[image.headers["x-msisf-type"]]
+    shape = int(image.headers["x-msisf-height"]), int(image.headers["x-msisf-width"])
+    is_alone = 2 * len(image.content) > len(image.content.obj)  # else a copy: it would keep all layers of the answer
+    return np.frombuffer(image.content if is_alone else bytes(image.content), kind).reshape(shape)
 
 
 def _vector(element: Mapping[str, Any]) -> "NDArray[np.float64]":

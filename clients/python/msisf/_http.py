@@ -10,7 +10,6 @@ import socket
 import ssl
 import threading
 from email.message import Message
-from email.parser import BytesHeaderParser
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
 from urllib.parse import urlsplit
 
@@ -19,11 +18,10 @@ from ._values import json_of
 
 
 class Part(NamedTuple):
-    """A part of an answer with several."""
+    """A part of an answer with several; its headers by their names in small letters."""
 
-    name: str
-    headers: Message
-    content: bytes
+    headers: Dict[str, str]
+    content: memoryview
 
 
 class UnixConnection(http.client.HTTPConnection):
@@ -147,14 +145,15 @@ def parts_of(headers: Message, content: bytes) -> Dict[str, Part]:
     """The parts of a multipart answer by their names; each says its length, so content is never searched."""
     boundary = b"--" + (headers.get_boundary() or "").encode()
     parts: Dict[str, Part] = {}
+    whole = memoryview(content)
     place = content.index(boundary) + len(boundary)
     while content[place : place + 2] == b"\r\n":
         end = content.index(b"\r\n\r\n", place) + 4
-        head = BytesHeaderParser().parsebytes(content[place + 2 : end])
-        length = int(head["Content-Length"])
+        lines = content[place + 2 : end - 4].decode("latin-1").split("\r\n")
+        head = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
+        length = int(head["content-length"])
         if not 0 <= length <= len(content) - end:
             raise ValueError(f"a part has {length} bytes of {len(content) - end}")
-        part = Part(head.get_filename() or "", head, content[end : end + length])
-        parts[part.name] = part
+        parts[head["content-disposition"].split('filename="')[1].rstrip('"')] = Part(head, whole[end : end + length])
         place = end + length + 2 + len(boundary)
     return parts

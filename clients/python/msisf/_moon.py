@@ -114,14 +114,14 @@ class Moon:
         request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options, states)
         wanted = listed(layers, "layers") or listed(request.pop("layers", None), "layers")
         in_answer = {**request, "layers": wanted, "layers-format": "npy"} if wanted else request
-        headers, content = self._http.post("/v1/render", in_answer, "multipart/mixed, image/png, application/json")
+        headers, content = self._http.post("/v1/render", in_answer, "multipart/mixed, application/octet-stream, application/json")
         with answers_of(self.address):
             self._local.times = _times(headers.get("Server-Timing", ""))
             parts = parts_of(headers, content)
             arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
             warning = headers.get("X-Msisf-Warning")
-            meta = json.loads(parts["json"].content)
-            return Frame(self, request, parts["image.png"].content, arrays, meta, [warning] if warning else [])
+            meta = str(parts["json"].content, "utf-8")
+            return Frame(self, request, parts["image.raw"], arrays, meta, [warning] if warning else [])
 
     def view(
         self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any
@@ -153,16 +153,28 @@ class Moon:
         return View(self, request, place, (K, R, -R @ place))
 
     def stream(
-        self, *, camera: Optional[AnyCamera] = None, newest_only: bool = False, timing: bool = False, **options: Any
+        self,
+        *,
+        camera: Optional[AnyCamera] = None,
+        cameras: Optional[Sequence[AnyCamera]] = None,
+        newest_only: bool = False,
+        timing: bool = False,
+        **options: Any,
     ) -> Stream:
         """Opens a stream for closed loops: states go in, grey images come out, with less to send and to read than ``render``.
 
         Args:
             camera: As for ``render``; the same for all images.
+            cameras: Several in its place, all at the state that is sent: ``render_all`` has the image of each.
             newest_only: Leave out states that are older than another one that waits; the default draws all, in their order.
             timing: Ask the server what each image took: ``last_times`` of the stream.
             options: As for ``render``.
         """
+        if cameras is not None:
+            if camera is not None or not cameras:
+                raise MsisfError("give a camera, or a list of cameras with one at least")
+            own = [options_of(one) for one in cameras]
+            return Stream(self._http, {**self._options, **named(options)}, newest_only, timing, own)
         frame = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
         return Stream(self._http, frame, newest_only, timing)
 

@@ -1,4 +1,4 @@
-"""The server's PNG files, without a library."""
+"""PNG files as msis writes them, without a library."""
 
 from __future__ import annotations
 
@@ -12,6 +12,34 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _UP = 2  # filter: each row is the difference from the row above
+_CHUNK = 65536  # bytes of compressed data
+_GAMMA = {"srgb": 45455, "linear": 100000, "detector": 100000}
+
+
+def png_of(levels: "NDArray[Any]", bits: int, transfer: str) -> bytes:
+    """The file of a grey image; with zlib it is byte for byte that of msis (libraries in its place may compress differently).
+
+    Args:
+        levels: [height, width], uint8 or uint16; of a detector its numbers.
+        bits: Of a level or number.
+        transfer: What the levels mean: "srgb", "linear", or "detector" for numbers, which are scaled to 16 bits.
+    """
+    chunks = [(b"IHDR", struct.pack(">IIBBBBB", levels.shape[1], levels.shape[0], 8 * levels.itemsize, 0, 0, 0, 0)),
+              (b"gAMA", struct.pack(">I", _GAMMA[transfer]))]  # fmt: skip
+    if transfer == "srgb":
+        chunks.append((b"sRGB", b"\0"))
+    if transfer == "detector":
+        chunks.append((b"sBIT", bytes([bits])))
+        largest = (1 << bits) - 1
+        levels = ((levels.astype(np.uint32) * 65535 + largest // 2) // largest).astype(np.uint16)
+    rows = levels.astype(f">u{levels.itemsize}").view(np.uint8)
+    packed = np.full((len(rows), 1 + rows.shape[1]), _UP, np.uint8)
+    packed[0, 1:] = rows[0]
+    np.subtract(rows[1:], rows[:-1], out=packed[1:, 1:])
+    compressor = zlib.compressobj(1, zlib.DEFLATED, 15, 8, zlib.Z_RLE)
+    data = compressor.compress(packed.tobytes()) + compressor.flush()
+    chunks += [(b"IDAT", data[start : start + _CHUNK]) for start in range(0, len(data), _CHUNK)]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(kind, content) for kind, content in [*chunks, (b"IEND", b"")])
 
 
 def image_of(png: bytes) -> "NDArray[Any]":
@@ -34,3 +62,7 @@ def image_of(png: bytes) -> "NDArray[Any]":
     bits = chunks[b"sBIT"][0][0] if b"sBIT" in chunks else 16
     numbers: "NDArray[Any]" = levels.view(">u2").astype(np.uint16) >> np.uint16(16 - bits)
     return numbers
+
+
+def _chunk(kind: bytes, content: bytes) -> bytes:
+    return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))

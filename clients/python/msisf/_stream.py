@@ -8,7 +8,7 @@ import os
 import struct
 from contextlib import contextmanager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Type
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Type
 
 import numpy as np
 
@@ -30,14 +30,16 @@ class StreamImage(NamedTuple):
     Attributes:
         number: Of the state, from 1 in the order in which they were sent.
         image: Grey levels [height, width].
+        camera: Which one of the stream's cameras, from 0.
     """
 
     number: int
     image: "NDArray[Any]"
+    camera: int = 0
 
 
 class Stream:
-    """Draws one image for each state with a camera that stays the same. Not for several threads.
+    """Draws one image for each state and each camera, which stay the same. Not for several threads.
 
     A timeout, Ctrl-C or a broken answer closes the stream, so that no image is taken for that of a later state; open another one then.
 
@@ -45,18 +47,21 @@ class Stream:
         last_times: With ``timing``, ms that the server took for the last image: "wait", "draw" and "write".
     """
 
-    def __init__(self, server: Http, frame: Mapping[str, Any], newest_only: bool, timing: bool = False) -> None:
+    def __init__(
+        self, server: Http, frame: Mapping[str, Any], newest_only: bool, timing: bool = False,
+        cameras: Optional[Sequence[Mapping[str, Any]]] = None,
+    ) -> None:
         self._address = server.address
         self._newest_only = bool(newest_only)
         self._connection: Optional[http.client.HTTPConnection] = None
         self._owner = os.getpid()
         self._end: Optional[str] = None
-        self._sent = self._answered = 0
-        self._size = (0, 0)
+        self._sent = self._answered = self._number = self._camera = 0
+        self._sizes = [(0, 0)]
         self.last_times: Dict[str, float] = {}
         try:
             with self._exchange():
-                self._open(server, frame, timing)
+                self._open(server, frame, timing, cameras)
         except BaseException:
             self._close("it did not open")
             raise
@@ -69,15 +74,21 @@ class Stream:
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
             mjd: Time, days, UTC.
         """
+        if len(self._sizes) > 1:
+            raise MsisfError(f"the stream has {len(self._sizes)} cameras; render_all() has the images of all")
+        return self.render_all(position, orientation_xyz0, mjd)[0]
+
+    def render_all(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> "List[NDArray[Any]]":
+        """As ``render``: the images of all cameras, in the order in which ``Moon.stream`` got them."""
         state = _state(position, orientation_xyz0, mjd)
         if self._sent != self._answered and self._end is None:
             raise MsisfError(f"{self._sent - self._answered} images of send() are not received yet; receive() them before render()")
         with self._exchange():
             self._send_state(state)
-            return self._next().image
+            return [self._next().image for _ in self._sizes]
 
     def send(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> None:
-        """Sends a state; ``receive`` gives its image."""
+        """Sends a state; ``receive`` gives its image, of several cameras one after another."""
         state = _state(position, orientation_xyz0, mjd)
         with self._exchange():
             self._send_state(state)
@@ -112,15 +123,20 @@ class Stream:
     ) -> None:
         self.close()
 
-    def _open(self, server: Http, frame: Mapping[str, Any], timing: bool) -> None:
+    def _open(
+        self, server: Http, frame: Mapping[str, Any], timing: bool, cameras: Optional[Sequence[Mapping[str, Any]]]
+    ) -> None:
         self._connection = server.connection()
         self._socket = WebSocket(self._connection, "/v1/stream", server.headers())
         mode = "newest-only" if self._newest_only else "lock-step"
-        self._socket.send(TEXT, json_of({"frame": frame, "mode": mode, "format": "u8", "timing": bool(timing)}))
+        opening = {"frame": frame, "mode": mode, "format": "u8", "timing": bool(timing)}
+        self._socket.send(TEXT, json_of(opening if cameras is None else {**opening, "cameras": list(cameras)}))
         answer = json.loads(self._socket.receive(_LONGEST_TEXT)[1])
         if "error" in answer:
             raise RequestError(str(answer["error"]), 400)
-        self._size = (int(answer["width"]), int(answer["height"]))
+        self._sizes = [(int(size["width"]), int(size["height"])) for size in (answer["cameras"] if cameras else [answer])]
+        if len(self._sizes) != len(cameras or "1"):
+            raise ValueError(f"{len(self._sizes)} cameras are ready of {len(cameras or '1')}")
 
     @contextmanager
     def _exchange(self) -> Iterator[None]:
@@ -148,28 +164,33 @@ class Stream:
         self._socket.send(BINARY, struct.pack("<8d", *state))
 
     def _next(self) -> StreamImage:
-        longest = max(_LONGEST_TEXT, _HEAD.size + 2 * self._size[0] * self._size[1])
+        camera, size = self._camera, self._sizes[self._camera]
+        longest = max(_LONGEST_TEXT, _HEAD.size + 2 * size[0] * size[1])
         kind, content = self._socket.receive(longest)
         while kind == TEXT:
             answer = json.loads(content)
             if "error" in answer:
-                self._count(answer["number"])
+                self._count(answer["number"], camera)
+                self._answered, self._camera = self._number, 0
                 raise RequestError(str(answer["error"]), 400)
             self.last_times = {name: float(answer[name]) for name in ("wait", "draw", "write")}
             kind, content = self._socket.receive(longest)
         magic, number, width, height = _HEAD.unpack_from(content)
         pixels = width * height
-        if magic != b"MSIF" or (width, height) != self._size or len(content) - _HEAD.size not in (pixels, 2 * pixels):
-            raise ValueError(f"{len(content)} bytes are no image of {self._size[0]} x {self._size[1]} px")
-        self._count(number)
+        if magic != b"MSIF" or (width, height) != size or len(content) - _HEAD.size not in (pixels, 2 * pixels):
+            raise ValueError(f"{len(content)} bytes are no image of {size[0]} x {size[1]} px")
+        self._count(number, camera)
+        self._camera = (camera + 1) % len(self._sizes)
+        if self._camera == 0:
+            self._answered = number
         levels = "<u2" if len(content) - _HEAD.size == 2 * pixels else "u1"
-        return StreamImage(number, np.frombuffer(content, levels, offset=_HEAD.size).reshape(height, width))
+        return StreamImage(number, np.frombuffer(content, levels, offset=_HEAD.size).reshape(height, width), camera)
 
-    def _count(self, number: int) -> None:
-        due = self._sent if self._newest_only else self._answered + 1
-        if not self._answered < number <= due <= self._sent:
+    def _count(self, number: int, camera: int) -> None:
+        due = self._number if camera else self._sent if self._newest_only else self._answered + 1
+        if not max(self._answered + 1, due if camera else 0) <= number <= due <= self._sent:
             raise ValueError(f"the answer has number {number}, and {due} is due")
-        self._answered = number
+        self._number = number
 
 
 def _state(position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: "ArrayLike") -> List[float]:

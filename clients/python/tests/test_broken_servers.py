@@ -112,6 +112,33 @@ def test_stream_ends_at_a_lie(lie):
             stream.render(*B)
 
 
+def test_stream_of_several_cameras_takes_no_image_for_that_of_another():
+    ready = b'{"ready": true, "width": 4, "height": 2, "cameras": [{"width": 4, "height": 2}, {"width": 2, "height": 3}]}'
+    good = fakes.image(1, 7) + fakes.image(1, 8, width=2, height=3)
+    error = fakes.message(1, b'{"number": 2, "error": "no"}')
+    for answers, fails in [
+            (good + fakes.image(2, 9) + error + fakes.image(3, 5) + fakes.image(3, 6, width=2, height=3), False),
+            (good + fakes.image(2, 9) + fakes.image(3, 9, width=2, height=3), True),
+            (good + fakes.image(2, 9) + fakes.image(2, 9), True),
+            (good + fakes.image(1, 9), True)]:  # fmt: skip
+        def handler(connection, _, answers=answers):
+            fakes.open_stream(connection, ready)
+            connection.sendall(answers)
+            fakes.hang(connection)
+
+        with fakes.Fake(handler) as server:
+            stream = msisf.Moon(server.address, timeout=WAIT).stream(cameras=[SMALL, SMALL])
+            assert [image.ravel().tolist() for image in stream.render_all(*A)] == [[7] * 8, [8] * 6]
+            with pytest.raises(msisf.MsisfError, match="2 cameras; render_all"):
+                stream.render(*A)
+            with pytest.raises(msisf.ServerError if fails else msisf.RequestError):
+                stream.render_all(*A)
+            if not fails:
+                assert [int(image[0, 0]) for image in stream.render_all(*A)] == [5, 6]
+    with fakes.Fake(lambda connection, _: fakes.open_stream(connection, ready)) as server, pytest.raises(msisf.ServerError):
+        msisf.Moon(server.address, timeout=WAIT).stream(cameras=[SMALL])
+
+
 @pytest.mark.parametrize("ready", [b"{}", b"[]", b"\xff", b'{"width": "x", "height": 1}', b""])
 def test_stream_that_does_not_open_is_a_server_error(ready):
     with fakes.Fake(lambda connection, _: fakes.open_stream(connection, ready)) as server, pytest.raises(msisf.ServerError):

@@ -1,9 +1,11 @@
 """The examples do what they promise."""
 
 import sys
+import xml.etree.ElementTree
 
 import closed_loop
 import data_set
+import in_time
 import latency
 import numpy as np
 import pose_from_craters
@@ -12,7 +14,7 @@ import soak
 import visual_odometry
 
 
-@pytest.mark.parametrize("example", [closed_loop, data_set, latency, pose_from_craters, soak, visual_odometry])
+@pytest.mark.parametrize("example", [closed_loop, data_set, in_time, latency, pose_from_craters, soak, visual_odometry])
 def test_help_helps(example, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])
@@ -55,13 +57,25 @@ def test_data_set_has_images_with_their_truth(moon, tmp_path):
         assert (sample["normal"][lit] @ sample["sun_direction"] > -1e-6).all()
 
 
-def test_latency_has_the_times_of_each_image(moon):
+def test_latency_has_the_times_of_each_image(moon, monkeypatch):
+    monkeypatch.setattr(latency, "WARM", 3)
     run = latency.measure(moon, 64, images=5, clients=2)
 
     assert [len(times) for times in run.client] == [len(times) for times in run.drawing] == [5, 5]
     # What the client waits for holds what the renderer needs.
     assert all((client > drawing).all() and drawing.min() > 0.0 for client, drawing in zip(run.client, run.drawing))
     assert run.needed["server"] > 0.0 and run.needed["bytes"] > 0.0
+    assert latency.added_by_render(moon, 64, images=3) > 0.0
+
+
+def test_in_time_counts_from_the_time_of_each_state(moon, monkeypatch):
+    monkeypatch.setattr(in_time, "WARM", 3)
+    late = in_time.fly(moon, 32, rate=1e4, seconds=1e-3)  # ten states in a ms: each waits for all before it
+
+    assert len(late) == 10 and (np.diff(late) > 0.0).all() and late[0] > 0.0
+    picture = xml.etree.ElementTree.fromstring(in_time.plot(late, 1e4, late[4], "ten"))
+    assert [len(line.get("points").split()) for line in picture.iter("{http://www.w3.org/2000/svg}polyline")] == [10, 10]
+    assert in_time.summary(late, late[4]).endswith(f"5 later than {late[4]:g} ms")
 
 
 def test_soak_of_seconds_has_no_error(moon):

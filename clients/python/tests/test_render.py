@@ -55,6 +55,34 @@ def test_invented_detail_is_that_of_msis_and_says_so(moon, tmp_path):
     assert not moon.render(**near, camera=SMALL).locate([[31.5, 23.5]])[0].invented
 
 
+def test_images_of_several_cameras_are_those_of_each(moon):
+    cameras = [SMALL, msisf.Camera(31, 17, 5.0), DETECTOR]
+    state = (STATE["position"], STATE["orientation_xyz0"], STATE["time"])
+    with moon.stream(cameras=cameras) as stream:
+        for _ in range(2):
+            images = stream.render_all(*state)
+            for image, camera in zip(images, cameras):
+                np.testing.assert_array_equal(image, moon.render(*state, camera=camera).image)
+            assert len(images) == 3
+        stream.send(*state)
+        assert [image.camera for image in stream] == [0, 1, 2]
+    with pytest.raises(msisf.MsisfError, match="give a camera, or a list"):
+        moon.stream(camera=SMALL, cameras=[SMALL])
+
+
+@pytest.mark.parametrize("options", [{"bit_depth": 16}, {"transfer": "linear"}, {"width": 1, "height": 1}])
+def test_file_is_that_of_the_server_without_it(moon, options, tmp_path):
+    """The file is made here, from the levels as they came."""
+    frame = moon.render(**STATE, camera=msisf.Camera(201, 67, 50.0), **options)
+    expected = moon._http.post("/v1/render", frame._request, "image/png")[1]
+    frame.moon = None
+    frame.image[:] = 0
+
+    frame.save(tmp_path / "saved.png")
+
+    assert (tmp_path / "saved.png").read_bytes() == expected
+
+
 def test_file_of_a_detector_is_that_of_msis(moon, tmp_path):
     (tmp_path / "camera.yaml").write_text(json.dumps(DETECTOR))  # JSON is YAML
     subprocess.run(

@@ -56,7 +56,7 @@ def test_all_numbers_of_the_json_are_those_of_the_array_files(moon):
                "surface": "terrain", "layers": layers, "layers-format": "npy", "model": "LDEM_4"}  # fmt: skip
     headers, content = moon._http.post("/v1/render", request, "multipart/mixed, application/x-npy, application/json")
     parts = parts_of(headers, content)
-    meta, other = json.loads(parts["json"].content), json.loads(parts["layers.json"].content)
+    meta, other = (json.loads(bytes(parts[name].content)) for name in ("json", "layers.json"))
     general = meta["GeneralInformation"]
 
     def vector(element):

@@ -43,6 +43,12 @@ internal sealed class NativeImage : IDisposable
     /// <summary>Bytes of a pixel in <see cref="CopyLevels"/>: 1 or 2.</summary>
     public int BytesPerPixel => Detected is null ? _drawing.Settings.BitDepth / 8 : sizeof(ushort);
 
+    /// <summary>Bits of a grey level, or of a number of the detector.</summary>
+    public int Bits => Detected is null ? _drawing.Settings.BitDepth : _drawing.Settings.Detector!.Settings.ConverterBits;
+
+    /// <summary>What the grey levels mean; null for the numbers of a detector.</summary>
+    public GreyTransfer? Transfer => Detected is null ? _drawing.Settings.Grey.Transfer : null;
+
     /// <summary>Width of the image, px.</summary>
     public int Width => _truth.Camera.Width;
 

@@ -3,7 +3,7 @@ using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;
 
-/// <summary>A scene whose Sun is where the user says, whatever the time: what looks at the Sun looks at the Sun that gives the light.</summary>
+/// <summary>A scene whose Sun is where the user says, so that what looks at the Sun looks at the one that gives the light.</summary>
 /// <param name="scene">All else.</param>
 /// <param name="sunPositionMoonMe">m.</param>
 public sealed class SceneWithSun(ISceneGeometry scene, Vector3D sunPositionMoonMe) : ISceneGeometry

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using System.Globalization;
 using System.Text;
 using Msisf.App.Host;
 using Msisf.App.Settings;
@@ -147,8 +146,7 @@ internal sealed class BasiliskServer : IAsyncDisposable
             return [Encoding.ASCII.GetBytes("UNKNOWN")];
         }
 
-        ReadOnlySpan<char> number = command.AsSpan(ImageRequest.Length).TrimStart('_');
-        long? camera = long.TryParse(number, CultureInfo.InvariantCulture, out long id) ? id : null;
+        string camera = command[ImageRequest.Length..].TrimStart('_');
         byte[] image = await Task.Run(() => simulation.DrawAsync(camera, _end.Token), _end.Token).ConfigureAwait(false) ?? [];
         byte[] length = new byte[sizeof(int)];
         BinaryPrimitives.WriteInt32BigEndian(length, image.Length);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text.Json;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
@@ -52,18 +53,19 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
     }
 
     /// <summary>Draws the image of a camera.</summary>
-    /// <param name="cameraId">Its number; null for the only camera.</param>
+    /// <param name="number">Its number; empty for the only camera.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <returns>A PNG; null if there is no image, which has been said.</returns>
-    public async Task<byte[]?> DrawAsync(long? cameraId, CancellationToken cancellation)
+    public async Task<byte[]?> DrawAsync(string number, CancellationToken cancellation)
     {
         try
         {
             VizMessage message = _message ?? throw new BadInputException(
                 "an image is asked for, but no SIM_UPDATE with a VizMessage came before.");
-            VizCamera camera = message.Cameras.FirstOrDefault(camera => cameraId is null || camera.Id == cameraId)
+            VizCamera camera = message.Cameras.FirstOrDefault(
+                camera => number.Length == 0 || camera.Id.ToString(CultureInfo.InvariantCulture) == number)
                 ?? throw new BadInputException(
-                    $"an image of camera {cameraId} is asked for; the message has "
+                    $"an image of camera {NumberText.Shown(number)} is asked for; the message has "
                         + $"{(message.Cameras.Count == 0 ? "none" : string.Join(", ", message.Cameras.Select(camera => camera.Id)))}.");
             SpacecraftState state = StateOf(message, camera);
             RequestedFrame requested = RequestedOf(camera);
@@ -180,6 +182,14 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
 
     /// <summary>The options of a camera's images: its field of view and size are the message's, all else is the user's.</summary>
     private RequestedFrame RequestedOf(VizCamera camera)
+    {
+        lock (_requested) // vizInterface asks for one image at a time, others may not
+        {
+            return RequestedOnceOf(camera);
+        }
+    }
+
+    private RequestedFrame RequestedOnceOf(VizCamera camera)
     {
         if (_requested.TryGetValue(camera.Id, out (VizCamera Camera, RequestedFrame Requested) known)
             && known.Camera.FieldOfViewDegrees == camera.FieldOfViewDegrees && known.Camera.Width == camera.Width
