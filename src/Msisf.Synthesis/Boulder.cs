@@ -35,6 +35,9 @@ internal sealed class BoulderForm
     private const double DeepestBurial = 0.8; // of the height over the ground
     private const double Blocky = 4.0;
 
+    // Heights over half lengths: steeper sides than this, narrower than the ground's cells, would show these as teeth.
+    private const double Steepest = 3.0;
+
     private readonly double _power;
     private readonly double _burial;
     private readonly (double Along, double Across, double Top)[] _planes = [];
@@ -55,7 +58,7 @@ internal sealed class BoulderForm
         for (int side = 0; side < Sides; side++)
         {
             (double sin, double cos) = PortableMath.SinCosDegrees(360.0 * (side + (0.8 * random.NextUniform())) / Sides);
-            double steepness = 2.0 + (3.0 * random.NextUniform());
+            double steepness = 2.0 + random.NextUniform();
             double distance = 0.7 + (0.25 * random.NextUniform());
             _planes[side] = (steepness * cos, steepness * sin, steepness * distance);
         }
@@ -83,7 +86,7 @@ internal sealed class BoulderForm
                 ? 1.0 - ((along * along * along * along) + (across * across * across * across))
                 : 1.0 - square;
             double height = _power == Blocky ? Math.Sqrt(Math.Sqrt(Math.Max(0.0, body))) : Math.Sqrt(body);
-            return Math.Max(0.0, ((1.0 + _burial) * height) - _burial);
+            return Math.Max(0.0, Math.Min(((1.0 + _burial) * height) - _burial, Steepest * (1.0 - Math.Sqrt(square))));
         }
 
         double lowest = 1.0;

@@ -23,7 +23,6 @@ namespace Msisf.Synthesis;
 internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopulation craters, CellMemory<Boulder> memory)
 {
     private const ulong Purpose = 7;
-    private const ulong AroundCraters = 8;
     private const double CountAboveOneMillimetre = 5e5 / 100.0; // per m2
     private const double Exponent = 2.11;
     private const double Largest = 4.0; // m
@@ -50,6 +49,13 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopul
     private const double Innermost = 0.9;
     private const double Outermost = Crater.Reach;
 
+    /// <summary>
+    /// Boulders a radius from a crater's centre, in those of the law over the same area. An integral from the innermost to the outermost
+    /// place makes <see cref="PartAroundCraters"/> of it.
+    /// </summary>
+    private const double AtRim = PartAroundCraters / (CraterOctaves * FreshCover) * 2.0
+        / (Math.PI * ((1.0 / Innermost) - (1.0 / Outermost)));
+
     /// <summary>Number of boulders longer than a length in m, per m2.</summary>
     public static double CountAbove(double length) => CountAboveOneMillimetre * PortableMath.Pow(1000.0 * length, -Exponent);
 
@@ -73,30 +79,12 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopul
                     yield return boulder;
                 }
             }
-
-            for (int around = 0; around < CraterOctaves && HasCraters(octave); around++)
-            {
-                int craterOctave = LeastCraterOctave(octave) + around;
-                double farthest = double.RadiansToDegrees(
-                    ((Outermost * Math.ScaleB(1.0, craterOctave)) + min) / MoonConstants.ReferenceRadius);
-                foreach (CraterCell cell in new CraterCells(craterOctave).Near(
-                    southDegrees, northDegrees, westDegrees, widthDegrees, farthest))
-                {
-                    foreach (Boulder boulder in memory.Get(
-                        KeyOf(octave, craterOctave), cell, (_, found) => AroundIn(octave, craterOctave, found)))
-                    {
-                        yield return boulder;
-                    }
-                }
-            }
         }
     }
 
     /// <summary>log2 of m: diameters of the smallest craters that have thrown boulders of an octave.</summary>
     private static int LeastCraterOctave(int octave) =>
         (int)Math.Ceiling(1.5 * (octave + 1 - PortableMath.Log2(0.3)));
-
-    private static int KeyOf(int octave, int craterOctave) => ((octave + 64) << 8) + craterOctave + 64;
 
     private static Boulder Place(ref SplitMix64 random, Vector3D centre, int octave)
     {
@@ -105,57 +93,75 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopul
         double width = LeastWidth + (random.NextUniform() * (1.0 - LeastWidth));
         double height = length * (LeastHeight + (random.NextUniform() * (HighestHeight - LeastHeight)));
         (double sinTurn, double cosTurn) = PortableMath.SinCosDegrees(180.0 * random.NextUniform());
-        (Vector3D east, Vector3D north) = AxesAt(centre);
-        return new Boulder(
-            centre, (cosTurn * east) + (sinTurn * north), 0.5 * length, width, height, new BoulderForm(ref random));
-    }
-
-    private static (Vector3D East, Vector3D North) AxesAt(Vector3D direction)
-    {
-        Vector3D east = new Vector3D(-direction.Y, direction.X, 0.0).Normalized();
-        return (east, Vector3D.Cross(direction, east));
+        Vector3D east = new Vector3D(-centre.Y, centre.X, 0.0).Normalized();
+        Vector3D narrow = (cosTurn * east) + (sinTurn * Vector3D.Cross(centre, east));
+        return new Boulder(centre, narrow, 0.5 * length, width, height, new BoulderForm(ref random));
     }
 
     /// <summary>Whether the ground shows the craters around which boulders of an octave lie.</summary>
     private bool HasCraters(int octave) => octave >= LeastOctaveAroundCraters
         && Math.ScaleB(1.0, LeastCraterOctave(octave) + CraterOctaves) <= craters.Largest;
 
+    /// <summary>
+    /// The boulders of an octave of lengths in a cell: as many as anywhere in the cell lie most densely, of which those stay that the
+    /// density in their place allows.
+    /// </summary>
     private IEnumerable<Boulder> InCell(int octave, CraterCell cell)
     {
-        double density = DensityOf(octave) * (HasCraters(octave) ? 1.0 - PartAroundCraters : 1.0);
+        Vector3D middle = DirectionOf(cell, 0.5, 0.5);
+        PlacedCrater[] near = HasCraters(octave) ? [.. CratersAround(octave, middle, HalfDiagonal(cell, middle))] : [];
+        double everywhere = HasCraters(octave) ? 1.0 - PartAroundCraters : 1.0;
+        double most = everywhere + near.Sum(crater => PartOf(crater, middle, HalfDiagonal(cell, middle)));
+        double min = Math.ScaleB(1.0, octave);
+        double mean = most * (CountAbove(min) - CountAbove(2.0 * min)) * cell.Area;
         SplitMix64 random = SplitMix64.For(seed, Purpose + ((ulong)octave << 8), cell.Band, cell.Column);
-        double none = PortableMath.Exp2(-density * cell.Area / 0.69314718055994530942);
+        double none = PortableMath.Exp2(-mean / 0.69314718055994530942);
         for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
         {
-            (double sinLatitude, double longitude) = cell.Place(random.NextUniform(), random.NextUniform());
-            yield return Place(ref random, new Crater(sinLatitude, longitude, 0.0, 1.0).Direction, octave);
+            Vector3D centre = DirectionOf(cell, random.NextUniform(), random.NextUniform());
+            double kept = most * random.NextUniform();
+            if (kept < everywhere + near.Sum(crater => PartOf(crater, centre, 0.0)))
+            {
+                yield return Place(ref random, centre, octave);
+            }
         }
     }
 
-    private IEnumerable<Boulder> AroundIn(int octave, int craterOctave, CraterCell cell)
+    private IEnumerable<PlacedCrater> CratersAround(int octave, Vector3D middle, double halfDiagonal)
     {
-        double perArea = DensityOf(octave) * PartAroundCraters / (CraterOctaves * FreshCover);
-        SplitMix64 random = SplitMix64.For(
-            seed, AroundCraters + ((ulong)KeyOf(octave, craterOctave) << 8), cell.Band, cell.Column);
-        foreach (PlacedCrater crater in craters.PlacedInCell(craterOctave, cell))
+        SelenographicPoint point = SelenographicPoint.Below(middle);
+        (double latitude, double longitude) = (double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
+        for (int around = LeastCraterOctave(octave); around < LeastCraterOctave(octave) + CraterOctaves; around++)
         {
-            if (crater.Freshness < FreshFrom)
+            double reach = halfDiagonal + (Outermost * Math.ScaleB(1.0, around) / MoonConstants.ReferenceRadius);
+            foreach (CraterCell cell in new CraterCells(around).Near(latitude, latitude, longitude, 0.0, double.RadiansToDegrees(reach)))
             {
-                continue;
-            }
-
-            double none = PortableMath.Exp2(-perArea * crater.Diameter * crater.Diameter / 0.69314718055994530942);
-            (Vector3D east, Vector3D north) = AxesAt(crater.Direction);
-            for (double product = random.NextUniform(); product > none; product *= random.NextUniform())
-            {
-                double inverse = (1.0 / Innermost) - (random.NextUniform() * ((1.0 / Innermost) - (1.0 / Outermost)));
-                (double sin, double cos) = PortableMath.SinCosDegrees(360.0 * random.NextUniform());
-                Vector3D away = (crater.Radius / inverse) * ((cos * east) + (sin * north));
-                yield return Place(ref random, (crater.Direction + away).Normalized(), octave);
+                foreach (PlacedCrater crater in craters.PlacedInCell(around, cell))
+                {
+                    if (crater.Freshness >= FreshFrom && PartOf(crater, middle, halfDiagonal) > 0.0)
+                    {
+                        yield return crater;
+                    }
+                }
             }
         }
     }
 
-    private static double DensityOf(int octave) =>
-        CountAbove(Math.ScaleB(1.0, octave)) - CountAbove(Math.ScaleB(1.0, octave + 1));
+    /// <summary>The most boulders of a crater within a distance from a place, in those of the law over the same area.</summary>
+    private static double PartOf(in PlacedCrater crater, Vector3D place, double within)
+    {
+        double distance = (place - crater.Direction).Length;
+        double nearest = Math.Max(distance - within, Innermost * crater.Radius) / crater.Radius;
+        return nearest > Outermost || distance + within < Innermost * crater.Radius ? 0.0 : AtRim / (nearest * nearest * nearest);
+    }
+
+    private static Vector3D DirectionOf(CraterCell cell, double up, double right)
+    {
+        (double sinLatitude, double longitude) = cell.Place(up, right);
+        return new Crater(sinLatitude, longitude, 0.0, 1.0).Direction;
+    }
+
+    private static double HalfDiagonal(CraterCell cell, Vector3D middle) => Math.Max(
+        Math.Max((DirectionOf(cell, 0.0, 0.0) - middle).Length, (DirectionOf(cell, 1.0, 0.0) - middle).Length),
+        Math.Max((DirectionOf(cell, 0.0, 1.0) - middle).Length, (DirectionOf(cell, 1.0, 1.0) - middle).Length));
 }

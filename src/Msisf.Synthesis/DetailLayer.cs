@@ -14,7 +14,7 @@ internal sealed class DetailLayer
     private const double SmallestInCells = 4.0;
 
     /// <summary>Maximum diameter of a crater in samples of the model, which shows larger ones itself.</summary>
-    private const double LargestInSamples = 1.0;
+    private const double LargestInSamples = 2.0;
 
     private readonly NoiseOctave[] _octaves;
     private readonly CraterPopulation _craters;

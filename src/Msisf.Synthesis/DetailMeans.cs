@@ -12,6 +12,9 @@ internal static class DetailMeans
     /// </summary>
     private const double SamplesASide = 48.0;
 
+    /// <summary>Cells: by which a place may be taken for its neighbour.</summary>
+    private const double MostShiftInCells = 1e-3;
+
     /// <summary>m: width of the cells in which a mean is computed that is the same for all narrower ones.</summary>
     public static double CellFor(double spacing, double cell) =>
         Math.Max(cell, Math.ScaleB(1.0, (int)Math.Floor(Math.Log2(spacing / SamplesASide))));
@@ -37,7 +40,7 @@ internal static class DetailMeans
         (int firstLine, int firstSample) = ((int)Math.Floor(top), (int)Math.Floor(left));
         int side = Math.Max((int)Math.Ceiling(bottom) - firstLine, (int)Math.Ceiling(right) - firstSample) + 1;
         side = (side + MapFrame.WholeSteps - 1) / MapFrame.WholeSteps * MapFrame.WholeSteps;
-        MapFrame frame = new(map, firstLine, side, firstSample, side, interpolates: true);
+        MapFrame frame = new(map, firstLine, side, firstSample, side, MostShiftInCells * cell);
         float[] fractions = new float[frame.X.Length];
         float[] heights = new float[frame.X.Length];
         maria.Fill(frame, fractions);

@@ -33,9 +33,9 @@ internal static class DetailSpectrum
     // the law.
     private const double MinNoisePart = 0.15;
 
-    // Sharp rims, and craters up to a sample of the model, bring slopes of their own at 17 m (measured, tests/reference/refine_slopes.py):
-    // so much of the noise's amplitude is left from this lattice spacing on, m.
-    private const double NoiseAmongLargeCraters = 0.8;
+    // Sharp rims, and craters up to two samples of the model, bring slopes of their own at 17 m on highlands (measured,
+    // tests/reference/refine_slopes.py): so much of the noise's amplitude is left there from this lattice spacing on, m.
+    private const double NoiseAmongLargeCraters = 0.75;
     private const double LeastOfLargeCraters = 8.0;
 
     /// <summary>Octaves from the base's spacing down to the output's.</summary>
@@ -75,7 +75,7 @@ internal static class DetailSpectrum
         double coarse = Target(law, spacing, baseSpacing, baseTangent, isGround);
         double power = (fine * fine) - (coarse * coarse);
         double noisePower = Math.Max(power - craterPower, MinNoisePart * power);
-        double part = isGround && spacing >= LeastOfLargeCraters ? NoiseAmongLargeCraters : 1.0;
+        double part = isGround && law == SlopeLaw.Highlands && spacing >= LeastOfLargeCraters ? NoiseAmongLargeCraters : 1.0;
         return part * Math.Sqrt(noisePower) * spacing / (MedianOverRms * GradientNoise.RmsSlope * VisibleSlope);
     }
 

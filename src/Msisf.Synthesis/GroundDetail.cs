@@ -48,7 +48,7 @@ public sealed class GroundDetail : IGroundDetail
     /// <inheritdoc/>
     public void ReadRadii(PolarStereographic map, int firstLine, int firstSample, int side, Span<double> radii)
     {
-        MapFrame frame = new(map, firstLine, side, firstSample, side, interpolates: side % MapFrame.WholeSteps == 0);
+        MapFrame frame = new(map, firstLine, side, firstSample, side, side % MapFrame.WholeSteps == 0 ? MapFrame.LeastShift : 0.0);
         float[] maria = new float[frame.X.Length];
         _maria.Fill(frame, maria);
         float[] detail = new float[maria.Length];

@@ -17,10 +17,8 @@ internal sealed class MapFrame
     /// <summary>Blocks whose lines and samples are multiples of this can be interpolated.</summary>
     public const int WholeSteps = 2 * Step;
 
-    /// <summary>
-    /// m: interpolated places are less than this beside their own, which is less than the steps of the surface's vertices.
-    /// </summary>
-    private const double MaxShift = 1e-5;
+    /// <summary>m: less than the steps of the surface's vertices.</summary>
+    public const double LeastShift = 1e-5;
 
     private static readonly (double First, double Second, double Third)[] SampleWeights =
         [.. Enumerable.Range(0, 2 * Step).Select(sample => Weights(sample / (double)Step))];
@@ -31,12 +29,11 @@ internal sealed class MapFrame
     /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
     /// <param name="samples">How many samples.</param>
-    /// <param name="interpolates">
-    /// Whether latitudes and longitudes may be interpolated, where that shifts places by less than <see cref="MaxShift"/>; the block
-    /// must be whole steps wide.
+    /// <param name="maxShift">
+    /// m: latitudes and longitudes are interpolated where that shifts places by less than this; above 0 the block must be whole steps wide.
     /// </param>
     public MapFrame(
-        PolarStereographic projection, int firstLine, int lines, int firstSample, int samples, bool interpolates = false)
+        PolarStereographic projection, int firstLine, int lines, int firstSample, int samples, double maxShift = 0.0)
     {
         Projection = projection;
         (FirstLine, Lines, FirstSample, Samples) = (firstLine, lines, firstSample, samples);
@@ -52,7 +49,7 @@ internal sealed class MapFrame
             (X[index], Y[index], Z[index]) = (direction.X, direction.Y, direction.Z);
         }
 
-        if (interpolates && MayInterpolate())
+        if (MayInterpolate(maxShift))
         {
             Interpolate();
         }
@@ -150,7 +147,7 @@ internal sealed class MapFrame
     /// Whether quadratics through every eighth sample are near enough: with h between these and r from the Moon's axis, they shift places
     /// along a parallel by up to h^3 / (4 r^2), and less along a meridian.
     /// </summary>
-    private bool MayInterpolate()
+    private bool MayInterpolate(double maxShift)
     {
         double step = Step * Projection.MetresPerPixel;
         double fromAxis = double.PositiveInfinity;
@@ -160,7 +157,7 @@ internal sealed class MapFrame
         }
 
         fromAxis -= (Lines + Stride) * Projection.MetresPerPixel;
-        return fromAxis > 0.0 && step * step * step < 4.0 * fromAxis * fromAxis * MaxShift;
+        return fromAxis > 0.0 && step * step * step < 4.0 * fromAxis * fromAxis * maxShift;
     }
 
     /// <summary>Quadratics along lines through every eighth sample, and down between every eighth line.</summary>

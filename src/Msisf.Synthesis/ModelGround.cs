@@ -18,6 +18,9 @@ internal sealed class ModelGround
     /// <summary>Samples whose detail is remembered at most; all are forgotten when there are more.</summary>
     private const int MostKnown = 1 << 19;
 
+    /// <summary>Cells whose smooth ground is remembered at most.</summary>
+    private const int MostSplines = 4096;
+
     /// <summary>For means over all of a cell: of so many samples a side.</summary>
     private static readonly PixelMeanKernel Kernel = new(64);
 
@@ -30,6 +33,7 @@ internal sealed class ModelGround
     private readonly int _around;
     private readonly ConcurrentDictionary<double, DetailLayer> _layers = new();
     private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), double> _known = new();
+    private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), Func<double, double, double>> _splines = new();
 
     /// <summary>Takes a model.</summary>
     /// <param name="model">The model.</param>
@@ -113,9 +117,16 @@ internal sealed class ModelGround
         const int Reach = PixelMeanKernel.Reach;
         (int top, int left) = ((int)Math.Floor(lines.Min + 0.5), (int)Math.Floor(samples.Min + 0.5));
         (int down, int across) = ((int)Math.Floor(lines.Max + 0.5) + 1 - top, (int)Math.Floor(samples.Max + 0.5) + 1 - left);
-        double[] rest = Rest(
-            top - Reach, down + (2 * Reach), left - Reach, across + (2 * Reach), DetailMeans.CellFor(Spacing, cell));
-        Func<double, double, double> spline = DetailMeans.Spline(rest, down, across, Kernel);
+        double meanCell = DetailMeans.CellFor(Spacing, cell);
+        if (_splines.Count > MostSplines)
+        {
+            _splines.Clear();
+        }
+
+        // Close to the ground whole blocks, and single places, lie in one cell.
+        Func<double, double, double> spline = down == 1 && across == 1
+            ? _splines.GetOrAdd((meanCell, top, left), _ => New())
+            : New();
         for (int i = 0; i < places.Length; i++)
         {
             if (weights[i] > 0.0)
@@ -123,6 +134,9 @@ internal sealed class ModelGround
                 heights[i] = spline(places[i].Line + 0.5 - top, places[i].Sample + 0.5 - left);
             }
         }
+
+        Func<double, double, double> New() => DetailMeans.Spline(
+            Rest(top - Reach, down + (2 * Reach), left - Reach, across + (2 * Reach), meanCell), down, across, Kernel);
     }
 
     private static double Cubic(double[] samples, int width, double line, double sample)

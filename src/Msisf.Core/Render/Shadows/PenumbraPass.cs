@@ -15,7 +15,14 @@ internal sealed class PenumbraPass
     /// <summary>Number of receivers that a thread takes at a time.</summary>
     private const int Chunk = 4096;
 
+    /// <summary>Part of the receivers of which zones hide less, so that they cost more than they save.</summary>
+    private const double FewHidden = 0.05;
+
+    /// <summary>Frames without zones after one in which they hid few receivers: the next ones mostly look alike.</summary>
+    private const int FramesWithoutZones = 15;
+
     private readonly bool? _findsDarkZones;
+    private int _framesWithoutZones;
     private SurfaceModel _surface;
     private CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
@@ -66,10 +73,17 @@ internal sealed class PenumbraPass
         ReceiverJob job = new(receivers, night, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
         PlacedReceivers placed = _receivers.Read(job, sun);
         IReadOnlyList<CellBlock> blocks = placed.Box.IsEmpty ? [] : _search.Find(placed, sun.Slope, threads, cancellation);
-        DarkZones? dark = _findsDarkZones ?? _darkZones.Pays(placed, sun.Slope, blocks.Count)
+        int count = placed.Length;
+        DarkZones? dark = _findsDarkZones ?? (_framesWithoutZones-- <= 0 && _darkZones.Pays(placed, sun.Slope, blocks.Count))
             ? _darkZones.Find(placed, sun.Slope, blocks.Count, threads, cancellation)
             : null;
-        SortedReceivers sorted = (dark is null ? placed : placed.LeaveOut(dark.Whole)).Sort();
+        if (dark is not null)
+        {
+            placed = placed.LeaveOut(dark.Whole);
+            _framesWithoutZones = placed.Length > (1.0 - FewHidden) * count ? FramesWithoutZones : 0;
+        }
+
+        SortedReceivers sorted = placed.Sort();
         if (sorted.Box.IsEmpty)
         {
             return;
