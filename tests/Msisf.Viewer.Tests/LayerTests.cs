@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.Json;
 using Microsoft.Playwright;
 using Msisf.TestSupport;
 using Xunit;
@@ -13,6 +14,22 @@ public class LayerTests(Chromium chromium, ViewerServer server)
 
     private const string ColourAt = """
         ([x, y]) => [...document.getElementById('layer').getContext('2d').getImageData(x - 1, y - 1, 1, 1).data]
+        """;
+
+    /// <summary>Whether something is drawn within a pixel of a place of the picture, which may lie outside it.</summary>
+    private const string IsMarked = """
+        ([x, y]) => {
+            const canvas = document.getElementById('overlay');
+            const unit = canvas.width / document.getElementById('image').width;
+            const [left, top] = [(x - 0.5) * unit, (y - 0.5) * unit];
+            if (left < 1 || top < 1 || left > canvas.width - 2 || top > canvas.height - 2) {
+                return true;
+            }
+            const copy = Object.assign(document.createElement('canvas'), { width: 3, height: 3 });
+            copy.getContext('2d').drawImage(canvas, 1 - Math.round(left), 1 - Math.round(top));
+            const data = copy.getContext('2d').getImageData(0, 0, 3, 3).data;
+            return data.some((value, index) => index % 4 === 3 && value > 40);
+        }
         """;
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]
@@ -56,6 +73,38 @@ public class LayerTests(Chromium chromium, ViewerServer server)
         await viewer.WaitAsync("before => document.getElementById('overlay').toDataURL() !== before", before);
         await viewer.Page.SelectOptionAsync("#catalogue", string.Empty);
         await viewer.WaitAsync("before => document.getElementById('overlay').toDataURL() === before", before);
+    }
+
+    /// <summary>At rest the rim is the ellipse of the answer's meta file, and the cross of a landmark is at its pixel.</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task CratersAndLandmarksAtRest_AreWhereTheAnswerHasThem()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);
+        await viewer.PointAsync(100, 40);
+        await viewer.Page.SelectOptionAsync("#catalogue", "craters.csv");
+        IResponse response = await viewer.Page.RunAndWaitForResponseAsync(
+            async () => await viewer.Page.SelectOptionAsync("#landmarks", "landmarks.csv"),
+            answer => answer.Request.PostData?.Contains("\"landmarks\"", StringComparison.Ordinal) == true);
+        JsonElement meta = (await response.JsonAsync())!.Value;
+        JsonElement crater = meta.GetProperty("CraterInformation").GetProperty("Crater")[0];
+        JsonElement landmark = meta.GetProperty("LandmarkInformation").GetProperty("Landmark")[0];
+        double turn = double.DegreesToRadians(crater.GetProperty("turn").GetDouble());
+        double major = crater.GetProperty("semiMajor").GetDouble();
+        double[][] marked =
+        [
+            [Of(crater, "h") + (major * Math.Cos(turn)), Of(crater, "v") + (major * Math.Sin(turn))],
+            [Of(crater, "h") - (major * Math.Cos(turn)), Of(crater, "v") - (major * Math.Sin(turn))],
+            [Of(landmark, "h") + 2.0, Of(landmark, "v")],
+            [Of(landmark, "h"), Of(landmark, "v") - 2.0],
+        ];
+
+        Assert.Equal("Peak", landmark.GetProperty("name").GetString());
+        foreach (double[] place in marked)
+        {
+            await viewer.WaitAsync(IsMarked, place);
+        }
+
+        static double Of(JsonElement element, string name) => element.GetProperty(name).GetDouble();
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]

@@ -57,6 +57,8 @@ public sealed class ViewerServer : IDisposable
                 + "META_STOP\n2024-01-19T12:00:00 2000 0 0 1 0 0\n2024-01-19T12:01:40 2100 0 0 1 0 0\n");
         string craters = Path.Combine(Folder, "craters.csv");
         File.WriteAllText(craters, "Feature Name,Diameter,Center Latitude,Center Longitude\nPtolemaeus,153.67,-9.16,358.16\n");
+        string landmarks = Path.Combine(Folder, "landmarks.csv");
+        File.WriteAllText(landmarks, "id,name,lat,lon,height\np,Peak,-9.5,358.5,3000\n");
         CommandLineRun run = CommandLineRun.Of([.. OptionsOfRun, "--batch-file", batch, "--output-dir", Run, "--batch"]);
         Assert.True(run.ExitCode == 0, run.Error);
 
@@ -64,7 +66,7 @@ public sealed class ViewerServer : IDisposable
         string[] arguments =
         [
             Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues",
-            craters,
+            $"{craters},{landmarks}",
         ];
         RunningProgram program = RunningProgram.Start(
             TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"), arguments, Folder,

@@ -5,6 +5,9 @@ namespace Msisf.Adapters.Catalogues;
 /// <summary>Lines of CSV.</summary>
 internal static class CsvLine
 {
+    /// <summary>Whether a line ends within quotes, so that its last field goes on in the next one.</summary>
+    public static bool IsOpen(string line) => line.AsSpan().Count('"') % 2 == 1;
+
     /// <summary>The fields of a line; those in double quotes may hold commas, and a quote as two of them.</summary>
     public static List<string> Fields(string line)
     {

@@ -10,7 +10,10 @@ namespace Msisf.Adapters.Catalogues;
 /// <param name="Fields">The fields.</param>
 internal readonly record struct CsvRow(string FileName, IReadOnlyList<string> Header, int Line, List<string> Fields)
 {
-    /// <summary>The lines below the heading that are not empty.</summary>
+    /// <summary>More lines in one field are a quote that was left open.</summary>
+    private const int MostLines = 20;
+
+    /// <summary>The lines below the heading that are not empty; a field in quotes may go on in the lines that follow.</summary>
     /// <param name="reader">The text, at the line below the heading.</param>
     /// <param name="fileName">For messages.</param>
     /// <param name="header">Names of the columns.</param>
@@ -19,10 +22,17 @@ internal readonly record struct CsvRow(string FileName, IReadOnlyList<string> He
         int line = 1;
         while (reader.ReadLine() is { } text)
         {
-            line++;
-            if (text.Trim().Length > 0)
+            int first = ++line;
+            string whole = text;
+            while (CsvLine.IsOpen(whole) && line - first < MostLines && reader.ReadLine() is { } more)
             {
-                yield return new CsvRow(fileName, header, line, CsvLine.Fields(text));
+                whole = $"{whole}\n{more}";
+                line++;
+            }
+
+            if (whole.Trim().Length > 0)
+            {
+                yield return new CsvRow(fileName, header, first, CsvLine.Fields(whole));
             }
         }
     }

@@ -16,6 +16,17 @@ public class CraterCatalogueReaderTests
     public void Read_PublishedForms_GiveTheSameCrater(string text) =>
         Assert.Equal([(null, -48.25, 182.5, 76_500.0)], Read(text).Select(Values));
 
+    /// <summary>As line 18,165 of Povilaitis et al. (2018) in DeepMoon; an error below it names the right line.</summary>
+    [Fact]
+    public void Read_FieldOfTwoLines_IsOne()
+    {
+        const string text = ",Unnamed: 0,Diameter (km),Long,Lat,tag\n0,0,6.5,-23.5,56,\"\r\n?\"\n1,1,7,-19,57,standard\n";
+
+        Assert.Equal([(null, 56.0, 336.5, 6500.0), (null, 57.0, 341.0, 7000.0)], ReadAll(text).Select(Values));
+        Assert.Contains(
+            ", line 5, ", Assert.Throws<BadInputException>(() => Read(text + "2,2,x,0,0,\n")).Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Read_NamesOfTheIau_AreTakenWithCommasAndUmlauts()
     {

@@ -5,7 +5,7 @@ const $ = id => document.getElementById(id);
 
 /** Fields that the address holds by these names: what is shown over the picture. */
 const FIELDS = {
-    layer: 'layer-choice', opacity: 'layer-opacity', craters: 'catalogue',
+    layer: 'layer-choice', opacity: 'layer-opacity', craters: 'catalogue', landmarks: 'landmarks',
     grid: 'show-grid', terminator: 'show-terminator', arrow: 'show-arrow',
 };
 

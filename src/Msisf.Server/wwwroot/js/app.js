@@ -84,6 +84,7 @@ function point(pixel) {
 function atRest(frame) {
     address.write();
     layer.show(frame);
+    marks.know(frame);
     point(crosshair ?? pointed);
     findGround();
 }
@@ -208,7 +209,9 @@ async function start() {
     offers = await getJson('/v1/models');
     Panel.offer($('model'), Panel.modelChoices(offers));
     Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
-    Panel.offer($('catalogue'), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
+    for (const list of ['catalogue', 'landmarks']) {
+        Panel.offer($(list), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
+    }
     await frames.offer();
     const words = readAddress();
     state.onChange(show);

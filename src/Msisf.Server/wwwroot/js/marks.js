@@ -2,20 +2,26 @@
 
 import { Grid } from './grid.js';
 import { Overlay } from './overlay.js';
-import { getJson } from './server.js';
+import { getJson, renderMeta } from './server.js';
 
 const $ = id => document.getElementById(id);
 
 export class Marks {
     #craters = [];
+    #truth = null;
+    #frame = null;
+    #abort = new AbortController();
 
     /** @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair}. */
     constructor(stage, look, onProblem) {
-        Object.assign(this, { stage, look });
+        Object.assign(this, { stage, look, onProblem });
         for (const id of ['show-grid', 'show-terminator', 'show-arrow']) {
             $(id).addEventListener('change', () => this.draw());
         }
         $('catalogue').addEventListener('change', event => this.#open(event.target.value).catch(error => onProblem(error.message)));
+        for (const id of ['catalogue', 'landmarks']) {
+            $(id).addEventListener('change', () => this.know(this.#frame));
+        }
     }
 
     /** Switches a mark by its field. */
@@ -27,6 +33,32 @@ export class Marks {
     async #open(name) {
         this.#craters = name ? (await getJson(`/v1/catalogues/${encodeURIComponent(name)}`)).craters : [];
         this.draw();
+    }
+
+    /** Asks where the craters and landmarks of a frame, the one at rest, are: as its meta file has them. */
+    async know(frame) {
+        this.#abort.abort();
+        this.#abort = new AbortController();
+        const { signal } = this.#abort;
+        const [craters, landmarks] = [$('catalogue').value, $('landmarks').value];
+        [this.#frame, this.#truth] = [frame, null];
+        this.draw();
+        if (!frame || !(craters || landmarks)) {
+            return;
+        }
+        try {
+            const lists = { ...(craters && { craters, 'crater-size': 15 }), ...(landmarks && { landmarks }) };
+            const meta = await renderMeta({ ...frame, samples: 1, ...lists }, signal);
+            this.#truth = {
+                craters: craters ? meta.CraterInformation?.Crater ?? [] : null,
+                landmarks: meta.LandmarkInformation?.Landmark ?? [],
+            };
+            this.draw();
+        } catch (error) {
+            if (error.name !== 'AbortError') {
+                this.onProblem(error.message);
+            }
+        }
     }
 
     draw() {
@@ -48,7 +80,13 @@ export class Marks {
         if ($('show-terminator').checked && sunPosition) {
             overlay.drawTerminator(sunPosition);
         }
-        overlay.drawCraters(this.#craters);
+        const truth = isAtRest && this.#truth;
+        overlay.drawLandmarks(truth ? truth.landmarks : []);
+        if (truth?.craters) {
+            overlay.drawRims(truth.craters);
+        } else {
+            overlay.drawCraters(this.#craters);
+        }
         const here = readings.get('here');
         if (isAtRest && here && here.illumination_direction !== null && $('show-arrow').checked) {
             overlay.drawArrow(here.pixel, here.illumination_direction);

@@ -6,7 +6,8 @@ import {
 import { fixed } from './text.js';
 
 const COLOURS = {
-    terminator: '#ffb347', crater: '#b6f09c', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff',
+    terminator: '#ffb347', crater: '#b6f09c', hidden: '#9aa0a6', landmark: '#7cd5ff',
+    arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff',
 };
 
 /** Points of the limb: between two it is at most 0.7 m off the circle. */
@@ -135,6 +136,37 @@ export class Overlay {
             if (drawn === most) {
                 return;
             }
+        }
+    }
+
+    /** The rims of craters as the frame's own truth has them: ellipses in pixels; grey where most is hidden. */
+    drawRims(craters) {
+        for (const { id, name, h, v, semiMajor, semiMinor, turn, hidden } of craters) {
+            const [x, y] = this.of([h, v]);
+            const colour = hidden > 0.5 ? COLOURS.hidden : COLOURS.crater;
+            const path = new Path2D();
+            path.ellipse(x, y, semiMajor * this.unit, semiMinor * this.unit, turn * Math.PI / 180, 0, 2 * Math.PI);
+            this.context.strokeStyle = colour;
+            this.context.stroke(path);
+            if (semiMajor * this.unit > 1.5 * this.text) {
+                this.label(name ?? id, [x, y], colour, 'center');
+            }
+        }
+    }
+
+    /** Crosses where landmarks are, by the frame's own truth; grey where they are hidden. */
+    drawLandmarks(landmarks) {
+        for (const { id, name, h, v, visible } of landmarks) {
+            const [x, y] = this.of([h, v]);
+            const colour = visible === 'yes' ? COLOURS.landmark : COLOURS.hidden;
+            const path = new Path2D();
+            const arm = this.text / 2;
+            path.moveTo(x - arm, y);
+            path.lineTo(x + arm, y);
+            path.moveTo(x, y - arm);
+            path.lineTo(x, y + arm);
+            this.#strokeTwice(path, colour);
+            this.label(name ?? id, [x + this.text * 0.8, y - this.text * 0.6], colour);
         }
     }
 

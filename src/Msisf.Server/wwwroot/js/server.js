@@ -56,6 +56,9 @@ export async function renderPlane(frame, signal) {
     };
 }
 
+/** What the meta file of a frame says, as JSON. */
+export const renderMeta = async (frame, signal) => (await post('/v1/render', frame, 'application/json', signal)).json();
+
 /** What points of an image show: a list of readings, null where the Moon is not. */
 export async function readPixels(frame, pixels, signal) {
     const answer = await post('/v1/pixels', { frame, pixels }, 'application/json', signal);
