@@ -113,6 +113,65 @@ public sealed class ScanRunTests : IDisposable
         Assert.Contains("which POV-Ray can't draw. Add --renderer native.", povRay.Error, StringComparison.Ordinal);
     }
 
+    /// <summary>A large image is drawn in strips; its first rows are those of one that is drawn as a whole (a minute in its long
+    /// form).</summary>
+    [Fact]
+    public void Run_LargeScan_IsDrawnInStrips()
+    {
+        // 2^23 px are drawn as a whole: 512 lines of this width. The everyday form sees the Moon in a few columns.
+        string wide = TestLength.IsLong ? "field-of-view: 20" : "field-of-view: 150";
+        string camera = _folder.Write("wide.yaml", $"{wide}\nwidth: 16384\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.05\n");
+        string[] far = ["--fixed-state", "{55289,9E7,0,0,0,0,0,1}", "--motion", "{0,4E6,4E6,0,0,0}", "--camera", camera];
+        Draw("whole", [.. far, "--lines", "512"]);
+        Draw("strips", [.. far, "--lines", "513"]);
+        PngPixels whole = PngPixels.Read(_folder["whole/MoonSurfIllumSim_step_00001.png"]);
+        PngPixels strips = PngPixels.Read(_folder["strips/MoonSurfIllumSim_step_00001.png"]);
+        int lit = 0;
+        for (int pixel = 0; pixel < 512 * 16384; pixel++)
+        {
+            (int x, int y) = (pixel % 16384, pixel / 16384);
+            Assert.True(whole[x, y, 0] == strips[x, y, 0], $"pixel {x}, {y}");
+            lit += whole[x, y, 0] > 0 ? 1 : 0;
+        }
+
+        Assert.True(lit > 300, $"{lit} lit pixels");
+    }
+
+    /// <summary>What the ground does over the detector is compared with what the lines and the charge do.</summary>
+    [Theory]
+    [InlineData("0.6", "down", 2, "TDI along the wrong axis or at the wrong speed: from line to line the image moves by")]
+    [InlineData("0.02", "up", 2, "TDI along the wrong axis or at the wrong speed")]
+    public void Run_TdiAgainstTheImage_IsRefused(string period, string direction, int exitCode, string message)
+    {
+        string camera = _folder.Write(
+            "tdi.yaml",
+            "focal-length: 10\npixel-pitch: 0.02\nwidth: 40\nheight: 4\ndetector:\n  f-number: 4\n  exposure-time: 0.001\n"
+                + "  band: [500, 600]\n  quantum-efficiency: 0.5\n  gain: 10\n  adc-bits: 12\nscan:\n  kind: line-scan\n"
+                + $"  period: {period}\n  tdi: 4\n  tdi-direction: {direction}\n");
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--kepler-set", "{1.8374E6,0,0,0.3,1.5,0.5}", "--epoch", "55289", "--time", "55289", "--camera", camera, "--lines", "8",
+            .. Common.Split(' '), "--ldem", Moon(), "--res", "2", "--output-dir", _folder["tdi"],
+        ]);
+
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["tdi"]));
+    }
+
+    [Fact]
+    public void Run_LinesApart_AreWarnedOf()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. Orbit.Split(' '), "--camera", _folder.Write("line.yaml", Line), "--lines", "3", "--scan-period", "5", .. Common.Split(' '),
+            "--ldem", Moon(), "--res", "2", "--output-dir", _folder["apart"],
+        ]);
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("the lines do not overlap: the ground moves by ", run.Error, StringComparison.Ordinal);
+    }
+
     private void Draw(string folder, params string[] words)
     {
         CommandLineRun run = CommandLineRun.Of(

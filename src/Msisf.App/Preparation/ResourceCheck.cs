@@ -27,6 +27,9 @@ internal static class ResourceCheck
     /// </summary>
     private const long NativeBytesPerPixel = 200;
 
+    /// <summary>Strips of a scanned image in memory: those that are drawn and those whose ground truth is kept.</summary>
+    private const long StripsKept = 16;
+
     /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
     private const long LayerBytesPerPixel = 24;
 
@@ -119,12 +122,15 @@ internal static class ResourceCheck
 
     private static long MemoryOfFrame(RenderSettings settings)
     {
-        long pixels = Pixels(settings);
+        // Of an image that is drawn in strips, some strips and one layer are kept.
+        bool isStriped = StripRules.IsStriped(settings.Scan, settings.Width, settings.Height);
+        long pixels = isStriped ? StripsKept * StripRules.PixelsOfStrip : Pixels(settings);
         long drawing = settings.Renderer == RendererKind.Native
             ? ((NativeBytesPerPixel * (settings.Shutter is null ? 1 : 2)) + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
                 + (settings.Native.Detector is null ? 0 : DetectorBytesPerPixel)) * pixels
             : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
-        return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
+        long layer = isStriped && settings.Native.Layers is not null ? LayerBytesPerPixel * Pixels(settings) : 0;
+        return drawing + layer + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
     }
 
     private static long MetaBytes(RenderSettings settings)

@@ -70,6 +70,11 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
             host.Log.Note(note);
         }
 
+        foreach (Frame frame in Frames)
+        {
+            ScanCheck.Check(frame, host.Log, referenceRadius);
+        }
+
         if (settings.Camera is not null)
         {
             return;

@@ -40,6 +40,11 @@ internal sealed class FrameFiles
         _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
     }
 
+    /// <summary>A file for an image that is written as it is drawn; it goes when it is closed.</summary>
+    public FileStream OpenTemporary() => new(
+        Path.Combine(_ledger.Staging, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.None, 1 << 16,
+        FileOptions.DeleteOnClose);
+
     /// <summary>Writes the files.</summary>
     /// <param name="frame">The frame.</param>
     /// <param name="rendered">The result of the renderer.</param>

@@ -70,7 +70,8 @@ internal sealed class NativeDrawing
     {
         if (_detectors is not null && frame.Shot is { } shot)
         {
-            return DrawExposures(frame, shot, threads, cancellation);
+            PixelRows all = new(0, frame.Camera.Height);
+            return DrawExposures(frame, shot, RendererOf(frame), all, _options, threads, cancellation);
         }
 
         CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
@@ -120,17 +121,42 @@ internal sealed class NativeDrawing
         CancellationToken cancellation) =>
         _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
 
-    /// <summary>Draws and exposes an image that is scanned.</summary>
-    private NativeImage DrawExposures(Frame frame, ScannedShot shot, int threads, CancellationToken cancellation)
+    /// <summary>The renderer of a frame's level of detail.</summary>
+    public NativeRenderer RendererOf(Frame frame) => _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
+
+    /// <summary>Draws some rows of an image that is scanned: those of whole exposures.</summary>
+    /// <param name="frame">The image.</param>
+    /// <param name="renderer">That of the whole image.</param>
+    /// <param name="rows">The rows.</param>
+    /// <param name="keepsTruth">Whether their ground truth is asked for.</param>
+    /// <param name="threads">Number of threads; the rows do not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public NativeImage DrawRows(
+        Frame frame, NativeRenderer renderer, PixelRows rows, bool keepsTruth, int threads, CancellationToken cancellation)
+    {
+        NativeRenderOptions options = _options with { KeepGroundTruth = keepsTruth };
+        if (_detectors is not null)
+        {
+            return DrawExposures(frame, frame.Shot!, renderer, rows, options, threads, cancellation);
+        }
+
+        NativeFrame drawn = _times.Measure(
+            Phase.Draw, () => renderer.RenderRows(frame.Camera, frame.Light, rows, options, threads, cancellation));
+        return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, null);
+    }
+
+    /// <summary>Draws and exposes rows of an image that is scanned.</summary>
+    private NativeImage DrawExposures(
+        Frame frame, ScannedShot shot, NativeRenderer renderer, PixelRows rows, NativeRenderOptions options, int threads,
+        CancellationToken cancellation)
     {
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
-        NativeRenderer renderer = _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
-        ScanReadout readout = new(detector, renderer, _options);
+        ScanReadout readout = new(detector, renderer, options);
         DetectorSettings settings = Settings.Detector!.Settings.Exposed(frame.ExposureFactor);
         double open = settings.Shutter is null ? 0.0 : settings.ExposureTime;
         (NativeFrame drawn, DetectorImage image) = _times.Measure(
-            Phase.Detector, () => readout.Expose(shot with { HalfExposure = 0.5 * open }, threads, cancellation));
-        return new NativeImage(this, renderer, frame, drawn, null, image);
+            Phase.Detector, () => readout.Expose(shot with { HalfExposure = 0.5 * open }, rows, threads, cancellation));
+        return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image);
     }
 
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Settings;
 
 namespace Msisf.App.Rendering;
 
@@ -30,6 +31,12 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
 
     private FrameOutputs Render(Frame frame, int threads, CancellationToken cancellation)
     {
+        if (StripRules.IsStriped(frame.Scan, frame.Camera.Width, frame.Camera.Height))
+        {
+            StripedScan scan = new(drawing, files, times);
+            return new FrameOutputs(scan.Write(frame, threads, cancellation), TileCount: 0, PatternsMade: 0);
+        }
+
         using NativeImage drawn = drawing.Draw(frame, threads, cancellation);
         if (drawn.Detected is { } detected)
         {

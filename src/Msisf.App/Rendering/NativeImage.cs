@@ -55,12 +55,29 @@ internal sealed class NativeImage : IDisposable
     /// <summary>Height of the image, px.</summary>
     public int Height => _truth.Camera.Height;
 
+    /// <summary>What the image shows, also after it is disposed if it was drawn in memory of its own.</summary>
+    public IGroundTruth Truth => _truth;
+
     /// <summary>Writes the image as PNG.</summary>
     public void WritePng(Stream png)
     {
+        using PngImage image = BeginPng(png, Height);
+        AddTo(image);
+    }
+
+    /// <summary>Begins a PNG of images like this one, one below the other.</summary>
+    /// <param name="png">Receives it; stays open.</param>
+    /// <param name="height">px: of all of them.</param>
+    public PngImage BeginPng(Stream png, int height) => Detected is null
+        ? new PngImage(png, Width, height, (byte)_drawing.Settings.BitDepth, _drawing.Settings.Grey.Transfer)
+        : PngImage.OfNumbers(png, Width, height, _drawing.Settings.Detector!.Settings.ConverterBits);
+
+    /// <summary>Adds the rows to a PNG.</summary>
+    public void AddTo(PngImage png)
+    {
         if (Detected is { } detected)
         {
-            PngWriter.WriteNumbers(png, detected.Numbers, detected.Width, _drawing.Settings.Detector!.Settings.ConverterBits);
+            png.Add(detected.Numbers);
             return;
         }
 
@@ -70,11 +87,11 @@ internal sealed class NativeImage : IDisposable
         CopyLevels(memory.AsMemory(0, length), threads: 1);
         if (BytesPerPixel == 1)
         {
-            PngWriter.Write(png, levels, Width, _drawing.Settings.Grey.Transfer);
+            png.Add(levels);
         }
         else
         {
-            PngWriter.Write(png, MemoryMarshal.Cast<byte, ushort>(levels), Width, _drawing.Settings.Grey.Transfer);
+            png.Add(MemoryMarshal.Cast<byte, ushort>(levels));
         }
 
         ArrayPool<byte>.Shared.Return(memory);

@@ -84,6 +84,7 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
+        StripRules.Refuse(settings);
         return settings;
     }
 

@@ -27,23 +27,31 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
         ? shot.Model
         : shot.Scan.ExposureOf(shot.Model, 0, 0.0)).At(shot.Path.States[0]);
 
-    /// <summary>Exposes and reads out an image.</summary>
+    /// <summary>Exposes and reads out an image, or some of its rows.</summary>
     /// <param name="shot">The image.</param>
+    /// <param name="rows">The rows: those of whole exposures; of a rolling shutter all.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <returns>What is drawn in the middle of each exposure, and the detector's numbers.</returns>
-    public (NativeFrame Drawn, DetectorImage Image) Expose(ScannedShot shot, int threads, CancellationToken cancellation)
+    public (NativeFrame Drawn, DetectorImage Image) Expose(
+        ScannedShot shot, PixelRows rows, int threads, CancellationToken cancellation)
     {
-        DrawnBands drawn = new(shot.Camera, shot.Light);
-        DetectorImage whole = new(shot.Camera.Width, shot.Camera.Height) { Noise = shot.Noise };
+        ICamera camera = shot.Camera.Window(0, rows.First, shot.Camera.Width, rows.End - rows.First);
+        DrawnBands drawn = new(camera, shot.Light.At(shot.Camera, rows.First + 1));
+        DetectorImage whole = new(camera.Width, camera.Height) { Noise = shot.Noise };
+        int[] exposures =
+        [
+            .. Enumerable.Range(0, shot.Scan.Count).Where(exposure =>
+                shot.Scan.ImageRowOf(shot.Model, exposure, 0) is var row && row >= rows.First && row < rows.End),
+        ];
         bool isRolling = shot.Scan.Kind == ScanKind.RollingShutter;
         WorkerTeam.Run(
             threads,
-            shot.Scan.Count,
-            (_, exposure) =>
+            exposures.Length,
+            (_, index) =>
             {
-                Exposure one = new(this, shot, exposure, drawn, isRolling ? whole : null, cancellation);
-                one.Run(whole);
+                Exposure one = new(this, shot, exposures[index], drawn, isRolling ? whole : null, cancellation);
+                one.Run(whole, rows.First);
             },
             cancellation);
         if (isRolling)
@@ -67,7 +75,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
         private readonly CameraDetector _detector = readout._detector;
         private readonly double _middle = shot.Scan.SecondsOf(number);
 
-        public void Run(DetectorImage whole)
+        public void Run(DetectorImage whole, int firstRow)
         {
             FrameCamera middleCamera = At(0.0, 0.0);
             bool isMoving = shot.HasShutter;
@@ -88,7 +96,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
             DetectedFrame seen = new(middleCamera, middle, _detector.Margin, image);
             for (int row = 0; row < middleCamera.Height; row++)
             {
-                int target = shot.Scan.ImageRowOf(shot.Model, number, row);
+                int target = shot.Scan.ImageRowOf(shot.Model, number, row) - firstRow;
                 drawn.Take(seen, row, target, readout._options.KeepGroundTruth);
                 if (shared is null)
                 {

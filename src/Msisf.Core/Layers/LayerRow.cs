@@ -145,16 +145,16 @@ internal sealed class LayerRow
     public double[] NormalLengths => LengthsOf(Normals, Known.NormalLengths, _normalLengths);
 
     /// <summary>I/F of the row's pixels, the mean over the samples of each; empty if the renderer does not know it.</summary>
-    public ReadOnlySpan<double> RadianceFactors => OfRow(_frame.RadianceFactors);
+    public ReadOnlySpan<double> RadianceFactors => _frame.RadianceFactorsOf(Row);
 
     /// <summary>Electrons in the detector's pixels, before noise; empty without a detector.</summary>
-    public ReadOnlySpan<double> Electrons => OfRow(_frame.Electrons);
+    public ReadOnlySpan<double> Electrons => _frame.ElectronsOf(Row);
 
     /// <summary>Number of the crater that each of the row's pixels shows; empty without a catalogue.</summary>
     public ReadOnlySpan<int> CraterNumbers => OfRow(_frame.CraterNumbers);
 
     /// <summary>Saturation of the detector's pixels; empty without a detector.</summary>
-    public ReadOnlySpan<byte> Saturated => OfRow(_frame.Saturated);
+    public ReadOnlySpan<byte> Saturated => _frame.SaturatedOf(Row);
 
     /// <summary>Goes on to a row, from 0.</summary>
     public void MoveTo(int row)

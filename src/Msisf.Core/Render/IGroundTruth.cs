@@ -28,6 +28,18 @@ public interface IGroundTruth
     /// <summary>Number of the crater that each pixel shows, by rows, 0 for none; empty without a catalogue of craters.</summary>
     ReadOnlySpan<int> CraterNumbers => [];
 
+    /// <summary>I/F of the pixels of a row, from 0; empty if the renderer does not know it.</summary>
+    internal ReadOnlySpan<double> RadianceFactorsOf(int row) => RowOf(RadianceFactors, row);
+
+    /// <summary>Electrons of the pixels of a row, from 0; empty without a detector.</summary>
+    internal ReadOnlySpan<double> ElectronsOf(int row) => RowOf(Electrons, row);
+
+    /// <summary>Saturation of the pixels of a row, from 0; empty without a detector.</summary>
+    internal ReadOnlySpan<byte> SaturatedOf(int row) => RowOf(Saturated, row);
+
+    private ReadOnlySpan<T> RowOf<T>(ReadOnlySpan<T> image, int row) =>
+        image.IsEmpty ? [] : image.Slice(row * Camera.Width, Camera.Width);
+
     /// <summary>Gets the surface point on the ray through a pixel's centre (<see cref="ICamera.RayThrough"/>).</summary>
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>

@@ -70,6 +70,19 @@ public sealed class NativeRenderer
         return new NativeFrame(pass, () => _memory.Return(pass));
     }
 
+    /// <summary>Draws some rows of an image, in memory of their own.</summary>
+    /// <param name="camera">The image's camera.</param>
+    /// <param name="light">The image's light.</param>
+    /// <param name="rows">The rows.</param>
+    /// <param name="options">The settings of the renderer.</param>
+    /// <param name="threads">Number of threads, at least 1; the rows do not depend on it.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public NativeFrame RenderRows(
+        ICamera camera, SceneLight light, PixelRows rows, NativeRenderOptions options, int threads, CancellationToken cancellation) =>
+        RenderBands(
+            camera.Window(0, rows.First, camera.Width, rows.End - rows.First), light.At(camera, rows.First + 1), options, threads,
+            cancellation);
+
     private NativeFrame RenderBands(
         ICamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {

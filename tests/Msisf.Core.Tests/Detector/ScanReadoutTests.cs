@@ -102,6 +102,22 @@ public sealed class ScanReadoutTests
         }
     }
 
+    /// <summary>Rows that are exposed by themselves are those of the whole image, noise too.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Expose_SomeRows_AreThoseOfTheWhole(bool up)
+    {
+        CameraModel model = Model(3);
+        Scan scan = new(ScanKind.PushFrame, 4, 0.7) { GrowsUpwards = up, FlipsFramelets = up };
+        DetectorSettings settings = Settings with { Gain = 1e9, ReadNoise = 3e10, Seed = 5 };
+        DetectorImage whole = Expose(scan, model, settings, 2, out _);
+        DetectorImage part = Expose(scan, model, settings, 2, out _, rows: new PixelRows(6, 9));
+
+        Assert.Equal(whole.Numbers[(6 * Width)..(9 * Width)], part.Numbers);
+        Assert.Equal(whole.Electrons[(6 * Width)..(9 * Width)], part.Electrons);
+    }
+
     /// <summary>Noise of lines in one state differs; it is the same with more threads, and with the same seed of the frame.</summary>
     [Fact]
     public void Expose_Noise_IsEachLinesOwn()
@@ -139,13 +155,14 @@ public sealed class ScanReadoutTests
 
     private static DetectorImage Expose(
         Scan scan, CameraModel model, DetectorSettings settings, int threads, out ICamera camera, CameraMotion? motion = null,
-        NoiseSeed? noise = null)
+        NoiseSeed? noise = null, PixelRows? rows = null)
     {
         ScanPath path = new ScanPath(seconds => (motion ?? Motion).Moved(Start, seconds)).Of(scan, null, 0.0);
         camera = scan.CameraOf(model, path.States);
         ScannedShot shot = new(scan, model, path, camera, Sun, Time, noise, settings.Shutter is null ? 0.0 : 0.5 * Exposure);
         CameraDetector detector = new(settings, ScanReadout.CameraOf(shot), threads);
-        (NativeFrame drawn, DetectorImage image) = new ScanReadout(detector, Renderer, Options).Expose(shot, threads, default);
+        (NativeFrame drawn, DetectorImage image) = new ScanReadout(detector, Renderer, Options).Expose(
+            shot, rows ?? new PixelRows(0, camera.Height), threads, default);
         drawn.Dispose();
         return image;
     }

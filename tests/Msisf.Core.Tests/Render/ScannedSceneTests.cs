@@ -97,6 +97,51 @@ public sealed class ScannedSceneTests
         Assert.Equal(frame.RadianceFactors.ToArray(), scanned.RadianceFactors.ToArray());
     }
 
+    /// <summary>Strips that are drawn when they are asked for show what the whole image shows.</summary>
+    [Fact]
+    public void StripedTruth_AllRows_IsThatOfTheWholeImage()
+    {
+        CameraModel model = LensCases.Of("barrel", 0.4, Width, 2);
+        NestedTerrain terrain = NestedScenes.Named("gaps");
+        CameraState start = new((terrain.GroundRadius(-Vector3D.UnitZ) + 15_000.0) * -Vector3D.UnitZ, LookDown);
+        CameraMotion motion = new(new Vector3D(1500.0, 550.0, -300.0), new Vector3D(0.05, 0.08, -0.04));
+        Scan scan = new(ScanKind.PushFrame, 11, 0.1);
+        ScanPath path = new ScanPath(seconds => motion.Moved(start, seconds)).Of(scan, null, 0.0);
+        ICamera camera = scan.CameraOf(model, [.. path.States.Select(state => state with { SunPositionMoonMe = SunAt(state.Seconds) })]);
+        NativeRenderOptions options = new() { KeepGroundTruth = true, Reflectance = new LambertReflectance(0.6) };
+        SceneLight light = new(SunAt(0.0), IsSun: true);
+        NativeRenderer renderer = new(terrain);
+        using NativeFrame whole = renderer.Render(camera, light, options, threads: 2);
+        List<PixelRows> asked = [];
+        StripedTruth striped = new(camera, light, rowsOfStrip: 6, rowsOfExposure: 2, rows =>
+        {
+            asked.Add(rows);
+            return renderer.RenderRows(camera, light, rows, options, 2, default);
+        });
+
+        AssertRow(9);
+        Assert.Equal([new PixelRows(8, 10)], asked);
+        for (int y = 1; y <= 22; y++)
+        {
+            Assert.Equal(
+                whole.RadianceFactors.Slice((y - 1) * Width, Width).ToArray(), ((IGroundTruth)striped).RadianceFactorsOf(y - 1).ToArray());
+            AssertRow(y);
+        }
+
+        Assert.Equal([new PixelRows(8, 10), new(0, 6), new(6, 12), new(12, 18), new(18, 22)], asked);
+
+        void AssertRow(int y)
+        {
+            for (int x = 1; x <= Width; x++)
+            {
+                Assert.Equal(
+                    whole.TryGet(x, y, out SurfaceHit expected, out PixelIllumination lit),
+                    striped.TryGet(x, y, out SurfaceHit hit, out PixelIllumination seen));
+                Assert.Equal((expected, lit), (hit, seen));
+            }
+        }
+    }
+
     private static UnitQuaternion LookDown => UnitQuaternion.FromAxisAngle(Vector3D.UnitY, Math.PI / 2.0)
         * UnitQuaternion.FromAxisAngle(Vector3D.UnitX, 0.7);
 

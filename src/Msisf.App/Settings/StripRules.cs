@@ -1,0 +1,55 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+
+namespace Msisf.App.Settings;
+
+/// <summary>Which scanned images are drawn strip by strip, because they are too large for the memory, and what they can't have.</summary>
+internal static class StripRules
+{
+    /// <summary>px: larger images are drawn in strips; one of so many takes some 1.6 GB.</summary>
+    public const long LargestWhole = 1L << 23;
+
+    /// <summary>px of a strip: 50 MB.</summary>
+    public const long PixelsOfStrip = 1L << 18;
+
+    /// <summary>Bytes of a layer, which is kept as a whole.</summary>
+    private const long LargestLayer = int.MaxValue;
+
+    /// <summary>Whether an image is drawn in strips.</summary>
+    /// <param name="scan">How it is scanned; null for a frame.</param>
+    /// <param name="width">px.</param>
+    /// <param name="height">px.</param>
+    public static bool IsStriped(Scan? scan, int width, int height) =>
+        scan is { Kind: not ScanKind.RollingShutter } && (long)width * height > LargestWhole;
+
+    /// <summary>Refuses what needs all of an image that is drawn in strips.</summary>
+    /// <exception cref="UsageException">An option asks for it.</exception>
+    public static void Refuse(RenderSettings settings)
+    {
+        if (!IsStriped(settings.Scan, settings.Width, settings.Height))
+        {
+            return;
+        }
+
+        string? wrong = settings.Annotate ? OutputOptions.Annotation.Name
+            : settings.Native.Navigation is not null ? "truth for navigation"
+            : settings.Native.Detector is { WritesFits: true } ? "the detector's FITS file ('fits: no' in the camera file leaves it out)"
+            : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
+            : settings.Native.Layers?.Layers.Any(layer => BytesOf(layer, settings) > LargestLayer) == true
+                ? $"a layer of more than {LargestLayer >> 30} GiB ({NativeOptions.LayersPrecision.Name} single halves it)"
+            : null;
+        if (wrong is not null)
+        {
+            throw new UsageException($"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of "
+                + "it "
+                + $"at once. Leave it out, or scan fewer lines: {LargestWhole / settings.Width} are drawn as a whole.");
+        }
+    }
+
+    private static long BytesOf(Layer layer, RenderSettings settings)
+    {
+        bool isDouble = layer.KeepsDouble || settings.Native.LayersPrecision == LayerPrecision.Real64;
+        return (long)settings.Width * settings.Height * layer.Planes * (isDouble ? sizeof(double) : sizeof(float));
+    }
+}
