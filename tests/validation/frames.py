@@ -17,13 +17,33 @@ def draw(folder, states, *options, layer="radiance-factor"):
     folder.mkdir(parents=True)
     batch = folder / "states.tab"
     batch.write_text("".join(" ".join(repr(float(number)) for number in state) + "\n" for state in states))
-    command = [ROOT / "msis", "--batch-file", batch, "--renderer", "native", *options, "--lod", "off", "--batch",
-               "--layers", layer, "--layers-format", "npy",
-               "--output-dir", folder, "--output-name", "frame_{step:00000}"]
-    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+    run("--batch-file", batch, "--renderer", "native", *options, "--lod", "off", "--batch", "--layers", layer, "--layers-format", "npy",
+        "--output-dir", folder, "--output-name", "frame_{step:00000}")
+    return [np.nan_to_num(np.load(folder / f"frame_{step:05d}.{layer}.npy"), nan=0.0) for step in range(1, len(states) + 1)]
+
+
+def scan(folder, states, period, *options, layer="radiance-factor"):
+    """A layer of a push-frame image in one run, [framelet, y, x], 0 where no surface is seen.
+
+    folder   where the image is written; it must not exist
+    states   of the framelets, as in draw; they are samples of one motion
+    period   s from one framelet to the next
+    """
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True)
+    samples = folder / "samples.tab"
+    samples.write_text("".join(" ".join(repr(float(number)) for number in state) + "\n" for state in states))
+    run("--trajectory", samples, "--framelets", str(len(states)), "--scan-period", repr(period), "--renderer", "native", *options,
+        "--lod", "off", "--batch", "--layers", layer, "--layers-format", "npy", "--output-dir", folder, "--output-name", "scan")
+    image = np.nan_to_num(np.load(folder / f"scan.{layer}.npy"), nan=0.0)
+    return image.reshape(len(states), -1, image.shape[1])
+
+
+def run(*arguments):
+    """Runs ./msis, and ends with its message if that fails."""
+    done = subprocess.run([ROOT / "msis", *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         raise SystemExit(f"validation: msis ended with {done.returncode}: {done.stderr.strip()}")
-    return [np.nan_to_num(np.load(folder / f"frame_{step:05d}.{layer}.npy"), nan=0.0) for step in range(1, len(states) + 1)]
 
 
 def camera_quaternion(moon_from_camera):

@@ -15,7 +15,7 @@ import numpy as np
 
 import disc
 import report
-from frames import camera_quaternion, draw
+from frames import camera_quaternion, draw, scan
 from wac_strip import BANDS_NM, FRAMELET_LINES, SAMPLES, Strip
 
 LAWS = ("lambert", "lommel-seeliger", "lunar-lambert", "hapke", "nac", "moon")
@@ -38,9 +38,9 @@ def strip_image(folder, strip, law, band, albedo_map):
     """The strip as msis draws it, [line, sample] of I/F."""
     law_options = ["--reflectance", law] + (["--band", str(band)] if law == "moon" else [])
     map_options = ["--albedo-map", str(albedo_map)] + (["--albedo-map-properties", f"scale={SCALE_604!r}"] if band == 604 else [])
-    images = draw(folder, list(states_of(strip)), "--camera", f"lroc-wac-{band}", *law_options, *map_options)
+    images = scan(folder, list(states_of(strip)), strip.period_s, "--camera", f"lroc-wac-{band}", *law_options, *map_options)
     if images[0].shape != (FRAMELET_LINES, SAMPLES):
-        raise SystemExit(f"validation: frames of {images[0].shape}, {(FRAMELET_LINES, SAMPLES)} expected")
+        raise SystemExit(f"validation: framelets of {images[0].shape}, {(FRAMELET_LINES, SAMPLES)} expected")
     return strip.reduce(images)
 
 
@@ -59,8 +59,8 @@ def compare(real, drawn, chosen):
 def phase_angles(folder, strip):
     """Phase angle of each pixel of the strip, degrees: the mean over its pixels."""
     states = list(states_of(strip))
-    images = draw(folder, states, "--camera", f"lroc-wac-{MAIN_BAND_NM}", "--reflectance", "lambert", "--albedo-map", "none",
-                  layer="phase")
+    images = scan(folder, states, strip.period_s, "--camera", f"lroc-wac-{MAIN_BAND_NM}", "--reflectance", "lambert", "--albedo-map",
+                  "none", layer="phase")
     return strip.reduce(images)
 
 

@@ -19,6 +19,7 @@ class Strip:
     positions  m, MOON_ME, one for each framelet that was kept
     moon_from_instrument  rotations of these framelets: +z is the line of sight, +y the direction of the samples
     mjd_utc    times of these framelets
+    period_s   s from one of them to the next
     sun_distance_au  distance of the Sun from the Moon's centre
     """
 
@@ -31,6 +32,7 @@ class Strip:
         self.dn[self.dn < NULL_BELOW] = np.nan
         self.exposure_ms = _number(label, "ExposureDuration")
         self.delay_s = _number(label, "InterframeDelay") / 1000.0
+        self.period_s = 2.0 * self.delay_s
         self.framelets = np.arange(0, int(_number(label, "NumFramelets")), 2)
         pointing = _table(data, label, "InstrumentPointing")
         position = _table(data, label, "InstrumentPosition")

@@ -1,0 +1,69 @@
+using System.Text.RegularExpressions;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Input;
+
+/// <summary>The commands of docs/scanning-cameras.md run as they stand there, with fewer lines.</summary>
+public sealed partial class ScanningPageTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [RequiresFact(Part.Ldem4)]
+    public void Page_ScanAndJitter_AreDrawnAndDiffer()
+    {
+        foreach (string line in Lines("--output-dir still"))
+        {
+            string[] words = [.. Words().Matches(line).Select(match => match.Value.Trim('\''))];
+            if (words[0] == "printf")
+            {
+                _folder.Write(words[^1], words[1].Replace("\\n", "\n", StringComparison.Ordinal));
+                continue;
+            }
+
+            Run(words, "512", "24");
+        }
+
+        byte[] still = File.ReadAllBytes(_folder["still/MoonSurfIllumSim_step_00001.png"]);
+        byte[] shaken = File.ReadAllBytes(_folder["shaken/MoonSurfIllumSim_step_00001.png"]);
+        Assert.True(still.Length > 1000);
+        Assert.NotEqual(still, shaken);
+    }
+
+    [RequiresFact(Part.Ldem4, Part.LroNac)]
+    public void Page_Nac_IsDrawn()
+    {
+        string[] words = [.. Words().Matches(Lines("--instrument LRO_LROCNACL").Single()).Select(match => match.Value)];
+        words = [.. words.Select(word => word.Replace("lro/", $"{LroNac.Folder}/", StringComparison.Ordinal))];
+        Run([.. words, "--output-dir", "nac"], "400", "4");
+        PngPixels image = PngPixels.Read(_folder["nac/MoonSurfIllumSim_step_00001.png"]);
+        Assert.Equal((5064, 4), (image.Width, image.Height));
+    }
+
+    private static string[] Lines(string part)
+    {
+        string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "scanning-cameras.md"));
+        string block = Blocks().Matches(page).Select(match => match.Groups[1].Value)
+            .Single(text => text.Contains(part, StringComparison.Ordinal));
+        return block.Replace("\\\n", " ", StringComparison.Ordinal).Split('\n', StringSplitOptions.RemoveEmptyEntries);
+    }
+
+    private void Run(string[] words, string lines, string fewer)
+    {
+        string[] files = ["jitter.txt", "scanner.yaml", "still", "shaken", "nac"];
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. words.Skip(1).Select(word => word == lines ? fewer : files.Contains(word) ? _folder[word] : word),
+            "--ldem", TestParts.Ldem4Label!, "--batch",
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+    }
+
+    [GeneratedRegex(@"```sh\n(.*?)```", RegexOptions.Singleline)]
+    private static partial Regex Blocks();
+
+    [GeneratedRegex(@"'[^']*'|[^\s']+")]
+    private static partial Regex Words();
+}
