@@ -4,10 +4,11 @@ from ._camera import Camera
 from ._dataset import Dataset, Sample
 from ._errors import MsisfError, RequestError, ServerError
 from ._frame import Frame
+from ._illumination import illumination
 from ._moon import Moon
 from ._stream import Stream, StreamImage
 from ._view import SurfacePoint, View
 
 __all__ = ["Camera", "Dataset", "Frame", "Moon", "MsisfError", "RequestError", "Sample", "ServerError", "Stream", "StreamImage",
-           "SurfacePoint", "View"]  # fmt: skip
+           "SurfacePoint", "View", "illumination"]  # fmt: skip
 __version__ = "2.0.0"

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace Msisf.Adapters.Interop;
 
 /// <summary>
-/// The functions of GDAL's C library that read images; C names, no logic. The library's name has a version in it and differs between
+/// The functions of GDAL's C library that are used; C names, no logic. The library's name has a version in it and differs between
 /// systems, so the functions are looked up when it is found.
 /// </summary>
 internal sealed unsafe class GdalNative
@@ -59,6 +59,9 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<byte**, nint, nint> GDALWarpAppOptionsNew;
     internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALWarpAppOptionsFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint> GDALWarp;
+    internal readonly delegate* unmanaged[Cdecl]<byte**, nint, nint> GDALTranslateOptionsNew;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALTranslateOptionsFree;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, nint, nint, int*, nint> GDALTranslate;
     internal readonly delegate* unmanaged[Cdecl]<void*, void> VSIFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*> CPLGetLastErrorMsg;
     internal readonly delegate* unmanaged[Cdecl]<nint, nint> CPLSetErrorHandler;
@@ -101,6 +104,9 @@ internal sealed unsafe class GdalNative
         GDALWarpAppOptionsNew = (delegate* unmanaged[Cdecl]<byte**, nint, nint>)Find(nameof(GDALWarpAppOptionsNew));
         GDALWarpAppOptionsFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALWarpAppOptionsFree));
         GDALWarp = (delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint>)Find(nameof(GDALWarp));
+        GDALTranslateOptionsNew = (delegate* unmanaged[Cdecl]<byte**, nint, nint>)Find(nameof(GDALTranslateOptionsNew));
+        GDALTranslateOptionsFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALTranslateOptionsFree));
+        GDALTranslate = (delegate* unmanaged[Cdecl]<byte*, nint, nint, int*, nint>)Find(nameof(GDALTranslate));
         VSIFree = (delegate* unmanaged[Cdecl]<void*, void>)Find(nameof(VSIFree));
         CPLGetLastErrorMsg = (delegate* unmanaged[Cdecl]<byte*>)Find(nameof(CPLGetLastErrorMsg));
         CPLSetErrorHandler = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(CPLSetErrorHandler));

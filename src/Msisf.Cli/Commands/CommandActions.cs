@@ -20,6 +20,7 @@ internal static class CommandActions
         [CommandTable.States] = InBackground(StatesCommand.Run),
         [DataSetOptions.Command] = (call, cancellation) => Task.Run(
             () => DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation), cancellation),
+        [IlluminationOptions.Command] = InBackground(IlluminationCommand.Run),
         [CommandTable.Status] = InBackground(CheckCommand.Status),
         [CommandTable.Verify] = InBackground(CheckCommand.Verify),
         [CommandTable.Merge] = (call, cancellation) => Task.Run(() => MergeCommand.RunAsync(call, cancellation), cancellation),

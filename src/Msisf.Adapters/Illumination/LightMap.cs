@@ -1,0 +1,17 @@
+namespace Msisf.Adapters.Illumination;
+
+/// <summary>A map of one number a cell.</summary>
+/// <param name="Name">Small letters; of files and layers.</param>
+/// <param name="Unit">Unit, empty for none.</param>
+/// <param name="Meaning">One sentence.</param>
+/// <param name="Values">Line by line from the top.</param>
+public sealed record LightMap(string Name, string Unit, string Meaning, float[] Values);
+
+/// <summary>Where the cells of maps lie.</summary>
+/// <param name="Lines">Number of lines.</param>
+/// <param name="Samples">Cells of a line.</param>
+/// <param name="Cell">m: width of a cell.</param>
+/// <param name="Left">m: X of the left edge.</param>
+/// <param name="Top">m: Y of the upper edge.</param>
+/// <param name="Proj4">The projection in PROJ's words.</param>
+public sealed record MapPlacement(int Lines, int Samples, double Cell, double Left, double Top, string Proj4);

@@ -1,0 +1,87 @@
+using System.Globalization;
+using Msisf.Adapters.Interop;
+
+namespace Msisf.Adapters.Illumination;
+
+/// <summary>Draws a map with its legend and a scale bar.</summary>
+public static class LightMapPicture
+{
+    /// <summary>px: the longer side of a map at most; each of its pixels is then a cell of several.</summary>
+    private const int LongestSide = 1024;
+
+    /// <summary>px: at least.</summary>
+    private const int ShortestSide = 320;
+
+    /// <summary>px under the map.</summary>
+    private const int Foot = 56;
+
+    private const int LegendWidth = 160;
+    private const double FontSize = 12.0;
+
+    /// <summary>Five colours from the least to the greatest value, dark to light for all kinds of sight.</summary>
+    private static readonly (double Red, double Green, double Blue)[] Colors =
+        [(0.0, 0.0, 0.08), (0.25, 0.1, 0.4), (0.7, 0.2, 0.35), (0.98, 0.55, 0.2), (1.0, 1.0, 0.75)];
+
+    /// <summary>Writes a PNG.</summary>
+    /// <param name="stream">Receives it.</param>
+    /// <param name="map">The map.</param>
+    /// <param name="placement">Where its cells lie.</param>
+    /// <exception cref="Core.Errors.ExternalPartException">cairo is missing.</exception>
+    public static void Write(Stream stream, LightMap map, MapPlacement placement)
+    {
+        int longest = Math.Max(placement.Lines, placement.Samples);
+        double scale = longest > LongestSide ? (double)LongestSide / longest : Math.Max(1, ShortestSide / longest);
+        int width = Math.Max(LegendWidth * 2, (int)Math.Ceiling(placement.Samples * scale));
+        int height = (int)Math.Ceiling(placement.Lines * scale);
+        (float least, float most) = (map.Values.Min(), map.Values.Max());
+        using CairoImage image = CairoImage.Black(width, height + Foot);
+        for (int y = 0; y < height; y++)
+        {
+            int line = Math.Min(placement.Lines - 1, (int)(y / scale));
+            for (int x = 0; x < (int)Math.Ceiling(placement.Samples * scale);)
+            {
+                int sample = Math.Min(placement.Samples - 1, (int)(x / scale));
+                int next = Math.Max(x + 1, (int)Math.Ceiling((sample + 1) * scale));
+                SetColor(image, most > least ? (map.Values[(line * placement.Samples) + sample] - least) / (most - least) : 0.0);
+                image.FillRectangle(x, y, next - x, 1.0);
+                x = next;
+            }
+        }
+
+        for (int x = 0; x < LegendWidth; x++)
+        {
+            SetColor(image, x / (LegendWidth - 1.0));
+            image.FillRectangle(x + 4, height + 6, 1.0, 12.0);
+        }
+
+        image.SetColor(1.0, 1.0, 1.0, 1.0);
+        image.DrawText(string.Create(CultureInfo.InvariantCulture, $"{least:G4} to {most:G4} {map.Unit}"), 4.0, height + 34.0, FontSize);
+        double bar = NiceLength(0.4 * width / scale * placement.Cell);
+        double right = width - 8.0;
+        image.DrawLine(right - (bar / placement.Cell * scale), height + 12.0, right, height + 12.0, 3.0);
+        string text = bar >= 1000.0
+            ? string.Create(CultureInfo.InvariantCulture, $"{bar / 1000.0:R} km")
+            : string.Create(CultureInfo.InvariantCulture, $"{bar:R} m");
+        image.DrawText(text, right - image.MeasureText(text, FontSize), height + 34.0, FontSize);
+        image.DrawText(map.Name, 4.0, height + 50.0, FontSize);
+        image.WritePng(stream);
+    }
+
+    private static void SetColor(CairoImage image, double part)
+    {
+        double place = Math.Clamp(part, 0.0, 1.0) * (Colors.Length - 1);
+        int index = Math.Min(Colors.Length - 2, (int)place);
+        double rest = place - index;
+        (double Red, double Green, double Blue) a = Colors[index];
+        (double Red, double Green, double Blue) b = Colors[index + 1];
+        image.SetColor(
+            a.Red + (rest * (b.Red - a.Red)), a.Green + (rest * (b.Green - a.Green)), a.Blue + (rest * (b.Blue - a.Blue)), 1.0);
+    }
+
+    /// <summary>1, 2 or 5 times a power of ten, no longer than a length.</summary>
+    private static double NiceLength(double most)
+    {
+        double power = Math.Pow(10.0, Math.Floor(Math.Log10(most)));
+        return most >= 5.0 * power ? 5.0 * power : most >= 2.0 * power ? 2.0 * power : power;
+    }
+}

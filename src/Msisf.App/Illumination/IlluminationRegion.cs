@@ -1,0 +1,102 @@
+using System.Globalization;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+
+namespace Msisf.App.Illumination;
+
+/// <summary>
+/// The cells of a region: of a polar stereographic map from 45 degrees of latitude on, else of a map whose lines and samples are degrees.
+/// Immutable.
+/// </summary>
+/// <param name="Lines">Number of lines, from the top.</param>
+/// <param name="Samples">Cells of a line.</param>
+/// <param name="Cell">m: width of a cell, of a polar map at the pole.</param>
+/// <param name="Left">m: X of the left edge, with the pole or longitude 0 in the middle.</param>
+/// <param name="Top">m: Y of the upper edge.</param>
+/// <param name="Polar">The map without its offsets; null for degrees.</param>
+internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, double Left, double Top, PolarStereographic? Polar)
+{
+    private const double LowestPolarLatitude = 45.0;
+
+    /// <summary>m: over it degrees become metres.</summary>
+    public const double Radius = MoonConstants.ReferenceRadius;
+
+    /// <summary>Cells.</summary>
+    public int Count => Lines * Samples;
+
+    /// <summary>PROJ's name of the projection.</summary>
+    public string Proj4 => Polar is { } polar
+        ? $"+proj=stere +lat_0={(polar.IsSouth ? -90 : 90)} +lon_0=0 +k=1 +x_0=0 +y_0=0 +R=1737400 +units=m +no_defs"
+        : "+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +x_0=0 +y_0=0 +R=1737400 +units=m +no_defs";
+
+    /// <summary>Finds the cells that are asked for.</summary>
+    /// <param name="settings">The settings, with a place.</param>
+    /// <param name="finestCell">m: width of the cells of the finest model.</param>
+    /// <exception cref="UsageException">There are too many, or none.</exception>
+    public static IlluminationRegion Of(IlluminationSettings settings, double finestCell)
+    {
+        double[] place = settings.Place!;
+        foreach (double latitude in (double[])[place[0], place[^2]])
+        {
+            Core.Guard.InRange(latitude, -90.0, 90.0, "The latitude of the region (degrees)");
+        }
+
+        double cell = settings.Cell ?? finestCell;
+        double middle = 0.5 * (place[0] + place[^2]);
+        PolarStereographic? polar = Math.Abs(middle) >= LowestPolarLatitude ? new PolarStereographic(middle < 0.0, 1.0, 0.0, 0.0) : null;
+        (double x, double y) = OnMap(polar, place[0], place[1]);
+        (double otherX, double otherY) = OnMap(polar, place[^2], place[^1]);
+        (double width, double height) = settings.Size ?? (Math.Abs(otherX - x), Math.Abs(otherY - y));
+        (double centreX, double centreY) = (0.5 * (x + otherX), 0.5 * (y + otherY));
+        double samples = Math.Round(width / cell);
+        double lines = Math.Round(height / cell);
+        if (!(samples >= 1.0 && lines >= 1.0 && samples * lines <= IlluminationOptions.MaxCells))
+        {
+            throw new UsageException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"The region has {samples:R} x {lines:R} cells of {cell:R} m; 1 to {IlluminationOptions.MaxCells} cells can be asked for. "
+                    + $"Choose another size or {IlluminationOptions.Cell.Name}.")).About(IlluminationOptions.Cell);
+        }
+
+        return new IlluminationRegion(
+            (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), centreY + (0.5 * lines * cell), polar);
+    }
+
+    /// <summary>Direction of a cell's middle, MOON_ME.</summary>
+    public Vector3D DirectionOf(int line, int sample)
+    {
+        double x = Left + ((sample + 0.5) * Cell);
+        double y = Top - ((line + 0.5) * Cell);
+        return Polar is { } polar
+            ? polar.DirectionOf(-y, x)
+            : new SelenographicPoint(y / Radius, x / Radius).ToDirectionMoonMe();
+    }
+
+    /// <summary>Directions of the cells of some lines, line by line.</summary>
+    public Vector3D[] DirectionsOf(int firstLine, int endLine)
+    {
+        Vector3D[] directions = new Vector3D[(endLine - firstLine) * Samples];
+        for (int i = 0; i < directions.Length; i++)
+        {
+            directions[i] = DirectionOf(firstLine + (i / Samples), i % Samples);
+        }
+
+        return directions;
+    }
+
+    /// <summary>m: X to the right and Y upwards, as GDAL has them.</summary>
+    private static (double X, double Y) OnMap(PolarStereographic? polar, double latitudeDegrees, double longitudeDegrees)
+    {
+        SelenographicPoint point = new(double.DegreesToRadians(latitudeDegrees), double.DegreesToRadians(longitudeDegrees));
+        if (polar is null)
+        {
+            return (Radius * point.Longitude, Radius * point.Latitude);
+        }
+
+        (double line, double sample) = polar.PixelOf(point.ToDirectionMoonMe());
+        return (sample, -line);
+    }
+}

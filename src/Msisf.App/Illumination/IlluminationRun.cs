@@ -1,0 +1,190 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using Msisf.Adapters.Catalogues;
+using Msisf.Adapters.Illumination;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Illumination;
+using Msisf.Core.Navigation;
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface.Sources;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Illumination;
+
+/// <summary>Makes maps and tables of light (docs/illumination.md).</summary>
+internal sealed class IlluminationRun
+{
+    /// <summary>Cells of a piece, whose horizons are held in memory and kept in one file of some 35 MB.</summary>
+    private const int PieceCells = 16_384;
+
+    private const int EarthNumber = 399;
+
+    private readonly IlluminationSettings _settings;
+    private readonly ElevationModel _model;
+    private readonly IEphemeris _engine;
+    private readonly bool _isMoon;
+    private readonly ProgramHost _host;
+    private readonly CancellationToken _cancellation;
+    private readonly LightConditions _conditions;
+
+    private IlluminationRun(
+        IlluminationSettings settings, RenderSettings models, ElevationModel model, IEphemeris engine, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        (_settings, _model, _engine, _host, _cancellation) = (settings, model, engine, host, cancellation);
+        _isMoon = models.Body.IsMoon;
+        _conditions = new LightConditions(
+            [.. settings.Times.Select(time => engine.SunPositionMoonMe(time, models.Aberration))], [.. settings.Times.Select(EarthAt)])
+        {
+            IsPoint = settings.IsPoint,
+            IsExact = settings.IsExact,
+            FixedPlane = settings.Plane ?? Vector3D.UnitZ,
+            NightLimit = settings.NightLimit / settings.StepHours,
+        };
+    }
+
+    /// <summary>Runs the command.</summary>
+    /// <param name="settings">What to do.</param>
+    /// <param name="models">Names the models and kernels.</param>
+    /// <param name="host">Output, log, clock and environment of the program.</param>
+    /// <param name="cancellation">Stops the work; what is done is kept.</param>
+    /// <exception cref="MsisfException">Something can't be read, written, or is outside the models.</exception>
+    public static void Run(IlluminationSettings settings, RenderSettings models, ProgramHost host, CancellationToken cancellation)
+    {
+        using EphemerisSource ephemeris = new(models, host);
+        using ModelOnDemand model = new(models, host);
+        FileErrors.ToExternalPart($"{settings.Folder}: the folder can't be made", () => Directory.CreateDirectory(settings.Folder));
+        IlluminationRun run = new(settings, models, model.Opened, ephemeris.Engine(), host, cancellation);
+        run.Tell();
+        if (settings.Place is not null)
+        {
+            run.MakeMaps();
+        }
+
+        if (settings.Points is { } points && settings.Piece == (0, 1))
+        {
+            run.MakePoints(points);
+        }
+    }
+
+    private static int Threads => Environment.ProcessorCount;
+
+    private Vector3D EarthAt(ModifiedJulianDate time) =>
+        _engine.MoonMeFromJ2000(time) * _engine.StateOf(EarthNumber, _engine.TimeScale.FromUtc(time)).Position;
+
+    private void Tell()
+    {
+        if (_settings.Times.StepDays > 1.0)
+        {
+            _host.Log.Note("The step of the interval is longer than a day: sunrises and nights in between are not seen.");
+        }
+
+        if (!_model.Grid.IsWholeBody && _model.Grid.PartCount == 1)
+        {
+            _host.Log.Warning(
+                "The model is a part of the Moon only: mountains beyond its border throw no shadows. Give a model of the "
+                    + "whole Moon as well.");
+        }
+    }
+
+    private void MakeMaps()
+    {
+        double finest = _model.Grid.Models[^1].Projection.Resolution.MetresPerPixel;
+        IlluminationRegion region = IlluminationRegion.Of(_settings, finest);
+        int lines = Math.Max(1, PieceCells / region.Samples);
+        int pieces = (region.Lines + lines - 1) / lines;
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, Corners(region), _isMoon);
+        LightSurvey lights = new(survey, _conditions, _model.Tracer);
+        List<(double Height, PlaceLight[] Lights, float[] Slopes)> results = [];
+        using (IRunProgress progress = _host.Progress.Start(
+            "Horizons and light", FractionProgress.Steps, _settings.Unattended))
+        {
+            FractionProgress fraction = new(progress, "light");
+            double all = 2.0 * region.Count * _settings.Heights.Count;
+            int done = 0;
+            foreach (double height in _settings.Heights)
+            {
+                PlaceLight[] found = new PlaceLight[region.Count];
+                float[] slopes = new float[region.Count];
+                for (int piece = _settings.Piece.Part; piece < pieces; piece += _settings.Piece.Parts)
+                {
+                    int first = piece * lines;
+                    Vector3D[] directions = region.DirectionsOf(first, Math.Min(region.Lines, first + lines));
+                    PlaceHorizons horizons = HorizonsOf(survey, region, directions, height, piece, Advance);
+                    if (_settings.Piece.Parts == 1)
+                    {
+                        lights.Of(directions, horizons, Threads, Advance, _cancellation).CopyTo(found, first * region.Samples);
+                        horizons.Slopes.CopyTo(slopes, first * region.Samples);
+                    }
+                }
+
+                results.Add((height, found, slopes));
+            }
+
+            void Advance(int places) => fraction.Report(Interlocked.Add(ref done, places) / all);
+        }
+
+        if (_settings.Piece.Parts == 1)
+        {
+            MapPlacement placement = new(region.Lines, region.Samples, region.Cell, region.Left, region.Top, region.Proj4);
+            new IlluminationMaps(_settings, placement, _host).Write(results);
+        }
+    }
+
+    /// <summary>The horizons of a piece: those that are kept, or new ones.</summary>
+    private PlaceHorizons HorizonsOf(
+        HorizonSurvey survey, IlluminationRegion region, Vector3D[] directions, double height, int piece, Action<int> advance)
+    {
+        string content = string.Create(
+            CultureInfo.InvariantCulture,
+            $"{HorizonSurvey.Columns} {_model.Fingerprint().Sha256} {(_model.Grid as NestedTerrain)?.Blend} {region} {height:R}");
+        string key = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(content)))[..16];
+        string folder = Path.Combine(_settings.Folder, "horizons");
+        FileErrors.ToExternalPart($"{folder}: the folder can't be made", () => Directory.CreateDirectory(folder));
+        string path = Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"{key}-{piece + 1:D4}.horizons"));
+        if (HorizonFile.Read(path, directions.Length) is { } known)
+        {
+            advance(directions.Length);
+            return known;
+        }
+
+        PlaceHorizons found = survey.Find(directions, height, Threads, advance, _cancellation);
+        HorizonFile.Write(path, found);
+        return found;
+    }
+
+    private void MakePoints(string list)
+    {
+        IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(
+            () => LandmarkReader.Read(list, _model.Grid.ReferenceRadius));
+        if (points.Count > IlluminationOptions.MaxPoints)
+        {
+            throw new UsageException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{list}: {points.Count} points; at most {IlluminationOptions.MaxPoints} get tables and plots. Leave some out, or ask "
+                    + $"for a region, whose cells may be {IlluminationOptions.MaxCells}.")).About(IlluminationOptions.Points);
+        }
+
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon);
+        LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
+        PointTables tables = new(_settings, survey, lights, _model, _conditions, time => _engine.SunPositionMoonMe(time), _host);
+        using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);
+        tables.Write(points, Threads, progress, _cancellation);
+    }
+
+    private static IEnumerable<Vector3D> Corners(IlluminationRegion region)
+    {
+        const int Side = 8;
+        for (int i = 0; i < (Side + 1) * (Side + 1); i++)
+        {
+            yield return region.DirectionOf(
+                (int)((region.Lines - 1) * (i / (Side + 1) / (double)Side)), (int)((region.Samples - 1) * (i % (Side + 1) / (double)Side)));
+        }
+    }
+}

@@ -1,0 +1,199 @@
+using System.Globalization;
+using Msisf.Adapters.IO;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Illumination;
+using Msisf.Core.Navigation;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+using Msisf.Core.Tracing;
+
+namespace Msisf.App.Illumination;
+
+/// <summary>Tables of points: the light of each, its horizon by rays of the exact tracer, and its sunrises and sunsets.</summary>
+internal sealed class PointTables(
+    IlluminationSettings settings, HorizonSurvey survey, LightSurvey lights, ElevationModel model, LightConditions conditions,
+    Func<ModifiedJulianDate, Vector3D> sunAt, ProgramHost host)
+{
+    /// <summary>Directions of a horizon's table: every half degree.</summary>
+    private const int Azimuths = 720;
+
+    /// <summary>s: how exactly sunrises are found.</summary>
+    private const double Second = 1.0;
+
+    private readonly ITerrainTracer _tracer = model.Tracer;
+
+    /// <summary>Writes the tables and a page with plots.</summary>
+    /// <exception cref="MsisfException">A point is outside the models, or the disk refuses.</exception>
+    public void Write(IReadOnlyList<Landmark> points, int threads, IRunProgress progress, CancellationToken cancellation)
+    {
+        List<PointResult> results = [];
+        foreach (double height in settings.Heights)
+        {
+            Vector3D[] directions = [.. points.Select(point => point.Direction)];
+            PlaceHorizons horizons = survey.Find(directions, height, threads, null, cancellation);
+            for (int point = 0; point < points.Count; point++)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                (PlaceLight light, float[] parts) = lights.At(directions, horizons, point);
+                LocalFrame frame = LocalFrame.At(horizons.Radii[point] * directions[point]);
+                results.Add(new PointResult(
+                    points[point], height, frame, light, parts, HorizonAt(frame, lights.HorizonOf(horizons, point)),
+                    EventsOf(frame, parts), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point]))));
+                progress.Advance(points[point].Identity);
+            }
+        }
+
+        Write("points.csv", writer =>
+        {
+            writer.WriteLine(
+                "id,name,height_m,lit,disc,longest_dark_h,longest_dark_start,longest_light_h,longest_light_start,nights,flux_horizontal,"
+                    + "flux_horizontal_max,flux_tracking,flux_tracking_max,flux_plane,flux_plane_max,earth,earth_whole,sun_and_earth,"
+                    + "slope_deg");
+            results.ForEach(result => writer.WriteLine(RowOf(result)));
+        });
+        Write("horizons.csv", writer =>
+        {
+            writer.WriteLine("id,height_m,azimuth_deg,elevation_deg,distance_m,model");
+            foreach (PointResult result in results)
+            {
+                foreach (HorizonSample at in result.Horizon)
+                {
+                    writer.WriteLine(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{result.Point.Identity},{result.Height:R},{at.Azimuth:R},{at.Elevation:F5},{at.Distance:F0},{at.Model}"));
+                }
+            }
+        });
+        Write("sunrises.csv", writer =>
+        {
+            writer.WriteLine("id,height_m,event,utc");
+            foreach (PointResult result in results)
+            {
+                foreach ((bool isRise, ModifiedJulianDate time) in result.Events)
+                {
+                    writer.WriteLine(string.Create(
+                        CultureInfo.InvariantCulture,
+                        $"{result.Point.Identity},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{ToSecond(time)}"));
+                }
+            }
+        });
+        host.Results.WriteLine(new IlluminationPage(settings, host.Version).WritePoints(results, conditions));
+    }
+
+    private static string ToSecond(ModifiedJulianDate time) =>
+        new ModifiedJulianDate(Math.Round(time.Days * 86400.0) / 86400.0).ToIsoUtc();
+
+    private void Write(string name, Action<TextWriter> write)
+    {
+        string path = Path.Combine(settings.Folder, name);
+        AtomicFile.WriteText(path, write);
+        host.Results.WriteLine(path);
+    }
+
+    private string RowOf(PointResult result)
+    {
+        PlaceLight light = result.Light;
+        double steps = settings.Times.Count;
+        string Start(StepRun run) => run.Count == 0 ? string.Empty : settings.Times[run.First].ToIsoUtc();
+        string name = result.Point.Name is { } text ? $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"" : string.Empty;
+        string plane = settings.Plane is null
+            ? "," : string.Create(CultureInfo.InvariantCulture, $"{light.Fixed.Mean:F3},{light.Fixed.Greatest:F3}");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{result.Point.Identity},{name},{result.Height:R},{light.LitSteps / steps:F6},{light.DiscPart:F6},"
+                + $"{light.Dark.Count * settings.StepHours:R},{Start(light.Dark)},"
+                + $"{light.Light.Count * settings.StepHours:R},{Start(light.Light)},"
+                + $"{light.Nights},{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},{light.Tracking.Mean:F3},"
+                + $"{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},{light.WholeEarthSteps / steps:F6},"
+                + $"{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
+    }
+
+    /// <summary>The horizon by halving between rays that meet the ground and rays that do not, and what stands there.</summary>
+    private HorizonSample[] HorizonAt(LocalFrame frame, float[] stored)
+    {
+        HorizonSample[] samples = new HorizonSample[Azimuths];
+        for (int i = 0; i < Azimuths; i++)
+        {
+            double azimuth = 2.0 * Math.PI * i / Azimuths;
+            double guess = Math.Atan(stored[(int)((long)i * HorizonSurvey.Columns / Azimuths)]);
+            (double low, double high) = Bracket(azimuth, guess);
+            _tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, low)), out SurfaceHit hit);
+            bool isGround = hit.NormalMoonMe != default;
+            IReadOnlyList<Core.Terrain.ITerrainGrid> models = model.Grid.Models;
+            samples[i] = new HorizonSample(
+                360.0 * i / Azimuths, double.RadiansToDegrees(0.5 * (low + high)),
+                isGround ? (hit.PointMoonMe - frame.PositionMoonMe).Length : double.NaN,
+                !isGround ? string.Empty : hit.Facet.Part < models.Count ? models[hit.Facet.Part].ProductId : "seam");
+        }
+
+        return samples;
+
+        (double Low, double High) Bracket(double azimuth, double guess)
+        {
+            const double Least = 1e-8; // rad
+            double step = 2.0 * double.DegreesToRadians(HorizonSurvey.ErrorDegrees);
+            (double low, double high) = (guess - step, guess + step);
+            for (; low > -1.5 && !IsGround(azimuth, low); step *= 2.0)
+            {
+                (low, high) = (low - step, low);
+            }
+
+            for (; high < 1.5 && IsGround(azimuth, high); step *= 2.0)
+            {
+                (low, high) = (high, high + step);
+            }
+
+            while (high - low > Least)
+            {
+                double middle = 0.5 * (low + high);
+                (low, high) = IsGround(azimuth, middle) ? (middle, high) : (low, middle);
+            }
+
+            return (low, high);
+        }
+
+        bool IsGround(double azimuth, double elevation) =>
+            _tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, elevation)), out _);
+    }
+
+    /// <summary>Sunrises and sunsets between steps at which the Sun is in view and steps at which it is not.</summary>
+    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(LocalFrame frame, float[] parts)
+    {
+        List<(bool, ModifiedJulianDate)> events = [];
+        for (int step = 1; step < settings.Times.Count; step++)
+        {
+            bool isRise = parts[step] > 0.0f;
+            if (isRise == parts[step - 1] > 0.0f)
+            {
+                continue;
+            }
+
+            (double before, double after) = (settings.Times[step - 1].Days, settings.Times[step].Days);
+            while (after - before > 0.5 * Second / 86400.0)
+            {
+                double middle = 0.5 * (before + after);
+                bool isSun = lights.IsSunInView(frame, sunAt(new ModifiedJulianDate(middle)));
+                (before, after) = isSun == isRise ? (before, middle) : (middle, after);
+            }
+
+            events.Add((isRise, new ModifiedJulianDate(0.5 * (before + after))));
+        }
+
+        return events;
+    }
+}
+
+/// <summary>The light of a point at one height.</summary>
+internal sealed record PointResult(
+    Landmark Point, double Height, LocalFrame Frame, PlaceLight Light, float[] Parts, HorizonSample[] Horizon,
+    IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> Events, double SlopeDegrees);
+
+/// <summary>The horizon of a point in one direction.</summary>
+/// <param name="Azimuth">Degrees from north over east.</param>
+/// <param name="Elevation">Degrees.</param>
+/// <param name="Distance">m: to the obstacle; not a number if there is none.</param>
+/// <param name="Model">Of the obstacle.</param>
+internal readonly record struct HorizonSample(double Azimuth, double Elevation, double Distance, string Model);

@@ -1,0 +1,142 @@
+using System.Globalization;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+using Msisf.Core.Parallel;
+using Msisf.Core.Surface;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
+
+namespace Msisf.Core.Illumination;
+
+/// <summary>Finds the horizons of many places of a terrain, which hold for any date. Safe for several threads.</summary>
+public sealed class HorizonSurvey
+{
+    /// <summary>Columns of a turn: 0.011 degrees each.</summary>
+    public const int Columns = 32_768;
+
+    /// <summary>
+    /// degrees: the greatest error of a stored horizon. Between columns it may be off by half a column times the steepest slope along it,
+    /// 0.0032 degrees at 30 degrees; storing adds <see cref="StoredErrorDegrees"/> and a step of at most 0.0003 degrees near the poles.
+    /// </summary>
+    public const double ErrorDegrees = 0.005;
+
+    /// <summary>m: a place on the ground stands so high over its facet, so that no light passes through the joint of two facets.</summary>
+    public const double LeastHeight = 1e-3;
+
+    private const double StoredErrorDegrees = 0.0015;
+
+    private readonly HorizonTerrain _terrain;
+    private readonly ITerrainTracer _tracer;
+    private readonly double _start;
+
+    /// <summary>Prepares a survey.</summary>
+    /// <param name="terrain">The model, or several.</param>
+    /// <param name="tracer">Of the same.</param>
+    /// <param name="directions">Places that span all that are asked for.</param>
+    /// <param name="isMoon">Whether it is the Moon, over which the Sun's and the Earth's places are limited.</param>
+    public HorizonSurvey(ITerrain terrain, ITerrainTracer tracer, IEnumerable<Vector3D> directions, bool isMoon)
+    {
+        _terrain = new HorizonTerrain(SurfaceModel.Of(terrain));
+        _tracer = tracer;
+        _start = terrain.RadiusLimits.Max + 1.0;
+        Band = new HorizonBand(directions, isMoon, Columns);
+        Profile = new HorizonProfile(Columns, HorizonBand.BottomDegrees, Band.TopDegrees);
+    }
+
+    /// <summary>degrees: horizons that are higher are stored as this.</summary>
+    public double TopDegrees => Band.TopDegrees;
+
+    internal HorizonBand Band { get; }
+
+    internal HorizonProfile Profile { get; }
+
+    /// <summary>Finds the place above the ground in a direction.</summary>
+    /// <param name="direction">MOON_ME, length 1.</param>
+    /// <param name="height">m over the ground; not below 0.</param>
+    /// <returns>The place, and the tangent of the ground's slope; null where there is no ground.</returns>
+    public (LocalFrame Frame, double Slope)? PlaceAt(Vector3D direction, double height)
+    {
+        if (!_tracer.TryTrace(new Ray(_start * direction, -direction), out SurfaceHit hit))
+        {
+            return null;
+        }
+
+        Vector3D up = hit.PointMoonMe.Normalized();
+        double cosine = Vector3D.Dot(hit.NormalMoonMe, up);
+        double slope = Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine))) / cosine;
+        return (LocalFrame.At((hit.PointMoonMe.Length + Math.Max(height, LeastHeight)) * up), slope);
+    }
+
+    /// <summary>Finds horizons.</summary>
+    /// <param name="directions">MOON_ME, length 1; neighbours follow each other.</param>
+    /// <param name="height">m over the ground; not below 0.</param>
+    /// <param name="threads">How many work at once.</param>
+    /// <param name="advanced">Called with the number of places done since the last call, from any thread.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <exception cref="BadInputException">A place is outside the models.</exception>
+    public PlaceHorizons Find(
+        IReadOnlyList<Vector3D> directions, double height, int threads, Action<int>? advanced, CancellationToken cancellation)
+    {
+        const int PerItem = 64;
+        int items = (directions.Count + PerItem - 1) / PerItem;
+        HorizonFinder[] finders = new HorizonFinder[Math.Max(1, Math.Min(threads, items))];
+        uint[][] corners = new uint[directions.Count][];
+        double[] radii = new double[directions.Count];
+        float[] slopes = new float[directions.Count];
+        float bottom = (float)Math.Tan(double.DegreesToRadians(HorizonBand.BottomDegrees));
+        WorkerTeam.Run(finders.Length, items, (worker, item) =>
+        {
+            HorizonFinder finder = finders[worker] ??= new HorizonFinder(_terrain, Columns);
+            List<uint> found = [];
+            int end = Math.Min(directions.Count, (item + 1) * PerItem);
+            for (int place = item * PerItem; place < end; place++)
+            {
+                if (PlaceAt(directions[place], height) is not var (frame, slope))
+                {
+                    throw Outside(directions[place]);
+                }
+
+                finder.Find(frame, bottom, Band.Tops);
+                found.Clear();
+                Profile.Store(finder.Buffer.Tangents, StoredErrorDegrees, found);
+                corners[place] = [.. found];
+                (radii[place], slopes[place]) = (frame.PositionMoonMe.Length, (float)slope);
+            }
+
+            advanced?.Invoke(end - (item * PerItem));
+        }, cancellation);
+        int[] ends = new int[directions.Count];
+        int sum = 0;
+        for (int place = 0; place < ends.Length; place++)
+        {
+            ends[place] = sum += corners[place].Length;
+        }
+
+        uint[] all = new uint[sum];
+        for (int place = 0; place < ends.Length; place++)
+        {
+            corners[place].CopyTo(all, ends[place] - corners[place].Length);
+        }
+
+        return new PlaceHorizons(radii, slopes, ends, all);
+    }
+
+    private static BadInputException Outside(Vector3D direction)
+    {
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        string place = string.Create(
+            CultureInfo.InvariantCulture,
+            $"latitude {double.RadiansToDegrees(point.Latitude):F4}, longitude {double.RadiansToDegrees(point.Longitude):F4}");
+        return new BadInputException(
+            $"There is no ground at {place}: the place is outside the elevation models. Choose a region inside them, or give a model "
+                + "of the whole Moon as well.");
+    }
+}
+
+/// <summary>Horizons of places, with what else of the ground is asked for.</summary>
+/// <param name="Radii">m: distances of the places from the body's centre.</param>
+/// <param name="Slopes">Tangent of the ground's slope.</param>
+/// <param name="Ends">Where the corners of each place end in <paramref name="Corners"/>.</param>
+/// <param name="Corners">Corners between which the horizon is straight.</param>
+public sealed record PlaceHorizons(double[] Radii, float[] Slopes, int[] Ends, uint[] Corners);

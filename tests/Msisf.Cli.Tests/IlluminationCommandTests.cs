@@ -1,0 +1,99 @@
+using System.Buffers.Binary;
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+public sealed class IlluminationCommandTests : IDisposable
+{
+    private static readonly string[] Where = ["--center", "-89.6,100", "--size", "4,3", "--cell", "500"];
+    private static readonly string[] When = ["--time-interval", "2026-01-01T00:00:00Z:6h:2026-02-01T00:00:00Z"];
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>Maps have the region's shape and agree with each other; a call that finds the horizons of pieces writes the same.</summary>
+    [Fact]
+    public void Region_TwiceAndInPieces_HasTheSameMaps()
+    {
+        CommandLineRun first = Run("a", [.. Where, .. When, "--above-ground", "0,10"]);
+        Assert.Equal(0, first.ExitCode);
+        float[] lit = Read("a", "lit_0m.npy");
+        float[] disc = Read("a", "disc_0m.npy");
+        Assert.Equal(8 * 6, lit.Length);
+        Assert.All(lit.Zip(disc), pair => Assert.InRange(pair.Second, 0.0f, pair.First));
+        Assert.True(Read("a", "lit_10m.npy").Sum() >= lit.Sum());
+        Assert.All(lit.Zip(Read("a", "never_lit_0m.npy")), pair => Assert.Equal(pair.First == 0.0f, pair.Second == 1.0f));
+        Assert.True(File.Exists(Path.Combine(_folder.Path, "a", "lit_0m.png")));
+
+        // In pieces: a piece makes no maps, the last call takes what the pieces left.
+        CommandLineRun other = Run("c", [.. Where, .. When, "--above-ground", "0,10", "--piece", "1/2"]);
+        Assert.Equal((0, string.Empty), (other.ExitCode, other.Output));
+        Assert.Equal(0, Run("c", [.. Where, .. When, "--above-ground", "0,10"]).ExitCode);
+        foreach (string path in Directory.EnumerateFiles(Path.Combine(_folder.Path, "a"), "*.npy"))
+        {
+            Assert.Equal(File.ReadAllBytes(path), File.ReadAllBytes(path.Replace("/a/", "/c/", StringComparison.Ordinal)));
+        }
+    }
+
+    /// <summary>Tables of a point: times of sunrises and sunsets alternate, and the part of the time agrees with them.</summary>
+    [Fact]
+    public void Points_AMonth_HasSunrisesThatAgreeWithTheLight()
+    {
+        string list = _folder.Write("sites.csv", "id,name,lat,lon\nA,\"Ridge, high\",-88.3,100\n"u8.ToArray());
+        CommandLineRun run = Run("p", ["--points", list, "--above-ground", "10", .. When]);
+        Assert.Equal((0, string.Empty), (run.ExitCode, run.Error.Contains("error", StringComparison.Ordinal) ? run.Error : string.Empty));
+        string[] rows = File.ReadAllLines(Path.Combine(_folder.Path, "p", "points.csv"));
+        Assert.StartsWith("A,\"Ridge, high\",10,", rows[1], StringComparison.Ordinal);
+        double lit = double.Parse(rows[1].Split(',')[4], CultureInfo.InvariantCulture);
+        string[][] events = [.. File.ReadAllLines(Path.Combine(_folder.Path, "p", "sunrises.csv")).Skip(1).Select(row => row.Split(','))];
+        Assert.NotEmpty(events);
+        DateTime begin = new(2026, 1, 1, 0, 0, 0, DateTimeKind.Utc);
+        DateTime end = begin.AddDays(31.0);
+        bool isLit = events[0][2] == "sunset";
+        DateTime since = begin;
+        double days = 0.0;
+        foreach (string[] row in events)
+        {
+            Assert.Equal(isLit ? "sunset" : "sunrise", row[2]);
+            DateTime time = DateTime.Parse(row[3], CultureInfo.InvariantCulture, DateTimeStyles.AdjustToUniversal);
+            days += isLit ? (time - since).TotalDays : 0.0;
+            (isLit, since) = (!isLit, time);
+        }
+
+        days += isLit ? (end - since).TotalDays : 0.0;
+        Assert.Equal(days / 31.0, lit, 0.02);
+        string[] horizon = File.ReadAllLines(Path.Combine(_folder.Path, "p", "horizons.csv"));
+        Assert.Equal(1 + 720, horizon.Length);
+        Assert.All(horizon.Skip(1), row => Assert.EndsWith(",LDEM_4", row, StringComparison.Ordinal));
+        Assert.Contains("<svg", File.ReadAllText(Path.Combine(_folder.Path, "p", "points.html")), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(1, "--time-interval runs backwards", "--center", "-89,0", "--size", "1", "--time-interval", "61041:1h:61040")]
+    [InlineData(1, "Where? Give --center with --size", "--time-interval", "61041:1h:61042")]
+    [InlineData(1, "heights of 0 to 10000", "--center", "-89,0", "--size", "1", "--above-ground", "-2", "--time-interval", "1:1h:2")]
+    [InlineData(1, "can be asked for", "--center", "-89,0", "--size", "1000", "--cell", "1", "--time-interval", "61041:1h:61042")]
+    [InlineData(1, "'5/4'; K/N", "--center", "-89,0", "--size", "1", "--piece", "5/4", "--time-interval", "61041:1h:61042")]
+    [InlineData(3, "2053", "--center", "-89,0", "--size", "1", "--time-interval", "70000:1d:72000")]
+    public void WrongInput_IsOneClearLine(int exitCode, string message, params string[] arguments)
+    {
+        CommandLineRun run = Run("w", arguments);
+        Assert.Equal((exitCode, string.Empty), (run.ExitCode, run.Output));
+        string error = Assert.Single(run.Error.Split('\n'), line => line.Contains("error:", StringComparison.Ordinal));
+        Assert.Contains(message, error, StringComparison.Ordinal);
+    }
+
+    private CommandLineRun Run(string folder, string[] arguments) => CommandLineRun.Of(
+        ["illumination", .. arguments, "--ephemeris", "builtin", "--output-dir", Path.Combine(_folder.Path, folder), "--batch"]);
+
+    private float[] Read(string folder, string name)
+    {
+        byte[] bytes = File.ReadAllBytes(Path.Combine(_folder.Path, folder, name));
+        int head = 10 + BinaryPrimitives.ReadUInt16LittleEndian(bytes.AsSpan(8));
+        return MemoryMarshal.Cast<byte, float>(bytes.AsSpan(head)).ToArray();
+    }
+}

@@ -1,0 +1,106 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+using Msisf.Core.Illumination;
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Illumination;
+
+public sealed class HorizonSurveyTests
+{
+    private static ITerrain Terrain(string kind) => kind switch
+    {
+        "nested" => new NestedTerrain([FunctionGrid.Rugged(1), PolarFunctionGrid.Rugged(true, 600.0, 500, 249.5, 249.5)]),
+        "rugged" => FunctionGrid.Rugged(4),
+        _ => FunctionGrid.Hilly(4),
+    };
+
+    /// <summary>The stored horizon against halving between rays of the exact tracer that hit and rays that pass.</summary>
+    [Theory]
+    [InlineData("rugged", -89.9, 12.0, 0.0)]
+    [InlineData("rugged", 81.0, 300.0, 10.0)]
+    [InlineData("nested", -89.0, 100.0, 2.0)]
+    [InlineData("nested", -85.7, 45.0, 0.0)]
+    [InlineData("hilly", -75.0, 359.9, 0.0)]
+    public void Find_AnyAzimuth_IsTheTracersHorizonWithinTheStatedError(string kind, double latitude, double longitude, double height)
+    {
+        ITerrain terrain = Terrain(kind);
+        TerrainTracer tracer = new(terrain);
+        Random random = new(31);
+        Vector3D[] directions = [.. Enumerable.Range(0, TestLength.Of(2, 100)).Select(_ => new SelenographicPoint(
+            double.DegreesToRadians(latitude + (0.1 * (random.NextDouble() - 0.5))),
+            double.DegreesToRadians(longitude)).ToDirectionMoonMe())];
+        HorizonSurvey survey = new(terrain, tracer, directions, isMoon: true);
+        LightSurvey lights = new(survey, new LightConditions([1.5e11 * Vector3D.UnitX], [4e8 * Vector3D.UnitX]), tracer);
+        PlaceHorizons horizons = survey.Find(directions, height, threads: 2, advanced: null, CancellationToken.None);
+        for (int place = 0; place < directions.Length; place++)
+        {
+            LocalFrame frame = LocalFrame.At(horizons.Radii[place] * directions[place]);
+            float[] tangents = lights.HorizonOf(horizons, place);
+            for (int ray = 0; ray < 60; ray++)
+            {
+                double turns = random.NextDouble();
+                double exact = double.RadiansToDegrees(Horizon(tracer, frame, 2.0 * Math.PI * turns));
+                double column = turns * HorizonSurvey.Columns;
+                double tangent = tangents[(int)column] + ((column - (int)column) * (tangents[(int)column + 1] - tangents[(int)column]));
+                double found = double.RadiansToDegrees(Math.Atan(tangent));
+
+                // Above the band in which the Sun and the Earth can stand nothing needs to be known.
+                float top = survey.Band.Tops[(int)column / HorizonBuffer.Group];
+                if (exact < double.RadiansToDegrees(Math.Atan(top)) - 0.01)
+                {
+                    Assert.Equal(exact, found, HorizonSurvey.ErrorDegrees);
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void Find_PlaceOutsideAMap_SaysWhere()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 600.0, 100, 49.5, 49.5);
+        TerrainTracer tracer = new(map);
+        Vector3D[] directions = [new SelenographicPoint(-1.0, 0.5).ToDirectionMoonMe()];
+        HorizonSurvey survey = new(map, tracer, directions, isMoon: true);
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => survey.Find(directions, 0.0, threads: 1, advanced: null, CancellationToken.None));
+        Assert.Contains("latitude -57.2958, longitude 28.6479", exception.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>A sphere has no mountains: the horizon dips by acos(R / (R + h)).</summary>
+    [Theory]
+    [InlineData(0.0, 0.0)]
+    [InlineData(2.0, -0.0869366)]
+    [InlineData(1000.0, -1.9434957)]
+    public void Find_SmoothSphere_DipsByItsHeight(double height, double expectedDegrees)
+    {
+        FunctionGrid sphere = new(16, (_, _) => 1_737_400.0);
+        TerrainTracer tracer = new(sphere);
+        Vector3D[] directions = [new SelenographicPoint(-1.55, 0.3).ToDirectionMoonMe()];
+        HorizonSurvey survey = new(sphere, tracer, directions, isMoon: true);
+        LightSurvey lights = new(survey, new LightConditions([1.5e11 * Vector3D.UnitX], [4e8 * Vector3D.UnitX]), tracer);
+        PlaceHorizons horizons = survey.Find(directions, height, threads: 1, advanced: null, CancellationToken.None);
+        float[] tangents = lights.HorizonOf(horizons, 0);
+
+        // Facets are flat: within 0.06 degrees of the sphere, half the angle of a cell's diagonal; the lowest are near it.
+        Assert.All(tangents, tangent => Assert.Equal(expectedDegrees, double.RadiansToDegrees(Math.Atan(tangent)), 0.06));
+    }
+
+    private static double Horizon(TerrainTracer tracer, LocalFrame frame, double azimuth)
+    {
+        (double low, double high) = (-0.5, 1.5);
+        while (high - low > 1e-8)
+        {
+            double middle = 0.5 * (low + high);
+            bool isGround = tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, middle)), out _);
+            (low, high) = isGround ? (middle, high) : (low, middle);
+        }
+
+        return 0.5 * (low + high);
+    }
+}

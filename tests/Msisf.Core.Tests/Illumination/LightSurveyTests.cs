@@ -1,0 +1,149 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Illumination;
+using Msisf.Core.Numerics;
+using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Illumination;
+
+/// <summary>Light against rays of the exact tracer, on a nested surface, with the Sun near the horizon of each place.</summary>
+public sealed class LightSurveyTests
+{
+    private const double Distance = 1.5e11;
+
+    private readonly ITerrain _terrain = new NestedTerrain(
+        [FunctionGrid.Rugged(1), PolarFunctionGrid.Rugged(true, 600.0, 500, 249.5, 249.5)]);
+    private readonly TerrainTracer _tracer;
+    private readonly Vector3D[] _directions;
+    private readonly HorizonSurvey _survey;
+    private readonly PlaceHorizons _horizons;
+    private readonly Random _random = new(18);
+
+    public LightSurveyTests()
+    {
+        _tracer = new TerrainTracer(_terrain);
+        _directions = [.. Enumerable.Range(0, TestLength.Of(4, 200)).Select(_ => new SelenographicPoint(
+            double.DegreesToRadians(-90.0 + (3.0 * _random.NextDouble())),
+            2.0 * Math.PI * _random.NextDouble()).ToDirectionMoonMe())];
+        _survey = new HorizonSurvey(_terrain, _tracer, _directions, isMoon: true);
+        _horizons = _survey.Find(_directions, 2.0, threads: 2, advanced: null, CancellationToken.None);
+    }
+
+    /// <summary>The Sun as a point: the same as a ray to it, for any step, half of them within 0.02 degrees of the horizon.</summary>
+    [Fact]
+    public void At_ExactPointSun_IsTheTracersAnswerWithoutException()
+    {
+        for (int place = 0; place < _directions.Length; place++)
+        {
+            LocalFrame frame = FrameOf(place);
+            Vector3D[] suns = [.. Suns(frame, TangentsOf(place), 50, 0.02)];
+            LightSurvey lights = LightsOf(suns, isPoint: true, isExact: true);
+            (PlaceLight light, float[] parts) = lights.At(_directions, _horizons, place);
+            bool[] expected = [.. suns.Select(sun => !_tracer.TryTrace(new Ray(frame.PositionMoonMe, sun - frame.PositionMoonMe), out _))];
+            Assert.Equal(expected, parts.Select(part => part > 0.0f));
+            Assert.Equal(expected.Count(isLit => isLit), light.LitSteps);
+        }
+    }
+
+    /// <summary>Without rays a wrong answer comes only within the stated error of the horizon.</summary>
+    [Fact]
+    public void At_PointSun_IsWrongOnlyWithinTheStatedError()
+    {
+        for (int place = 0; place < _directions.Length; place++)
+        {
+            LocalFrame frame = FrameOf(place);
+            Vector3D[] suns = [.. Suns(frame, TangentsOf(place), 50, 0.02)];
+            (_, float[] parts) = LightsOf(suns, isPoint: true, isExact: false).At(_directions, _horizons, place);
+            for (int step = 0; step < suns.Length; step++)
+            {
+                double error = double.DegreesToRadians(HorizonSurvey.ErrorDegrees);
+                if (IsFree(frame, suns[step], error) == IsFree(frame, suns[step], -error))
+                {
+                    Assert.Equal(IsFree(frame, suns[step], 0.0), parts[step] > 0.0f);
+                }
+            }
+        }
+    }
+
+    /// <summary>The visible part of the disc against 4,096 rays, equal parts of its area.</summary>
+    [Fact]
+    public void At_Disc_IsThePartOfRaysWithinTwoHundredths()
+    {
+        double radius = LightSurvey.SunRadius / Math.Sqrt((Distance - LightSurvey.SunRadius) * (Distance + LightSurvey.SunRadius));
+        for (int place = 0; place < _directions.Length; place++)
+        {
+            LocalFrame frame = FrameOf(place);
+            Vector3D[] suns = [.. Suns(frame, TangentsOf(place), TestLength.Of(3, 50), 0.3)];
+            (_, float[] parts) = LightsOf(suns, isPoint: false, isExact: false).At(_directions, _horizons, place);
+            for (int step = 0; step < suns.Length; step++)
+            {
+                Vector3D toSun = (suns[step] - frame.PositionMoonMe).Normalized();
+                Vector3D right = Vector3D.Cross(toSun, frame.Up).Normalized();
+                Vector3D up = Vector3D.Cross(right, toSun);
+                int free = 0;
+                for (int ray = 0; ray < 4096; ray++)
+                {
+                    double turn = ray * 2.39996322972865332; // the golden angle: even over the disc
+                    double across = radius * Math.Sqrt((ray + 0.5) / 4096.0);
+                    Vector3D direction = toSun + (across * Math.Cos(turn) * right) + (across * Math.Sin(turn) * up);
+                    free += _tracer.TryTrace(new Ray(frame.PositionMoonMe, direction), out _) ? 0 : 1;
+                }
+
+                Assert.Equal(free / 4096.0, parts[step], 0.02);
+            }
+        }
+    }
+
+    /// <summary>High in the sky all of the Sun's light comes: 1361 W/m^2 at one au, and its sine on a horizontal plane.</summary>
+    [Fact]
+    public void Of_SunHighAndLow_HasTheFluxOfItsDistance()
+    {
+        const double Au = 149_597_870_700.0;
+        LocalFrame frame = FrameOf(0);
+        Vector3D[] suns = [2.0 * Au * frame.DirectionOf(1.0, 0.6), Au * frame.DirectionOf(1.0, -0.6)];
+        LightSurvey lights = LightsOf(suns, isPoint: false, isExact: false);
+        PlaceLight light = lights.Of(_directions, _horizons, threads: 1, advanced: null, CancellationToken.None)[0];
+        Assert.Equal(1361.0 / 4.0, light.Tracking.Greatest, 0.01);
+        Assert.Equal(1361.0 / 8.0, light.Tracking.Mean, 0.01);
+        Assert.Equal(1361.0 / 4.0 * Math.Sin(0.6), light.Horizontal.Greatest, 0.02);
+        Assert.Equal((1, 1, 0.5), (light.LitSteps, light.Dark.Count, light.DiscPart));
+    }
+
+    private LightSurvey LightsOf(Vector3D[] suns, bool isPoint, bool isExact) => new(
+        _survey, new LightConditions(suns, [.. suns.Select(_ => 4e8 * Vector3D.UnitX)]) { IsPoint = isPoint, IsExact = isExact }, _tracer);
+
+    private LocalFrame FrameOf(int place) => LocalFrame.At(_horizons.Radii[place] * _directions[place]);
+
+    private float[] TangentsOf(int place) => LightsOf([Distance * Vector3D.UnitX], true, false).HorizonOf(_horizons, place);
+
+    private bool IsFree(LocalFrame frame, Vector3D sun, double higher)
+    {
+        Vector3D local = frame.ToLocal(sun - frame.PositionMoonMe);
+        double elevation = Math.Atan2(local.Z, double.Hypot(local.X, local.Y)) + higher;
+        return !_tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(Math.Atan2(local.X, local.Y), elevation)), out _);
+    }
+
+    /// <summary>Places of the Sun in the sky of a place, in turn near the horizon and anywhere where it can stand.</summary>
+    private IEnumerable<Vector3D> Suns(LocalFrame frame, float[] tangents, int count, double nearDegrees)
+    {
+        while (count > 0)
+        {
+            double turns = _random.NextDouble();
+            double horizon = double.RadiansToDegrees(Math.Atan(tangents[(int)(turns * HorizonSurvey.Columns)]));
+            double elevation = count % 2 == 0
+                ? horizon + (nearDegrees * ((2.0 * _random.NextDouble()) - 1.0))
+                : -4.0 + (8.0 * _random.NextDouble());
+            double highest = double.RadiansToDegrees(Math.Atan(_survey.Band.Tops[(int)(turns * _survey.Band.Tops.Length)]));
+            if (elevation > -4.0 && elevation < highest - 0.6)
+            {
+                count--;
+                yield return frame.PositionMoonMe
+                    + (Distance * frame.DirectionOf(2.0 * Math.PI * turns, double.DegreesToRadians(elevation)));
+            }
+        }
+    }
+}
