@@ -78,7 +78,7 @@ public sealed class IlluminationCommandTests : IDisposable
     [InlineData(1, "heights of 0 to 10000", "--center", "-89,0", "--size", "1", "--above-ground", "-2", "--time-interval", "1:1h:2")]
     [InlineData(1, "can be asked for", "--center", "-89,0", "--size", "1000", "--cell", "1", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "'5/4'; K/N", "--center", "-89,0", "--size", "1", "--piece", "5/4", "--time-interval", "61041:1h:61042")]
-    [InlineData(3, "2053", "--center", "-89,0", "--size", "1", "--time-interval", "70000:1d:72000")]
+    [InlineData(3, "2051-01-01", "--center", "-89,0", "--size", "1", "--time-interval", "70000:1d:72000")]
     public void WrongInput_IsOneClearLine(int exitCode, string message, params string[] arguments)
     {
         CommandLineRun run = Run("w", arguments);

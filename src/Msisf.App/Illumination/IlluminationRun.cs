@@ -29,6 +29,7 @@ internal sealed class IlluminationRun
     private readonly ElevationModel _model;
     private readonly IEphemeris _engine;
     private readonly bool _isMoon;
+    private readonly string _surface;
     private readonly ProgramHost _host;
     private readonly CancellationToken _cancellation;
     private readonly LightConditions _conditions;
@@ -39,6 +40,7 @@ internal sealed class IlluminationRun
     {
         (_settings, _model, _engine, _host, _cancellation) = (settings, model, engine, host, cancellation);
         _isMoon = models.Body.IsMoon;
+        _surface = string.Join(' ', models.Ldem.Select(text => text[ModelPath.Parse(text).Path.Length..]));
         _conditions = new LightConditions(
             [.. settings.Times.Select(time => engine.SunPositionMoonMe(time, models.Aberration))], [.. settings.Times.Select(EarthAt)])
         {
@@ -143,7 +145,8 @@ internal sealed class IlluminationRun
     {
         string content = string.Create(
             CultureInfo.InvariantCulture,
-            $"{HorizonSurvey.Columns} {_model.Fingerprint().Sha256} {(_model.Grid as NestedTerrain)?.Blend} {region} {height:R}");
+            $"{HorizonSurvey.Columns} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} {region.Proj4} "
+                + $"{region.Lines} {region.Samples} {region.Cell:R} {region.Left:R} {region.Top:R} {height:R}");
         string key = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(content)))[..16];
         string folder = Path.Combine(_settings.Folder, "horizons");
         FileErrors.ToExternalPart($"{folder}: the folder can't be made", () => Directory.CreateDirectory(folder));
