@@ -16,6 +16,7 @@ namespace Msisf.Architecture.Tests
             "Surface", "Surface.Sources",
             "Lod",
             "Tracing",
+            "Illumination", // light over time, without an image
             "Tiles", "Tiles.Selection", "Scene",
             "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Sampling", "Render",
             "Blocks", "Preview",

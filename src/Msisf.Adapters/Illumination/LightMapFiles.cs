@@ -63,7 +63,8 @@ public static class LightMapFiles
         string unfinished = AtomicFile.TemporaryNameFor(path);
         try
         {
-            GdalMapWriter.Write(unfinished, map, placement, libraryPath);
+            GdalMapWriter.Write(
+                unfinished, map.Values, placement.Samples, (placement.Left, placement.Top, placement.Cell), placement.Proj4, libraryPath);
             FileErrors.ToExternalPart($"{path}: can't be written", () => File.Move(unfinished, path, overwrite: true));
         }
         finally

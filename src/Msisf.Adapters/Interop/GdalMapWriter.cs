@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
-using Msisf.Adapters.Illumination;
 using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
@@ -11,26 +10,29 @@ internal static unsafe class GdalMapWriter
 {
     /// <summary>Writes one map.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="map">The map.</param>
-    /// <param name="placement">Where its cells lie.</param>
+    /// <param name="values">Line by line from the top.</param>
+    /// <param name="samples">Cells of a line.</param>
+    /// <param name="corner">X and Y of the upper left corner, and the width of a cell, m.</param>
+    /// <param name="proj4">The projection in PROJ's words.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL 3.1 is missing, or fails.</exception>
-    public static void Write(string path, LightMap map, MapPlacement placement, string? libraryPath)
+    public static void Write(
+        string path, float[] values, int samples, (double Left, double Top, double Cell) corner, string proj4, string? libraryPath)
     {
         GdalNative gdal = GdalLibrary.Require(libraryPath, "A map as GeoTIFF");
         nint written = 0;
-        fixed (float* values = map.Values)
+        fixed (float* start = values)
         fixed (byte* opensMemory = "GDAL_MEM_ENABLE_OPEN"u8, yes = "YES"u8)
         {
             // A raster in memory that GDAL opens by its address, so that it needs no copy; from version 3.10 on only where that is allowed.
             gdal.CPLSetConfigOption(opensMemory, yes);
             nint memory = Open(gdal, string.Create(
                 CultureInfo.InvariantCulture,
-                $"MEM:::DATAPOINTER={(nint)values},PIXELS={placement.Samples},LINES={placement.Lines},DATATYPE=Float32,"
-                    + $"GEOTRANSFORM={placement.Left:R}/{placement.Cell:R}/0/{placement.Top:R}/0/{-placement.Cell:R}"));
+                $"MEM:::DATAPOINTER={(nint)start},PIXELS={samples},LINES={values.Length / samples},DATATYPE=Float32,"
+                    + $"GEOTRANSFORM={corner.Left:R}/{corner.Cell:R}/0/{corner.Top:R}/0/{-corner.Cell:R}"));
             if (memory != 0)
             {
-                written = Copy(gdal, path, memory, placement.Proj4);
+                written = Copy(gdal, path, memory, proj4);
                 gdal.GDALClose(memory);
             }
         }
