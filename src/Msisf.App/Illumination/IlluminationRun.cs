@@ -20,7 +20,7 @@ namespace Msisf.App.Illumination;
 /// <summary>Makes maps and tables of light (docs/illumination.md).</summary>
 internal sealed class IlluminationRun
 {
-    /// <summary>Cells of a piece, whose horizons are held in memory and kept in one file of some 35 MB.</summary>
+    /// <summary>Cells of a piece, whose horizons are held in memory and kept in one file of some 40 MB.</summary>
     private const int PieceCells = 16_384;
 
     private const int EarthNumber = 399;
