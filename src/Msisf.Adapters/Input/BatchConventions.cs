@@ -8,15 +8,15 @@ namespace Msisf.Adapters.Input;
 public sealed record BatchConventions
 {
     /// <summary>Words for <see cref="Frame"/>.</summary>
-    public static IReadOnlyList<(string Word, OrbitFrame Value)> Frames { get; } =
+    public static (string Word, OrbitFrame Value)[] Frames { get; } =
         [("moon-me", OrbitFrame.MoonMe), ("moon-me-epoch", OrbitFrame.MoonMeEpoch), ("j2000", OrbitFrame.J2000)];
 
     /// <summary>Words for <see cref="Axes"/>.</summary>
-    public static IReadOnlyList<(string Word, CameraAxes Value)> CameraAxesWords { get; } =
+    public static (string Word, CameraAxes Value)[] CameraAxesWords { get; } =
         [("camera", CameraAxes.Camera), ("opencv", CameraAxes.OpenCv)];
 
     /// <summary>Words for <see cref="Rotation"/>.</summary>
-    public static IReadOnlyList<(string Word, RotationDirection Value)> Rotations { get; } =
+    public static (string Word, RotationDirection Value)[] Rotations { get; } =
         [("from-camera", RotationDirection.FromCamera), ("to-camera", RotationDirection.ToCamera)];
 
     /// <summary>Frame of positions and attitudes.</summary>

@@ -25,11 +25,8 @@ internal static class FrameArguments
         NativeOptions.Shading, NativeOptions.Exposure, NativeOptions.Transfer, NativeOptions.BitDepth,
     ];
 
-    private static readonly (OptionSpec Option, DecidesBytes Role)[] Options =
-    [
-        .. Order.Concat(CommandTable.OptionsOfRun.Except(Order)).Where(option => option.Role is DecidesBytes)
-            .Select(option => (option, (DecidesBytes)option.Role)),
-    ];
+    private static readonly OptionSpec[] Options =
+        [.. Order.Concat(CommandTable.OptionsOfRun.Except(Order)).Where(option => option.Role is DecidesBytes)];
 
     /// <summary>The arguments of the settings, without the state.</summary>
     /// <param name="settings">Settings of the run.</param>
@@ -38,10 +35,10 @@ internal static class FrameArguments
     public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, InputFile? map = null)
     {
         FrameContent frame = new(settings, engine, map);
-        return string.Join(' ', Options.SelectMany(entry => entry.Role.Value(frame) is not { } value
-            || (entry.Role.LeavesOutDefault && entry.Option.TextOf(value) == entry.Option.DefaultValue)
-                ? []
-                : Words(entry.Option, value)));
+        return string.Join(' ', Options.SelectMany(option => option.Role is DecidesBytes role && role.Value(frame) is { } value
+            && !(role.LeavesOutDefault && option.TextOf(value) == option.DefaultValue)
+                ? Words(option, value)
+                : []));
     }
 
     /// <summary>The canonical arguments of one frame: its state and the settings.</summary>

@@ -17,10 +17,10 @@ internal sealed record ChoiceSpec<T> : ChoiceSpec
     {
     }
 
-    /// <summary>Declares the option by pairs; code for pairs is compiled at each start of the program, so choices are better.</summary>
+    /// <summary>Declares the option by pairs.</summary>
     /// <inheritdoc cref="ChoiceSpec{T}(string, OptionRole, IReadOnlyList{Choice}, string)"/>
-    public ChoiceSpec(string name, OptionRole role, IReadOnlyList<(string Word, T Value)> choices, string help)
-        : base(name, role, [.. choices.Select(choice => new Choice(choice.Word, choice.Value))], help)
+    public ChoiceSpec(string name, OptionRole role, (string Word, T Value)[] choices, string help)
+        : base(name, role, ChoicesOf(choices), help)
     {
     }
 
@@ -34,4 +34,16 @@ internal sealed record ChoiceSpec<T> : ChoiceSpec
     /// <summary>Reads the value of the given word; null if the option is not given.</summary>
     /// <exception cref="UsageException">The word is none of the choices.</exception>
     public T? ReadIfGiven(OptionValues values) => (T?)GivenChoice(values)?.Value;
+
+    /// <summary>The pairs as choices, by indices: enumerators of pairs would be compiled at each start, for each T.</summary>
+    private static Choice[] ChoicesOf((string Word, T Value)[] pairs)
+    {
+        Choice[] choices = new Choice[pairs.Length];
+        for (int i = 0; i < pairs.Length; i++)
+        {
+            choices[i] = new Choice(pairs[i].Word, pairs[i].Value);
+        }
+
+        return choices;
+    }
 }
