@@ -214,12 +214,20 @@ internal sealed class DataSetFile
             ? []
             : section.Entries ?? throw _file.Wrong(
                 OptionsKey, "'options' is a section: put the options below it, each in a line of its own and indented");
-        Dictionary<string, OptionValue> values = new ConfigFiles(host).Values(_path, entries)
+        Dictionary<string, OptionValue> values = new ConfigFiles(host).Values(_path, entries, isOfRun: true)
             .Where(value => !line.IsGiven(value.Option))
             .ToDictionary(value => value.Option.Name, value => value.ToOptionValue(), StringComparer.Ordinal);
         if (values.Keys.FirstOrDefault(name => CommandTable.OptionsOfRun.All(option => option.Name != name)) is { } foreign)
         {
             throw _file.Wrong(OptionsKey, $"'{foreign[2..]}' is an option of another command. Leave it out");
+        }
+
+        // A camera may be a preset's name too, so that it is no path for configuration files.
+        string folder = Path.GetDirectoryName(Path.GetFullPath(_path))!;
+        if (values.TryGetValue(ImageOptions.Camera.Name, out OptionValue? camera)
+            && Path.GetFullPath(camera.Words[0], folder) is var cameraFile && File.Exists(cameraFile))
+        {
+            values[ImageOptions.Camera.Name] = camera with { Words = [cameraFile] };
         }
 
         if (_file.Has(Quantity.Pair))

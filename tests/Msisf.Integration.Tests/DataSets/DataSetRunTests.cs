@@ -148,6 +148,46 @@ public sealed class DataSetRunTests : IDisposable
         }
     }
 
+    /// <summary>
+    /// The ephemeris's Sun, a camera with a detector, regions of the splits' own; noise and exposure are those of each image.
+    /// </summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_DetectorAtRandomTimes_IsMadeAgainToTheByte()
+    {
+        const string camera = "focal-length: 5\npixel-pitch: 0.05\nwidth: 32\nheight: 24\ndetector:\n  ";
+        _folder.Write("camera.yaml", camera + string.Join(
+            "\n  ", "f-number: 40", "exposure-time: 0.05", "band: [500, 650]", "quantum-efficiency: 0.45", "full-well: 20000",
+            "adc-bits: 12", "gain: 10", "bias: 64", "read-noise: 12", "fits: no") + "\n");
+        _folder.Write("d.yaml", """
+            count: 4
+            states:
+              altitude: 100e3
+              off-nadir: 20
+              time: uniform 2026-01-01T00:00:00Z 2027-01-01T00:00:00Z
+              exposure-factor: [0.5, 2]
+            accept: {lit: 0.3, sun-elevation: [5, 40]}
+            split: {a: [-80, -60, 0, 180], b: [-50, 50, 0, 360]}
+            options: {camera: camera.yaml, albedo-map: none, layers: mask}
+
+            """);
+        CommandLineRun run = Make("d", "out");
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Equal(0, Make("d", "again", "--frames", "4").ExitCode);
+
+        string[] states = File.ReadAllLines(_folder["out/states.csv"]);
+        Assert.EndsWith(",noise_seed,exposure_factor", states[1], StringComparison.Ordinal);
+        Assert.Equal(["1:1", "1:2", "1:3", "1:4"], states[2..].Select(line => line.Split(',')[^2]));
+        Assert.All(Directory.GetFiles(_folder["again"], "000004*"), path =>
+            Assert.Equal(File.ReadAllBytes(path), File.ReadAllBytes(_folder[$"out/{Path.GetFileName(path)}"])));
+        string[] head = File.ReadLines(_folder["out/index.csv"]).First().Split(',');
+        Assert.All(File.ReadLines(_folder["out/index.csv"]).Skip(1).Select(line => line.Split(',')), row =>
+        {
+            Assert.InRange(Number(row[Array.IndexOf(head, "sun_elevation")]), 5.0, 40.0);
+            Assert.InRange(Number(row[Array.IndexOf(head, "mjd")]), 61041.0, 61406.0);
+            Assert.Equal(Number(row[Array.IndexOf(head, "latitude")]) < -60.0 ? "a" : "b", row[2]);
+        });
+    }
+
     /// <summary>What the docs say: an image that is exposed twice as long has twice the linear levels.</summary>
     [RequiresFact(Part.Ldem4)]
     public void Run_ExposureFactor_IsThatOfTheOption()

@@ -61,12 +61,13 @@ internal sealed class ConfigFiles
     /// <param name="path">The file; relative paths in it start at its folder.</param>
     /// <param name="entries">Its keys.</param>
     /// <param name="rank">See <see cref="ConfigValue"/>.</param>
+    /// <param name="isOfRun">Whether all options are those of a run.</param>
     /// <exception cref="BadInputException">A key is no option, or can't have its value.</exception>
-    public IEnumerable<ConfigValue> Values(string path, IEnumerable<ConfigEntry> entries, int rank = 1)
+    public IEnumerable<ConfigValue> Values(string path, IEnumerable<ConfigEntry> entries, int rank = 1, bool isOfRun = false)
     {
         foreach (ConfigEntry entry in entries)
         {
-            (OptionSpec option, string text) = ConfigKeys.Read(entry, path);
+            (OptionSpec option, string text) = ConfigKeys.Read(entry, path, isOfRun);
             yield return new ConfigValue(option, option is PathSpec ? PathsFrom(path, text) : text, path, entry.Line, rank);
         }
     }

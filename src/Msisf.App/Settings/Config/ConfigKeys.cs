@@ -37,17 +37,21 @@ internal static class ConfigKeys
     /// <summary>Gets the option of a key, and its value as it would be typed on the command line.</summary>
     /// <param name="entry">The key and its values.</param>
     /// <param name="fileName">Name of the file, for messages.</param>
+    /// <param name="isOfRun">Whether all options are those of a run, so that no key means another thing with another command.</param>
     /// <exception cref="BadInputException">There is no such key, or it can't have this value.</exception>
-    public static (OptionSpec Option, string Text) Read(ConfigEntry entry, string fileName)
+    public static (OptionSpec Option, string Text) Read(ConfigEntry entry, string fileName, bool isOfRun = false)
     {
+        OptionSpec? ofRun = isOfRun
+            ? CommandTable.OptionsOfRun.FirstOrDefault(known => known.Key == entry.Key && ReasonAgainst([known]) is null)
+            : null;
         string place = $"{fileName}, line {entry.Line}, column {entry.Column}: ";
-        if (Refused.TryGetValue(entry.Key, out string? reason))
+        if (ofRun is null && Refused.TryGetValue(entry.Key, out string? reason))
         {
             throw new BadInputException(
                 $"{place}'{entry.Key}' can't stand in a configuration file: it {reason}. Give it on the command line.");
         }
 
-        if (!Keys.TryGetValue(entry.Key, out OptionSpec? option))
+        if ((ofRun ?? Keys.GetValueOrDefault(entry.Key)) is not { } option)
         {
             throw new BadInputException(
                 $"{place}{NumberText.Shown(entry.Key)} is no option{Hint(entry.Key)} "
