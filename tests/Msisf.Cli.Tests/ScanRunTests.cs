@@ -137,11 +137,13 @@ public sealed class ScanRunTests : IDisposable
         Assert.True(lit > 300, $"{lit} lit pixels");
     }
 
-    /// <summary>What the ground does over the detector is compared with what the lines and the charge do.</summary>
+    /// <summary>What the ground does over the detector is compared with what the charge does: it moves down by a row in 0.13 s.</summary>
     [Theory]
-    [InlineData("0.6", "down", 2, "TDI along the wrong axis or at the wrong speed: from line to line the image moves by")]
-    [InlineData("0.02", "up", 2, "TDI along the wrong axis or at the wrong speed")]
-    public void Run_TdiAgainstTheImage_IsRefused(string period, string direction, int exitCode, string message)
+    [InlineData("0.13", "down", "", 0)]
+    [InlineData("0.13", "down", "--dry-run", 0)]
+    [InlineData("0.6", "down", "", 2)]
+    [InlineData("0.13", "up", "", 2)]
+    public void Run_Tdi_IsDrawnAlongTheImageOnly(string period, string direction, string option, int exitCode)
     {
         string camera = _folder.Write(
             "tdi.yaml",
@@ -152,11 +154,17 @@ public sealed class ScanRunTests : IDisposable
         [
             "--kepler-set", "{1.8374E6,0,0,0.3,1.5,0.5}", "--epoch", "55289", "--time", "55289", "--camera", camera, "--lines", "8",
             .. Common.Split(' '), "--ldem", Moon(), "--res", "2", "--output-dir", _folder["tdi"],
+            .. option.Split(' ', StringSplitOptions.RemoveEmptyEntries),
         ]);
 
-        Assert.Equal(exitCode, run.ExitCode);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-        Assert.False(Directory.Exists(_folder["tdi"]));
+        Assert.True(exitCode == run.ExitCode, run.Error);
+        Assert.Equal(exitCode == 0 && option.Length == 0, Directory.Exists(_folder["tdi"]));
+        if (exitCode != 0)
+        {
+            Assert.Contains(
+                "TDI along the wrong axis or at the wrong speed: from line to line the image",
+                run.Error, StringComparison.Ordinal);
+        }
     }
 
     [Fact]

@@ -90,7 +90,7 @@ public static class CameraFileReader
         {
             AddedWidth = ownWidth is null ? width : null,
             AddedHeight = ownHeight is null ? height : null,
-            Scan = ScanSection.Read(file, height, detector is not null),
+            Scan = ScanSection.Read(file, height, detector),
         };
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;

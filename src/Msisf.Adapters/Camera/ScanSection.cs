@@ -37,10 +37,10 @@ internal static class ScanSection
     /// <summary>Reads the section.</summary>
     /// <param name="file">The top level of the file.</param>
     /// <param name="height">px: rows of the camera.</param>
-    /// <param name="hasDetector">Whether the file describes a detector.</param>
+    /// <param name="detector">What the file says of the detector; null for nothing.</param>
     /// <returns>Null if there is no section.</returns>
     /// <exception cref="Core.Errors.BadInputException">What is wrong in it, by file, line and column.</exception>
-    public static CameraFileScan? Read(SettingsSection file, int height, bool hasDetector)
+    public static CameraFileScan? Read(SettingsSection file, int height, CameraFileDetector? detector)
     {
         if (file.Section(Name, "a scan", Keys) is not { } section)
         {
@@ -56,9 +56,16 @@ internal static class ScanSection
             throw section.Missing("period", "s from the exposure of a row to that of the row below");
         }
 
+        if (detector?.Settings.Shutter is { IsRolling: true })
+        {
+            throw section.Wrong(
+                "kind", "'scan' and the detector's rolling 'shutter' both say when rows are exposed. Make the shutter global, or leave "
+                    + "it out");
+        }
+
         return new CameraFileScan(kind, section.Positive("period"))
         {
-            Stages = kind == ScanKind.LineScan ? Stages(section, file, height, hasDetector) : 1,
+            Stages = kind == ScanKind.LineScan ? Stages(section, file, height, detector is not null) : 1,
             ChargeMovesDown = section.Word("tdi-direction", ["down", "up"]) != "up",
             Framelet = section.Numbers("framelet", 2, 2) is { } rows ? Framelet(section, rows, height) : null,
             GrowsUpwards = section.Word("order", ["down", "up"]) == "up",

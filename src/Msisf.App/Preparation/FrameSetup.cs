@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Scene;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
@@ -52,7 +53,7 @@ internal static class FrameSetup
         return [.. frames];
 
         ICamera CameraOf(SpacecraftState state) => settings.Scan is { } scan
-            ? scan.CameraOf(model, [.. state.Path!.States.Select(exposure => exposure with
+            ? scan.CameraOf(model, [.. PathOf(state).States.Select(exposure => exposure with
             {
                 SunPositionMoonMe = settings.IgnoreSun ? null
                     : state.SunPositionMoonMe ?? sun().SunPositionMoonMe(state.Time.After(exposure.Seconds), settings.Aberration),
@@ -63,6 +64,10 @@ internal static class FrameSetup
             ? new SceneLight(at.PositionMoonMe, IsSun: false)
             : new SceneLight(at.SunPositionMoonMe ?? sun().SunPositionMoonMe(at.Time, settings.Aberration), IsSun: true);
     }
+
+    private static ScanPath PathOf(SpacecraftState state) => state.Path ?? throw new UsageException(
+        "these states are single ones, and the rows of a camera that scans need to know how it moves. Remove 'scan' from the camera file.")
+        .About(ImageOptions.Camera);
 
     private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)
     {

@@ -39,7 +39,14 @@ internal sealed class SignalPreview : IDisposable
     /// <summary>The levels of a frame; null if nothing in it is lit.</summary>
     public SignalLevels? Of(Frame frame, CancellationToken cancellation)
     {
-        Frame small = frame with { Camera = _camera.Model.At(frame.Camera.State), Motion = null, Noise = null };
+        Frame small = frame with
+        {
+            Camera = _camera.Model.At(frame.Camera.State), // of a scan the first exposure
+            Motion = null,
+            Noise = null,
+            Scan = null,
+            Path = null,
+        };
         using NativeImage image = _drawing.Draw(small, Environment.ProcessorCount, cancellation);
         DetectorImage detected = image.Detected!;
         _exposure.Add(frame.Step, detected, image.RadianceFactors);

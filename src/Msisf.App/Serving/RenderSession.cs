@@ -64,6 +64,8 @@ internal sealed class RenderSession : IDisposable
         {
             CameraWithShutter = Settings.Shutter is null ? null : Settings.Camera!.Name,
             HasDetector = Settings.Native.Detector is not null,
+            Scan = Settings.Scan,
+            ExposureReach = Settings.ExposureReach,
             Kernels = () => _ephemeris.Of(Settings).Kernels(),
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];

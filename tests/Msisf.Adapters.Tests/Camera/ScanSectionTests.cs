@@ -26,6 +26,15 @@ public sealed class ScanSectionTests
     [Fact]
     public void Parse_NoSection_IsAFrame() => Assert.Null(Scan($"{Head}height: 4\n"));
 
+    [Fact]
+    public void Parse_RollingShutterOfTheDetector_IsRefused()
+    {
+        string text = $"{Head}height: 1\n{Detector}  shutter: rolling\n  line-time: 0.01\nscan:\n  kind: line-scan\n";
+        Assert.Contains(
+            "'scan' and the detector's rolling 'shutter' both say when rows are exposed.",
+            Assert.Throws<BadInputException>(() => Scan(text)).Message, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData(
         "height: 1\nscan:\n  period: 1\n",

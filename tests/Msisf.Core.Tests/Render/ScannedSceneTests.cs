@@ -32,7 +32,7 @@ public sealed class ScannedSceneTests
     {
         int count = TestLength.Of(24, 1000);
         int height = kind == ScanKind.LineScan ? 1 : kind == ScanKind.PushFrame ? 4 : count;
-        CameraModel model = LensCases.Of(lens, 0.4, Width, height);
+        CameraModel model = LensCases.Of(lens, 0.4 * Math.Min(1.0, (double)Width / height), Width, height);
         NestedTerrain terrain = NestedScenes.Named(models);
         TerrainTracer tracer = new(terrain);
         Vector3D up = -Vector3D.UnitZ;
