@@ -116,6 +116,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--output-dir", "", "--output-dir FILE:elsewhere" },
         { "--output-name", "", "--output-name other" },
         { "--rendering-annotation", "", "--rendering-annotation" },
+        { "--camera-model", "", "--camera-model csm" },
+        { "--camera-model", "--camera-model csm", "--camera-model csm,tsai" },
         { "--surface", "", "--surface terrain" },
         { "--grid", "", "--grid 16" },
         { "--gridH", "", "--gridH 16" },

@@ -20,6 +20,8 @@ public sealed class WrongValueTests : IDisposable
     private static readonly Dictionary<string, string[]> WrongTexts = new(StringComparer.Ordinal)
     {
         ["--time-interval"] = ["x", "[1:2]", "[1:0:2]", "[1:x:2]", "[1e9:1:2e9]"],
+        ["--camera-model"] = ["x", "csm,x", "csm,"],
+        ["--to"] = ["x", "csm,x"],
         ["--output-name"] = ["a/b", "{frame}", " "],
         ["--reflectance"] = ["x", "lambrt", "hapke:x=1", "hapke:w=x", "hapke:w=5"],
         ["--layers"] = ["x", "depth,x", "depth,depth"],
@@ -135,6 +137,7 @@ public sealed class WrongValueTests : IDisposable
             "ldem synthesize" => "--res 4 --seed 1",
             "status" or "verify" or "merge" => "a-folder",
             "kernels" => "a.bsp",
+            "camera-model" => "a.xml --to csm",
             "completion" => "bash",
             "dataset" => Path.Combine(TestParts.RepositoryRoot, "input", "data-set.yaml"),
             _ => string.Empty,

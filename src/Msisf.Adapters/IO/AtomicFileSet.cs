@@ -55,6 +55,20 @@ public sealed class AtomicFileSet : IDisposable
         return measured;
     }
 
+    /// <summary>Reads a file that is written but not committed.</summary>
+    /// <param name="path">Its final name.</param>
+    /// <param name="read">Reads the content.</param>
+    /// <exception cref="ExternalPartException">It can't be read.</exception>
+    public T Read<T>(string path, Func<Stream, T> read)
+    {
+        string temporary = _pending.Single(file => file.Path == path).Temporary;
+        return FileErrors.ToExternalPart($"{path}: can't be read", () =>
+        {
+            using FileStream stream = File.OpenRead(temporary);
+            return read(stream);
+        });
+    }
+
     /// <summary>Gives all files their final names, in the order in which they were written; existing files are replaced.</summary>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void Commit()

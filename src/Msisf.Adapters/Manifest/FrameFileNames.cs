@@ -1,3 +1,4 @@
+using Msisf.Adapters.CameraExport;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Manifest;
@@ -11,12 +12,17 @@ public static class FrameFileNames
         ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".craters.csv", ".craters.json", ".landmarks.csv",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
-        .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+        .. CameraFormat.All.SelectMany(format => format.Endings), .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
     ];
 
     /// <summary>All names that files of a frame can have.</summary>
     /// <param name="frame">Name of the frame.</param>
     public static IEnumerable<string> Of(string frame) => Endings.Select(ending => frame + ending);
+
+    /// <summary>Whether a file may be made of a frame that is there, by msis camera-model, so that no record names it.</summary>
+    /// <param name="file">Name of the file, without folder.</param>
+    public static bool IsMadeLater(string file) =>
+        CameraFormat.All.SelectMany(format => format.Endings).Any(ending => file.EndsWith(ending, StringComparison.Ordinal));
 
     /// <summary>The names of the frames that a file could belong to by its name.</summary>
     /// <param name="file">Name of the file, without folder.</param>

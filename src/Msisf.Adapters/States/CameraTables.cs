@@ -16,11 +16,14 @@ public static class CameraTables
     /// <summary>px: EuRoC has the centre of the first pixel at 0, as OpenCV.</summary>
     private const double OpenCvCenter = 1.0;
 
+    /// <summary>Whether COLMAP has a model of such a camera.</summary>
+    public static bool HasColmapModel(CameraModel camera) => camera.Skew == 0.0 && ModelOf(camera.Distortion, isColmap: true) is not null;
+
     /// <summary>COLMAP's cameras.txt.</summary>
     /// <exception cref="BadInputException">COLMAP has no model of such a camera.</exception>
     public static void WriteColmapCamera(TextWriter writer, CameraModel camera)
     {
-        (string model, double[] lens) = OfLens(camera, "COLMAP", isFullAllowed: true);
+        (string model, double[] lens) = OfLens(camera, "COLMAP", isColmap: true);
         writer.WriteLine("# Camera list with one line of data per camera: CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]");
         writer.WriteLine("# f and c in px; the centre of the first pixel is (0.5, 0.5)");
         writer.WriteLine(
@@ -53,7 +56,7 @@ public static class CameraTables
     /// <exception cref="BadInputException">EuRoC has no model of such a camera.</exception>
     public static void WriteEurocSensor(TextWriter writer, CameraModel camera)
     {
-        (_, double[] lens) = OfLens(camera, "EuRoC", isFullAllowed: false);
+        (_, double[] lens) = OfLens(camera, "EuRoC", isColmap: false);
         double[] distortion = lens.Length == 0 ? [0.0, 0.0, 0.0, 0.0] : lens;
         writer.WriteLine("# The camera is the body: x right, y down, z along the line of sight. Pixel centres are whole numbers from 0.");
         writer.WriteLine("sensor_type: camera");
@@ -69,24 +72,32 @@ public static class CameraTables
 
     private static string Listed(params double[] numbers) => StateTables.Line(',', numbers).Replace(",", ", ", StringComparison.Ordinal);
 
-    private static (string Model, double[] Lens) OfLens(CameraModel camera, string format, bool isFullAllowed)
+    private static (string Model, double[] Lens) OfLens(CameraModel camera, string format, bool isColmap)
     {
         if (camera.Skew != 0.0)
         {
             throw new BadInputException($"{format} has no camera with skew pixels. Set 'skew' of the camera file to 0.");
         }
 
-        if (camera.Distortion is null or { IsNone: true })
+        return ModelOf(camera.Distortion, isColmap) ?? throw new BadInputException(
+            $"{format} has no camera with the distortion '{camera.Distortion!.Name}' of this camera file"
+                + (camera.Distortion is OpenCvDistortion lens && lens.Coefficients.Skip(8).All(s => s == 0.0)
+                    ? " beyond k1, k2, p1, p2"
+                    : string.Empty)
+                + ". Remove it, or choose another --format.");
+    }
+
+    private static (string Model, double[] Lens)? ModelOf(Distortion? lens, bool isColmap)
+    {
+        if (lens is null)
         {
             return ("PINHOLE", []);
         }
 
-        double[] all = [.. camera.Distortion.Coefficients]; // k1, k2, p1, p2, k3, k4, k5, k6, s1, ...
-        bool isOpenCv = camera.Distortion is OpenCvDistortion && all[8..].All(s => s == 0.0);
-        return isOpenCv && all[4..].All(k => k == 0.0) ? ("OPENCV", all[..4])
-            : isOpenCv && isFullAllowed ? ("FULL_OPENCV", all[..8])
-            : throw new BadInputException(
-                $"{format} has no camera with the distortion '{camera.Distortion.Name}' of this camera file"
-                    + $"{(isOpenCv ? " beyond k1, k2, p1, p2" : string.Empty)}. Remove it, or choose another --format.");
+        double[] all = [.. lens.Coefficients]; // k1, k2, p1, p2, k3, k4, k5, k6, s1, ...
+        return lens is OpenCvDistortion && all[4..].All(k => k == 0.0) ? ("OPENCV", all[..4])
+            : lens is OpenCvDistortion && isColmap && all[8..].All(s => s == 0.0) ? ("FULL_OPENCV", all[..8])
+            : lens is FisheyeDistortion && isColmap ? ("OPENCV_FISHEYE", all)
+            : null;
     }
 }

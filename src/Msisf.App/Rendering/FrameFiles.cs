@@ -1,3 +1,4 @@
+using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
@@ -7,6 +8,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.Core.Detector;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
@@ -24,18 +26,20 @@ internal sealed class FrameFiles
     private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
+    private readonly IEphemeris? _ephemeris;
     private readonly FrameNavigation? _navigation;
     private readonly FlowOutputs? _flows;
 
     public FrameFiles(
         RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times,
-        NavigationInputs? navigation = null)
+        NavigationInputs? navigation = null, IEphemeris? ephemeris = null)
     {
         _settings = settings;
         _description = description;
         _comparison = comparison;
         _ledger = ledger;
         _times = times;
+        _ephemeris = ephemeris;
         _navigation = navigation is null ? null : new FrameNavigation(navigation);
         _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
     }
@@ -80,6 +84,15 @@ internal sealed class FrameFiles
                     stream, detected, detector.Settings.Exposed(frame.ExposureFactor), metadata,
                     _description.Provenance(metadata, rendered))));
             paths.Add($"{stem}.dn.fits");
+        }
+
+        if (_settings.CameraFormats.Count > 0)
+        {
+            ExportedFrame exported = files.Read($"{stem}.xml", stream => MetaFileFrame.Read(stream, $"{stem}.xml")) with
+            {
+                Ephemeris = _ephemeris,
+            };
+            paths.AddRange(_times.Measure(Phase.Output, () => CameraFormat.Write(_settings.CameraFormats, files, stem, exported)));
         }
 
         paths.AddRange(_times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));

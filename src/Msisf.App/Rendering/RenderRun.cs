@@ -11,6 +11,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
@@ -76,7 +77,8 @@ internal sealed class RenderRun
                 kernels,
                 version,
                 files)));
-        return await RenderAsync(run, plan, inputs, maps, navigation, cancellation).ConfigureAwait(false);
+        IEphemeris? ofModels = _settings.CameraFormats.Any(format => format.NeedsEphemeris) ? ephemeris.Engine() : null;
+        return await RenderAsync(run, plan, inputs, maps, (navigation, ofModels), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -98,7 +100,8 @@ internal sealed class RenderRun
         PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
-        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps, NavigationInputs? navigation, CancellationToken cancellation)
+        PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps,
+        (NavigationInputs? Navigation, IEphemeris? OfModels) truth, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
         CreateFolder(_settings.OutputFolder);
@@ -115,7 +118,7 @@ internal sealed class RenderRun
         {
             Orientation = run.Orientation,
         };
-        FrameFiles files = new(_settings, description, comparison, ledger, _times, navigation);
+        FrameFiles files = new(_settings, description, comparison, ledger, _times, truth.Navigation, truth.OfModels);
         ExposureNote? exposure = _settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: run.States[0].Noise is not null)
             : null;

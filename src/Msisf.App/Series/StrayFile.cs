@@ -26,7 +26,9 @@ internal sealed record StrayFile(string Name, bool IsLeftOver)
                 .Select(path => Path.GetFileName(path))
                 .Where(name => name[0] != '.' && !known.Contains(name))
                 .Order(StringComparer.Ordinal)
-                .Select(name => new StrayFile(name, FrameFileNames.FramesOf(name).Any(frame => IsFrame(frame, manifest)))),
+                .Select(name => new StrayFile(
+                    name,
+                    !FrameFileNames.IsMadeLater(name) && FrameFileNames.FramesOf(name).Any(frame => IsFrame(frame, manifest)))),
         ];
     }
 

@@ -65,5 +65,6 @@ internal static class OutputOptions
         "Make a second image with the illumination directions and the scene's data drawn on it");
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Output", [Folder, Name, Annotation, Surface, Grid, GridHorizontal, GridVertical]);
+    public static OptionGroup Group { get; } = new(
+        "Output", [Folder, Name, Annotation, CameraModelOptions.OfRun, Surface, Grid, GridHorizontal, GridVertical]);
 }

@@ -1,5 +1,6 @@
 using System.Globalization;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
@@ -80,6 +81,9 @@ internal sealed record RenderSettings
 
     public required bool Annotate { get; init; }
 
+    /// <summary>Forms in which each frame's camera is written for other programs.</summary>
+    public IReadOnlyList<CameraFormat> CameraFormats { get; init; } = [];
+
     public required string OutputFolder { get; init; }
 
     public required string OutputName { get; init; }
@@ -102,8 +106,8 @@ internal sealed record RenderSettings
     /// <summary>Kernels of the camera's trajectory, in their order; they are loaded last.</summary>
     public IReadOnlyList<string> TrajectoryKernels { get; init; } = [];
 
-    /// <summary>Whether kernels are needed: for the Sun, or for the trajectory.</summary>
-    public bool NeedsKernels => !IgnoreSun || IsMission;
+    /// <summary>Whether kernels are needed: for the Sun, for the trajectory, or for camera models.</summary>
+    public bool NeedsKernels => !IgnoreSun || IsMission || CameraFormats.Any(format => format.NeedsEphemeris);
 
     /// <summary>Whether the files of a mission say where the camera is.</summary>
     public bool IsMission { get; init; }

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
@@ -60,6 +61,7 @@ internal static class RenderSettingsReader
             Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
+            CameraFormats = CameraModelOptions.ReadOfRun(values, scan),
             Annotate = OutputOptions.Annotation.Read(values),
             OutputFolder = OutputOptions.Folder.Read(values),
             OutputName = OutputOptions.Name.Read(values),
@@ -85,6 +87,7 @@ internal static class RenderSettingsReader
             Timing = RunOptions.Timing.Read(values),
         };
         StripRules.Refuse(settings);
+        CameraModelOptions.OfRun.NamedInErrors(() => CameraFormat.Require(settings.CameraFormats, settings.CameraModel));
         return settings;
     }
 

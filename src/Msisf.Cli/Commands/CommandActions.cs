@@ -3,6 +3,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
+using Msisf.App.States;
 using Msisf.Cli.Completion;
 using Msisf.Cli.Help;
 
@@ -18,6 +19,7 @@ internal static class CommandActions
         [CommandTable.BatchConvert] = InBackground(BatchConvertCommand.Run),
         [CommandTable.Submit] = (call, cancellation) => Task.Run(() => SubmitCommand.RunAsync(call, cancellation), cancellation),
         [CommandTable.States] = InBackground(StatesCommand.Run),
+        [CameraModelOptions.Command] = Printing(call => CameraModelExport.Write(call.Values, call.Host)),
         [DataSetOptions.Command] = (call, cancellation) => Task.Run(
             () => DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation), cancellation),
         [IlluminationOptions.Command] = InBackground(IlluminationCommand.Run),

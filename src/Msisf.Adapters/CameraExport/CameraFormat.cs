@@ -1,0 +1,94 @@
+using Msisf.Adapters.IO;
+using Msisf.Adapters.States;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+
+namespace Msisf.Adapters.CameraExport;
+
+/// <summary>A form in which a frame's camera is written for other programs (docs/camera-export.md). Immutable.</summary>
+public sealed class CameraFormat
+{
+    private readonly Func<CameraModel, bool> _has;
+    private readonly (string Ending, Action<TextWriter, ExportedFrame> Write)[] _files;
+
+    private CameraFormat(
+        string word, Func<CameraModel, bool> has, (string Ending, Action<TextWriter, ExportedFrame> Write)[] files, bool isCsm = false) =>
+        (Word, _has, _files, NeedsEphemeris) = (word, has, files, isCsm);
+
+    /// <summary>All formats.</summary>
+    public static IReadOnlyList<CameraFormat> All { get; } =
+    [
+        new("opencv", OpenCvCamera.Has, [(".opencv.yaml", OpenCvCamera.Write)]),
+        new("colmap", CameraTables.HasColmapModel, [
+            (".cameras.txt", (writer, frame) => CameraTables.WriteColmapCamera(writer, frame.Camera.Model)),
+            (".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
+            (".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer)),
+        ]),
+        new("tsai", TsaiCamera.Has, [(".tsai", TsaiCamera.Write)]),
+        new("csm", CsmLens.Has, [(".csm.json", CsmState.Write)], isCsm: true),
+        new("isd", CsmLens.Has, [(".isd.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: true))], isCsm: true),
+        new("isd-body", CsmLens.Has, [(".isd-body.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: false))], isCsm: true),
+    ];
+
+    /// <summary>The word for it on the command line.</summary>
+    public string Word { get; }
+
+    /// <summary>Whether <see cref="ExportedFrame.Ephemeris"/> is needed.</summary>
+    public bool NeedsEphemeris { get; }
+
+    /// <summary>The endings of its files, which follow the frame's name.</summary>
+    public IEnumerable<string> Endings => _files.Select(file => file.Ending);
+
+    /// <summary>Reads a list of formats.</summary>
+    /// <param name="text">Words, separated by commas.</param>
+    /// <exception cref="BadInputException">A word is no format.</exception>
+    public static IReadOnlyList<CameraFormat> Parse(string text) =>
+    [
+        .. text.Split(',', StringSplitOptions.TrimEntries).Select(word =>
+            All.FirstOrDefault(format => format.Word.Equals(word, StringComparison.OrdinalIgnoreCase))
+                ?? throw new BadInputException(
+                    $"'{word}' is no format of camera models. Give some of {string.Join(", ", All.Select(f => f.Word))}."))
+            .Distinct(),
+    ];
+
+    /// <summary>Refuses a camera that a format can't say.</summary>
+    /// <param name="formats">The formats that are wanted.</param>
+    /// <param name="camera">The camera.</param>
+    /// <exception cref="BadInputException">Format, lens, and which formats can.</exception>
+    public static void Require(IEnumerable<CameraFormat> formats, CameraModel camera)
+    {
+        if (formats.FirstOrDefault(format => !format._has(camera)) is not { } wrong)
+        {
+            return;
+        }
+
+        string[] able = [.. All.Where(format => format._has(camera)).Select(format => format.Word)];
+        string[] traits =
+        [
+            .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients"] : (string[])[],
+            .. camera.Skew != 0.0 ? ["skew pixels"] : (string[])[],
+        ];
+        throw new BadInputException(
+            $"the camera model {wrong.Word} can't say {string.Join(" and ", traits)}. "
+                + (able.Length > 0 ? $"Formats that can: {string.Join(", ", able)}." : "No format can: use K, R, t and lens of the XML."));
+    }
+
+    /// <summary>Writes the files of formats.</summary>
+    /// <param name="formats">The formats.</param>
+    /// <param name="files">Receives them.</param>
+    /// <param name="stem">Path of the frame's files, without extension.</param>
+    /// <param name="frame">The frame.</param>
+    /// <returns>Their paths.</returns>
+    public static IReadOnlyList<string> Write(
+        IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame)
+    {
+        List<string> paths = [];
+        foreach ((string ending, Action<TextWriter, ExportedFrame> write) in formats.SelectMany(format => format._files))
+        {
+            files.WriteText(stem + ending, writer => write(writer, frame));
+            paths.Add(stem + ending);
+        }
+
+        return paths;
+    }
+}

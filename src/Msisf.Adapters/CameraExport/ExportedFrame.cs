@@ -1,0 +1,33 @@
+using Msisf.Adapters.States;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Metadata;
+using Msisf.Core.Numerics;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.Adapters.CameraExport;
+
+/// <summary>What camera models for other programs are made from.</summary>
+/// <param name="Name">File name of the image, without extension.</param>
+/// <param name="Camera">The camera in its state.</param>
+/// <param name="Time">UTC.</param>
+/// <param name="SunPosition">m, in the body's frame; with a lamp at the camera the camera's position.</param>
+/// <param name="Globe">The body.</param>
+public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJulianDate Time, Vector3D SunPosition, DrawnGlobe Globe)
+{
+    /// <summary>For formats that need it: what time TDB is, and how the body is turned.</summary>
+    public IEphemeris? Ephemeris { get; init; }
+
+    /// <summary>TDB seconds past J2000.</summary>
+    internal double TdbSeconds => Ephemeris!.TimeScale.FromUtc(Time);
+
+    /// <summary>Turns J2000 into the body's frame.</summary>
+    internal RotationMatrix BodyFromJ2000 => Ephemeris!.MoonMeFromJ2000(Time);
+
+    /// <summary>Turns OpenCV's camera axes (x right, y down, z forward) into the body's frame.</summary>
+    internal UnitQuaternion BodyFromOpenCv => StateTables.OpenCv(State);
+
+    /// <summary>Time and pose.</summary>
+    internal SpacecraftState State => new(Time, Camera.PositionMoonMe, Camera.MoonFromCamera);
+}

@@ -1,0 +1,66 @@
+using Msisf.Adapters.CameraExport;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of camera models for other programs.</summary>
+internal static class CameraModelOptions
+{
+    private const string Formats = "opencv, colmap, tsai (Ames Stereo Pipeline), csm (USGSCSM state), isd (ALE, J2000), isd-body";
+
+    /// <summary>Camera models beside each image of a run.</summary>
+    public static TextSpec OfRun { get; } = new(
+        "--camera-model", DecidesBytes.UnlessDefault(frame => frame.Settings.CameraFormats.Select(format => format.Word)).OfRuns(), "LIST",
+        $"Write the camera of each image for other programs, in formats separated by commas: {Formats}")
+    {
+        Separator = ",",
+        Words = [.. CameraFormat.All.Select(format => format.Word)],
+    };
+
+    /// <summary>The formats of <c>msis camera-model</c>.</summary>
+    private static TextSpec To { get; } = new(
+        "--to", OptionRole.HowItRuns, "LIST", $"The formats, separated by commas: {Formats}")
+    {
+        IsOfOneCall = true,
+        IsRequired = true,
+        Separator = OfRun.Separator,
+        Words = OfRun.Words,
+    };
+
+    /// <summary>msis camera-model.</summary>
+    public static CommandSpec Command { get; } = new("camera-model", "Write the camera of an image that is there for other programs.")
+    {
+        Details = "The files stand beside the meta files, and are printed. docs/camera-export.md says what each holds.",
+        MakeArgument = () => new ArgumentSpec("META", "Meta files (.xml) of images") { TakesSeveralWords = true },
+        Examples =
+            [("For ISIS and the Ames Stereo Pipeline:", "msis camera-model output/MoonSurfIllumSim_step_00001.xml --to csm")],
+        MakeGroups = () =>
+        [
+            new OptionGroup("Camera model", [To, LightOptions.Ephemeris, LightOptions.Kernels]),
+            new OptionGroup("General", [RunOptions.Help]),
+        ],
+    };
+
+    /// <summary>Reads the formats of a run.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="scan">How the camera scans; null for a frame.</param>
+    /// <exception cref="UsageException">A word is no format, or the camera scans.</exception>
+    public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, Scan? scan)
+    {
+        if (OfRun.ReadIfGiven(values) is not { } text)
+        {
+            return [];
+        }
+
+        IReadOnlyList<CameraFormat> formats = OfRun.Named(() => CameraFormat.Parse(text));
+        return scan is null ? formats : throw new UsageException(
+            $"{OfRun.Name} is for frames: the rows of a camera that scans have times and places of their own. Leave one of them out.")
+            .About(OfRun, ImageOptions.Camera);
+    }
+
+    /// <summary>Reads the formats of <c>msis camera-model</c>.</summary>
+    /// <exception cref="UsageException">A word is no format.</exception>
+    public static IReadOnlyList<CameraFormat> ReadTo(OptionValues values) => To.Named(() => CameraFormat.Parse(To.Read(values)));
+}

@@ -1,0 +1,64 @@
+using Msisf.Adapters.CameraExport;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.IO;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+
+namespace Msisf.App.States;
+
+/// <summary><c>msis camera-model</c>: writes the cameras of meta files for other programs.</summary>
+internal static class CameraModelExport
+{
+    /// <summary>Writes all files, or none.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="host">Output and installation of the program.</param>
+    /// <exception cref="MsisfException">A file can't be read, or a format can't say its camera.</exception>
+    public static void Write(OptionValues values, ProgramHost host)
+    {
+        IReadOnlyList<CameraFormat> formats = CameraModelOptions.ReadTo(values);
+        EphemerisChoice engine = LightOptions.Ephemeris.Read(values);
+        IReadOnlyList<string> kernels = LightOptions.Kernels.ReadAll(values);
+        if (values.Arguments.Count == 0)
+        {
+            throw new UsageException("msis camera-model needs one meta file or more: name them (.xml).");
+        }
+
+        List<string> paths = [];
+        using AtomicFileSet files = new();
+        foreach (string metaFile in values.Arguments)
+        {
+            ExportedFrame frame = MetaFileFrame.Read(metaFile);
+            Named(metaFile, () => CameraFormat.Require(formats, frame.Camera.Model));
+            using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris) ? Open(frame, engine, kernels, host) : null;
+            string stem = Path.ChangeExtension(metaFile, null);
+            paths.AddRange(CameraFormat.Write(formats, files, stem, frame with { Ephemeris = opened?.Engine }));
+        }
+
+        files.Commit();
+        paths.ForEach(host.Results.WriteLine);
+    }
+
+    private static OpenedEphemeris Open(ExportedFrame frame, EphemerisChoice engine, IReadOnlyList<string> kernels, ProgramHost host)
+    {
+        string installed = frame.Globe.Body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel;
+        return LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
+            engine, KernelList.OnTop(installed, kernels, []), host.Installation.Root, host.Environment("MSISF_CSPICE"))
+        {
+            Body = frame.Globe.Body,
+        }));
+    }
+
+    private static void Named(string metaFile, Action work)
+    {
+        try
+        {
+            work();
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException($"{metaFile}: {exception.Message}", exception);
+        }
+    }
+}
