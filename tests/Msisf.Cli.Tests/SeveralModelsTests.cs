@@ -248,6 +248,7 @@ public sealed class SeveralModelsTests : IDisposable
     [InlineData("", ",shift=2e5,0", 1, "shift= is at most 100 km")]
     [InlineData("", ",offset=30000", 2, "its values look like")]
     [InlineData(",scale=2", "", 1, "scale= is for other rasters")]
+    [InlineData(",values=samples", "", 1, "values= is for other rasters")]
     public void Run_MoveThatCantBe_IsRefused(string ofMoon, string ofMap, int exitCode, string message)
     {
         CommandLineRun run = CommandLineRun.Of(

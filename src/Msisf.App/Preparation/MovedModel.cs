@@ -84,6 +84,11 @@ internal static class MovedModel
             throw Wrong(path, "the label of a PDS3 model says what its values mean; scale= is for other rasters. Leave it out.");
         }
 
+        if (path.Heights.HoldsMeans is not null && !hasOffset)
+        {
+            throw Wrong(path, "the product of a PDS3 model says what its values are; values= is for other rasters. Leave it out.");
+        }
+
         if (model.IsWholeMoon)
         {
             throw Wrong(
