@@ -246,7 +246,7 @@ public sealed class SeveralModelsTests : IDisposable
     [RequiresTheory(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
     [InlineData(",offset=3", "", 1, "a model of the whole Moon is what others are joined to")]
     [InlineData("", ",shift=2e5,0", 1, "shift= is at most 100 km")]
-    [InlineData("", ",offset=30000", 2, "its values look like")]
+    [InlineData("", ",offset=30000", 2, "offset=30000 makes heights of it")]
     [InlineData(",scale=2", "", 1, "scale= is for other rasters")]
     [InlineData(",values=samples", "", 1, "values= is for other rasters")]
     public void Run_MoveThatCantBe_IsRefused(string ofMoon, string ofMap, int exitCode, string message)
