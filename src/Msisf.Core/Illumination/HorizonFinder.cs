@@ -22,6 +22,7 @@ internal sealed class HorizonFinder
     private readonly List<PatchPlace> _before = [];
     private readonly HashSet<int> _kept = [];
     private LocalFrame _frame;
+    private bool _hasBefore;
     private double _radius;
     private int _part;
 
@@ -39,6 +40,11 @@ internal sealed class HorizonFinder
 
     /// <summary>Patches of 8 x 8 cells that were looked at so far.</summary>
     public long Patches { get; private set; }
+
+    /// <summary>
+    /// Forgets the place before, from which the search would start: so what is found does not depend on what this thread did before.
+    /// </summary>
+    public void Forget() => _hasBefore = false;
 
     /// <summary>Finds the horizon of a place.</summary>
     /// <param name="frame">The place, above the ground.</param>
@@ -78,7 +84,7 @@ internal sealed class HorizonFinder
     {
         _before.Clear();
         int last = -1;
-        foreach (int owner in Buffer.Owners)
+        foreach (int owner in _hasBefore ? Buffer.Owners : [])
         {
             if (owner >= 0 && owner != last && _kept.Add(owner))
             {
@@ -88,6 +94,7 @@ internal sealed class HorizonFinder
             last = owner;
         }
 
+        _hasBefore = true;
         _kept.Clear();
         _raised.Clear();
     }

@@ -89,6 +89,7 @@ public sealed class HorizonSurvey
         {
             HorizonFinder finder = finders[worker] ??= new HorizonFinder(_terrain, Columns);
             List<uint> found = [];
+            finder.Forget();
             int end = Math.Min(directions.Count, (item + 1) * PerItem);
             for (int place = item * PerItem; place < end; place++)
             {

@@ -60,6 +60,21 @@ public sealed class HorizonSurveyTests
         }
     }
 
+    /// <summary>Places are shared out to threads as it comes; what is found for each is the same to the bit.</summary>
+    [Fact]
+    public void Find_OneThreadAndFour_FindTheSame()
+    {
+        ITerrain terrain = Terrain("nested");
+        TerrainTracer tracer = new(terrain);
+        Vector3D[] directions = [.. Enumerable.Range(0, 160).Select(
+            place => new SelenographicPoint(-1.56 + (1e-4 * place), 0.05 * place).ToDirectionMoonMe())];
+        HorizonSurvey survey = new(terrain, tracer, directions, isMoon: true);
+        PlaceHorizons one = survey.Find(directions, 0.0, threads: 1, advanced: null, CancellationToken.None);
+        PlaceHorizons four = survey.Find(directions, 0.0, threads: 4, advanced: null, CancellationToken.None);
+        Assert.Equal(one.Ends, four.Ends);
+        Assert.Equal(one.Corners, four.Corners);
+    }
+
     [Fact]
     public void Find_PlaceOutsideAMap_SaysWhere()
     {
