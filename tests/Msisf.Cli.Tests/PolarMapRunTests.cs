@@ -84,7 +84,6 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
 
     [Theory]
     [InlineData("patterns --ldem")]
-    [InlineData("ldem pyramid")]
     [InlineData("ldem synthesize --res 8 --seed 1 --base")]
     public void Run_CommandsOfWholeMoons_RefuseAMap(string command)
     {

@@ -42,6 +42,12 @@ public sealed class WrongValueTests : IDisposable
         ["--instrument-axes"] = ["x", "+x", "+x,+x"],
         ["--flow"] = ["x", "{1,2}"],
         ["--flow-format"] = ["x", "fits,x"],
+        ["--center"] = ["x", "1", "91,0", "1,2,3"],
+        ["--size"] = ["x", "-1", "0", "1,2,3"],
+        ["--corners"] = ["x", "1,2,3", "91,0,0,0"],
+        ["--above-ground"] = ["x", "-1", "2,x"],
+        ["--plane"] = ["x", "1", "181,0", "10,x"],
+        ["--piece"] = ["x", "0/2", "3/2", "1"],
         ["--seed"] = ["x", "-1", "1.5"],
         ["--region"] = ["x", "1:2", "5:4:0:1", "0:91:0:1", "0:1:400:401"],
         ["--memory"] = ["x", "4X"],
@@ -137,6 +143,7 @@ public sealed class WrongValueTests : IDisposable
             "ldem synthesize" => "--res 4 --seed 1",
             "status" or "verify" or "merge" => "a-folder",
             "kernels" => "a.bsp",
+            "illumination" => "--center=-89.45,222.7 --size 1 --time-interval [55289:0.1:55290]",
             "camera-model" => "a.xml --to csm",
             "completion" => "bash",
             "dataset" => Path.Combine(TestParts.RepositoryRoot, "input", "data-set.yaml"),
@@ -148,7 +155,7 @@ public sealed class WrongValueTests : IDisposable
             words.AddRange(Words(IsOfPlace(option) ? Place : IsOfOrbit(option) ? Orbit : IsCamera(option) ? string.Empty : Fixed));
         }
 
-        if (NativeOptions.Group.Options.Any(native => native.Name == option))
+        if (Has(path, "--renderer") && NativeOptions.Group.Options.Any(native => native.Name == option))
         {
             words.AddRange(["--renderer", "native"]);
         }

@@ -96,6 +96,14 @@ internal sealed record IlluminationSettings
                     + "ground are needed.").About(IlluminationOptions.Heights);
         }
 
+        double[]? plane = Numbers(IlluminationOptions.Plane, values, 2, 2);
+        if (plane?[0] is < 0.0 or > 180.0)
+        {
+            throw new UsageException(
+                $"{IlluminationOptions.Plane.Name} is {values.Text(IlluminationOptions.Plane)}; a tilt of 0 to 180 degrees is needed.")
+                .About(IlluminationOptions.Plane);
+        }
+
         return new IlluminationSettings
         {
             Place = corners ?? centre,
@@ -106,7 +114,7 @@ internal sealed record IlluminationSettings
             Heights = heights,
             IsPoint = IlluminationOptions.Sun.Read(values) == SunModel.Point,
             IsExact = IlluminationOptions.Exact.Read(values),
-            Plane = Numbers(IlluminationOptions.Plane, values, 2, 2) is { } plane ? NormalOf(plane[0], plane[1]) : null,
+            Plane = plane is null ? null : NormalOf(plane[0], plane[1]),
             NightLimit = IlluminationOptions.NightLimit.Read(values),
             Format = IlluminationOptions.Format.Read(values),
             Piece = ReadPiece(values),
