@@ -30,8 +30,9 @@ def constant(type_name, name):
 
 def enumeration(type_name):
     """The names of the members of a C# enumeration."""
-    text = next(SOURCES.rglob(f"{type_name}.cs")).read_text(encoding="utf-8")
-    return re.findall(r"^    (\w+),$", text, re.MULTILINE)
+    texts = (path.read_text(encoding="utf-8") for path in sorted(SOURCES.rglob("*.cs")))
+    body = next(found[1] for found in (re.search(rf"\benum {type_name}\n{{(.*?)^}}", text, re.MULTILINE | re.DOTALL) for text in texts) if found)
+    return re.findall(r"^    (\w+),$", body, re.MULTILINE)
 
 
 def stage(name):

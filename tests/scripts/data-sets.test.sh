@@ -27,10 +27,10 @@ test_data_sets_every_command_of_the_page_prints_what_the_page_shows() {
 
 test_data_sets_every_command_of_the_page_of_navigation_runs() {
     prepare
-    local part
-    for part in cairo cfitsio; do
-        (. "$MSISF_TESTED_ROOT/scripts/lib/common.sh" && . "$MSISF_TESTED_ROOT/scripts/lib/packages.sh" && part_is_here "$part") ||
-            { echo "missing: $part" && exit 77; }
+    local library
+    for library in cairo cfitsio; do
+        (. "$MSISF_TESTED_ROOT/scripts/lib/common.sh" && . "$MSISF_TESTED_ROOT/scripts/lib/packages.sh" && part_is_here "$library") ||
+            { echo "missing: $library" && exit 77; }
     done
     printf '%s\n' 'id,name,lat,lon,diam_km' T,Tycho,-43.3,-11.2,85 C,Clavius,-58.6,-14.1,231 >craters.csv
     printf '%s\n' id,lat,lon peak,-43.3,-8.5 >landmarks.csv

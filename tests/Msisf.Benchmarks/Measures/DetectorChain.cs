@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
@@ -51,7 +52,7 @@ internal sealed class DetectorChain
     public void Spread()
     {
         Array.Clear(_image.Electrons);
-        _pass.Expose(_light, _throughput, _ => 1.0, _ => 1.0, _image, Threads, CancellationToken.None);
+        _pass.Expose(_light, _throughput, _ => 1.0, _ => 1.0, new PixelRows(0, Side), _image, Threads, CancellationToken.None);
     }
 
     /// <summary>Adds all noise and converts to numbers.</summary>

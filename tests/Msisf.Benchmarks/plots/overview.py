@@ -130,7 +130,7 @@ def summary(results):
 
     lines = [
         f"- **The native renderer** makes an image in {span([results.seconds(name, 'native, 1') for name in names])} s from the start of the process to "
-        f"its end, with 4 samples a pixel in {span([results.seconds(name, 'native, 4') for name in names])} s; each further image of the same process is drawn in "
+        f"its end, with 4 samples a pixel in {span([results.seconds(name, 'native, 4') for name in names])} s. Each further image of the same process is drawn in "
         f"{span([1e3 * seconds for seconds in results.all_further()])} ms. It needs {memory('native, 1')} MB.",
         f"- **POV-Ray** takes {span([results.seconds(name, 'povray') for name in names])} s and {memory('povray')} MB.",
         f"- **Against the thesis's way** POV-Ray is {span(ratios('povray'))} times as fast, the native renderer with 4 samples {span(ratios('native, 4'))} times.",
@@ -140,7 +140,7 @@ def summary(results):
     rate = results.sequence("rate", "all frames")
     if rate:
         lines.append(f"- **A series**: {text_of(results.sequence('frames'), 4)} frames of an orbit 100 km above LDEM_64 at {text_of(rate)} frames a second, images and meta "
-                     f"files written; with the ground truth of all pixels in FITS {text_of(results.sequence('rate', 'all frames', 'sequence with layers'), 2)} a second.")
+                     f"files written. With the ground truth of all pixels in FITS {text_of(results.sequence('rate', 'all frames', 'sequence with layers'), 2)} a second.")
     lines += ["", "![Time of an image, all scenes](benchmark/time.svg)", "", "![Error of an image, all scenes](benchmark/error.svg)", "",
               "![Memory of an image, all scenes](benchmark/memory.svg)", ""]
     rows = []
