@@ -52,7 +52,7 @@ def table(rows):
         found = text_of(row["worst"], row["unit"]) + (" (**missed**)" if row["verdict"] == "missed" else "")
         lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | [{test}](benchmark/accuracy-tables.md#{test}) | {int(row['cases']):,} |")
     verdicts = [row["verdict"] for row in rows]
-    return [*lines, "", f"These are the ones that matter most. Of all {verdicts.count('met') + verdicts.count('missed')} limits {verdicts.count('met')} are met, {verdicts.count('missed')} missed."]
+    return [*lines, "", f"Of all {verdicts.count('met') + verdicts.count('missed')} limits {verdicts.count('met')} are met, {verdicts.count('missed')} missed."]
 
 
 def main(path, folder):
