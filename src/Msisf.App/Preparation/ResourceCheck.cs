@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 
@@ -32,9 +33,6 @@ internal static class ResourceCheck
 
     /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
     private const long LayerBytesPerPixel = 24;
-
-    /// <summary>Bytes per pixel of all layers on disk.</summary>
-    private const long LayersBytesPerPixel = 200;
 
     /// <summary>
     /// Bytes per pixel of a detector: electrons, charge, throughput, radiance without the margin (doubles), fixed pattern (two floats),
@@ -98,7 +96,8 @@ internal static class ResourceCheck
     {
         Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);
         long pixels = Pixels(settings);
-        long layers = settings.Native.Layers is null ? 0 : LayersBytesPerPixel * pixels;
+        long layers = pixels * (settings.Native.Layers?.Layers.Sum(
+            layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0);
         long numbers = settings.Native.Detector is null ? 0 : NumbersBytesPerPixel * pixels;
         long others = layers + numbers + MetaBytes(settings);
         Refuse(

@@ -42,6 +42,18 @@ public sealed class ResourceCheckTests
         Assert.Contains("4000 frames will take about 1145 MiB", exception.Message, StringComparison.Ordinal);
     }
 
+    /// <summary>Of single and double precision: 16 and 8 + 4 x 8 bytes a pixel beside the image's 0.3.</summary>
+    [Theory]
+    [InlineData("--layers depth,normal --layers-precision single", "15545 MiB")]
+    [InlineData("--layers depth,position,mask", "31757 MiB")]
+    public void Check_SeriesWithLayers_CountsTheirBytes(string layers, string size)
+    {
+        BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.Check(
+            Settings($"--renderer native --width 1000 --height 1000 --grid 1000 {layers}"), frames: 1000, atOnce: 1, Gibibyte, Gibibyte));
+
+        Assert.Contains(size, exception.Message, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("--width 1024 --height 1024", 8, 8)]
     [InlineData("--width 1024 --height 1024", 3, 3)]
