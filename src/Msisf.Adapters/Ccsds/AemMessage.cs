@@ -27,7 +27,6 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     private AttitudeSamples _samples = new();
     private AemColumns? _columns;
     private RotationMatrix? _moonMeFromFrame;
-    private string? _object;
 
     /// <summary>The blocks so far.</summary>
     public IReadOnlyList<AttitudeBlock> Blocks => _blocks;
@@ -77,10 +76,7 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
                 : $"one of REF_FRAME_A and REF_FRAME_B must be a frame of space: {CcsdsFrames.Frames}.");
         }
 
-        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
-        {
-            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
-        }
+        RequireOneObject();
 
         _moonMeFromFrame = isKnownA ? fromA : fromB;
         _columns = AemColumns.Of(Metadata, IsFirstVersion) with

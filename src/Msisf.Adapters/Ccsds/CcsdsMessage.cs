@@ -20,6 +20,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
 
     private CcsdsTimeSystem? _timeSystem;
     private CcsdsMetadata? _metadata;
+    private string? _object;
 
     /// <summary>"OEM" or "AEM".</summary>
     public abstract string Kind { get; }
@@ -130,6 +131,15 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
             throw place.Error(tdbSeconds == times.Last
                 ? "the time of the line before stands again. Remove one of the lines, or begin a new block between them."
                 : "the time is before that of the line above. Put the lines into the order of time.");
+        }
+    }
+
+    /// <summary>Refuses a block of another spacecraft than those above; one without OBJECT_NAME is taken.</summary>
+    protected void RequireOneObject()
+    {
+        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
+        {
+            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
         }
     }
 

@@ -27,7 +27,6 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     private readonly OemJoints _joints = new();
     private StateSamples _samples = new();
     private Interpolation? _said;
-    private string? _object;
 
     /// <summary>The blocks so far.</summary>
     public IReadOnlyList<TrajectoryBlock> Blocks => _blocks;
@@ -106,10 +105,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             throw Metadata.Error("REF_FRAME", $"it turns with the Moon, but CENTER_NAME is {center}. Check the two.");
         }
 
-        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
-        {
-            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
-        }
+        RequireOneObject();
 
         _said = ReadInterpolation(DefaultDegree);
         if (_said is { Method: InterpolationMethod.Hermite } said && said.Degree % 2 == 0)

@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Illumination;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
@@ -47,13 +48,9 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     /// <summary>The Sun's place for a direction over the ground below a camera.</summary>
     private Vector3D SunAt(Vector3D positionMoonMe, double elevationDegrees, double azimuthDegrees)
     {
-        (double elevation, double azimuth) = (double.DegreesToRadians(elevationDegrees), double.DegreesToRadians(azimuthDegrees));
-        Vector3D up = positionMoonMe.Normalized();
-        Vector3D east = new Vector3D(-up.Y, up.X, 0.0).Normalized();
-        Vector3D north = Vector3D.Cross(up, east);
-        Vector3D direction = (Math.Sin(elevation) * up)
-            + (Math.Cos(elevation) * ((Math.Cos(azimuth) * north) + (Math.Sin(azimuth) * east)));
-        return (scene.GroundRadius(up) * up) + (SunDistance * direction);
+        LocalFrame below = LocalFrame.At(positionMoonMe);
+        Vector3D direction = below.DirectionOf(double.DegreesToRadians(azimuthDegrees), double.DegreesToRadians(elevationDegrees));
+        return (scene.GroundRadius(below.Up) * below.Up) + (SunDistance * direction);
     }
 
     /// <summary>The state of a pair's second image: shifted in any direction, and turned about any axis.</summary>
