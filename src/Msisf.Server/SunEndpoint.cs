@@ -42,7 +42,7 @@ internal sealed class SunEndpoint(FrameService frames)
 
         ModifiedJulianDate time = TimeText.Parse(Text(query, query.ContainsKey("utc") ? "utc" : "mjd"));
         RenderSettings settings = SettingsOf(query);
-        Vector3D sun = frames.Sessions.Ephemeris.Of(settings).Engine().SunPositionMoonMe(time, settings.Aberration);
+        Vector3D sun = frames.Sessions.Ephemeris.Of(settings).Engine().SunPositionBodyFixed(time, settings.Aberration);
         SelenographicPoint below = SelenographicPoint.Below(sun);
         Vector3D direction = sun.Normalized();
         SkyDirection? sky = query.ContainsKey("latitude") ? SkyDirection.Of(PlaceOf(query), sun) : null;
@@ -74,7 +74,7 @@ internal sealed class SunEndpoint(FrameService frames)
     private static Vector3D PlaceOf(IQueryCollection query) => PlaceText.Place(
         PlaceText.ParseDegrees(Text(query, "latitude"), "'latitude'"),
         PlaceText.ParseDegrees(Text(query, "longitude"), "'longitude'"),
-        (0.0, false)).ToPositionMoonMe(_ => MoonConstants.ReferenceRadius);
+        (0.0, false)).ToPositionBodyFixed(_ => MoonConstants.ReferenceRadius);
 
     private static string Text(IQueryCollection query, string name) => query[name] is [{ Length: > 0 } text]
         ? text

@@ -4,8 +4,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>A boulder on the ground: the part above it of a rounded, a blocky or an angular body with three different axes.</summary>
-/// <param name="Centre">Direction of its middle, MOON_ME, length 1.</param>
-/// <param name="Narrow">Horizontal direction in which it is narrower, MOON_ME, length 1.</param>
+/// <param name="Centre">Direction of its middle, body-fixed, length 1.</param>
+/// <param name="Narrow">Horizontal direction in which it is narrower, body-fixed, length 1.</param>
 /// <param name="Radius">m: half of its length.</param>
 /// <param name="WidthPart">Its width, in lengths.</param>
 /// <param name="Height">m over the ground.</param>

@@ -15,7 +15,7 @@ internal readonly record struct Crater(double SinLatitude, double LongitudeDegre
     /// <summary>Cosine of the centre's latitude.</summary>
     public double CosLatitude => Math.Sqrt((1.0 - SinLatitude) * (1.0 + SinLatitude));
 
-    /// <summary>Direction of the centre, MOON_ME, length 1.</summary>
+    /// <summary>Direction of the centre, body-fixed, length 1.</summary>
     public Vector3D Direction
     {
         get

@@ -61,7 +61,7 @@ internal sealed class DetailLayer
     }
 
     /// <summary>The detail in a direction, m.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     /// <param name="mareFraction">0 (highlands) to 1 (mare).</param>
     public double At(Vector3D direction, float mareFraction)
     {

@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Synthesis;
 
 /// <summary>Places on the Moon, as directions and as latitudes and longitudes.</summary>
-/// <param name="X">x of the directions, MOON_ME, length 1.</param>
+/// <param name="X">x of the directions, body-fixed, length 1.</param>
 /// <param name="Y">y.</param>
 /// <param name="Z">z.</param>
 /// <param name="Latitudes">degrees.</param>
@@ -18,7 +18,7 @@ internal sealed record GroundPoints(double[] X, double[] Y, double[] Z, double[]
     public static GroundPoints Of(MapFrame frame) => new(frame.X, frame.Y, frame.Z, frame.Latitudes, frame.Longitudes);
 
     /// <summary>One place.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     public static GroundPoints Of(Vector3D direction)
     {
         SelenographicPoint point = SelenographicPoint.Below(direction);

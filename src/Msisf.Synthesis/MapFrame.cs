@@ -82,7 +82,7 @@ internal sealed class MapFrame
     /// <summary>Number of elements from one line to the next.</summary>
     public int Stride { get; }
 
-    /// <summary>x of each sample's direction, MOON_ME.</summary>
+    /// <summary>x of each sample's direction, body-fixed.</summary>
     public double[] X { get; }
 
     /// <summary>y of each sample's direction.</summary>

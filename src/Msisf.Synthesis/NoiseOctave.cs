@@ -105,7 +105,7 @@ internal sealed class NoiseOctave
     }
 
     /// <summary>Adds the octave at any directions.</summary>
-    /// <param name="x">x of the directions, MOON_ME; a multiple of <see cref="TileFrame.VectorWidth"/> of them.</param>
+    /// <param name="x">x of the directions, body-fixed; a multiple of <see cref="TileFrame.VectorWidth"/> of them.</param>
     /// <param name="y">y of the directions.</param>
     /// <param name="z">z of the directions.</param>
     /// <param name="mareFraction">0 (highlands) to 1 (mare).</param>

@@ -16,7 +16,7 @@ internal readonly struct PlacedCrater
         Diameter = 2.0 * crater.Radius;
     }
 
-    /// <summary>Direction of the centre, MOON_ME, length 1.</summary>
+    /// <summary>Direction of the centre, body-fixed, length 1.</summary>
     public Vector3D Direction { get; }
 
     /// <summary>Its heights.</summary>

@@ -118,7 +118,7 @@ public sealed class DryRunTests : IDisposable
         double mjd, double latitude, double longitude, double azimuth, double elevation)
     {
         Vector3D position = 2e6
-            * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+            * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
         UnitQuaternion q = NadirPointing.MoonFromCamera(position);
         string state = string.Create(
             CultureInfo.InvariantCulture,

@@ -9,7 +9,7 @@ namespace Msisf.TestSupport;
 
 /// <summary>A frame whose pixels a function gives; null is space.</summary>
 internal sealed class FunctionTruth(
-    ICamera camera, Vector3D lightPositionMoonMe, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
+    ICamera camera, Vector3D lightPositionBodyFixed, Func<int, int, (SurfaceHit Hit, PixelIllumination Light)?> pixelOf) : IGroundTruth
 {
     private static readonly PixelIllumination[] Lights =
         [new(IlluminationState.Lit, 1.0), new(
@@ -17,7 +17,7 @@ internal sealed class FunctionTruth(
 
     public ICamera Camera => camera;
 
-    public SceneLight Light => new(lightPositionMoonMe, IsSun: true);
+    public SceneLight Light => new(lightPositionBodyFixed, IsSun: true);
 
     public double[] Factors { get; init; } = [];
 
@@ -27,10 +27,10 @@ internal sealed class FunctionTruth(
     /// A <see cref="SphereTruth"/> of 4 px/deg that shows all there is: the states take turns from column to column, the halves from row to
     /// row.
     /// </summary>
-    public static FunctionTruth OfSphere(ICamera camera, Vector3D lightPositionMoonMe)
+    public static FunctionTruth OfSphere(ICamera camera, Vector3D lightPositionBodyFixed)
     {
-        SphereTruth sphere = new(camera, lightPositionMoonMe, pixelsPerDegree: 4);
-        return new FunctionTruth(camera, lightPositionMoonMe, (x, y) => sphere.TryGet(x, y, out SurfaceHit hit, out _)
+        SphereTruth sphere = new(camera, lightPositionBodyFixed, pixelsPerDegree: 4);
+        return new FunctionTruth(camera, lightPositionBodyFixed, (x, y) => sphere.TryGet(x, y, out SurfaceHit hit, out _)
             ? (hit with { Facet = hit.Facet with { Half = (FacetHalf)(y % 2) } }, Lights[x % Lights.Length])
             : null);
     }

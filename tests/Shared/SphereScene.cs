@@ -16,9 +16,9 @@ internal sealed class SphereScene : ISceneGeometry
     /// <summary>m, MOON_ME.</summary>
     public static Vector3D Sun { get; } = new(1.2e11, -0.8e11, 0.3e11);
 
-    public double GroundRadius(Vector3D directionMoonMe) => MoonConstants.ReferenceRadius + TerrainHeight;
+    public double GroundRadius(Vector3D directionBodyFixed) => MoonConstants.ReferenceRadius + TerrainHeight;
 
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => Sun;
+    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => Sun;
 
     /// <summary>Turns once in a day of 27.3: fast enough to show which time is meant.</summary>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>

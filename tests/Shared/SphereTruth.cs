@@ -12,13 +12,13 @@ namespace Msisf.TestSupport;
 /// A smooth sphere in place of the terrain: every layer of it is known in closed form. Lit by day, night beyond the terminator.
 /// </summary>
 internal sealed class SphereTruth(
-    ICamera camera, Vector3D lightPositionMoonMe, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
+    ICamera camera, Vector3D lightPositionBodyFixed, int pixelsPerDegree, double radius = 1_737_400.0) : IGroundTruth
 {
     private readonly ReferenceSphere _sphere = new(radius);
 
     public ICamera Camera => camera;
 
-    public SceneLight Light => new(lightPositionMoonMe, IsSun: true);
+    public SceneLight Light => new(lightPositionBodyFixed, IsSun: true);
 
     public ReadOnlySpan<double> RadianceFactors => [];
 
@@ -35,7 +35,7 @@ internal sealed class SphereTruth(
         Vector3D normal = point.Normalized();
         double parameter = Vector3D.Dot(point - ray.Origin, ray.Direction) / ray.Direction.LengthSquared;
         hit = new SurfaceHit(point, normal, FacetBelow(point), parameter);
-        bool isDay = Vector3D.Dot(normal, lightPositionMoonMe - point) > 0.0;
+        bool isDay = Vector3D.Dot(normal, lightPositionBodyFixed - point) > 0.0;
         light = isDay ? new PixelIllumination(IlluminationState.Lit, 1.0) : new PixelIllumination(IlluminationState.Night, 0.0);
         return true;
     }

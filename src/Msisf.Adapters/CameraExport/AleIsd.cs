@@ -59,7 +59,7 @@ internal static class AleIsd
                 json.Real("maxheight", CsmState.Heights.Max);
                 json.WriteString("unit", "m");
             });
-            Vector("instrument_position", frame.Camera.PositionMoonMe, hasVelocity: true);
+            Vector("instrument_position", frame.Camera.PositionBodyFixed, hasVelocity: true);
             Rotation("instrument_pointing", pointing, isConstantToo: true);
             Rotation("body_rotation", body, isConstantToo: false);
             Vector("sun_position", frame.SunPosition, hasVelocity: false);

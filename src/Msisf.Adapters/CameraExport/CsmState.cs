@@ -56,7 +56,7 @@ internal static class CsmState
             json.Real("m_minElevation", Heights.Min);
             json.Real("m_maxElevation", Heights.Max);
             json.Real("m_ephemerisTime", frame.TdbSeconds);
-            json.Array("m_currentParameterValue", [.. Of(frame.Camera.PositionMoonMe), q.X, q.Y, q.Z, q.W]);
+            json.Array("m_currentParameterValue", [.. Of(frame.Camera.PositionBodyFixed), q.X, q.Y, q.Z, q.W]);
             json.Array("m_currentParameterCovariance", new double[49]);
             json.Array("m_spacecraftVelocity", 0.0, 0.0, 0.0);
             json.Array("m_sunPosition", Of(frame.SunPosition));

@@ -29,5 +29,5 @@ public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJuli
     internal UnitQuaternion BodyFromOpenCv => StateTables.OpenCv(State);
 
     /// <summary>Time and pose.</summary>
-    internal SpacecraftState State => new(Time, Camera.PositionMoonMe, Camera.MoonFromCamera);
+    internal SpacecraftState State => new(Time, Camera.PositionBodyFixed, Camera.MoonFromCamera);
 }

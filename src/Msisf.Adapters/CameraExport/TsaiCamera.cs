@@ -30,7 +30,7 @@ internal static class TsaiCamera
         writer.WriteLine("u_direction = 1 0 0");
         writer.WriteLine("v_direction = 0 1 0");
         writer.WriteLine("w_direction = 0 0 1");
-        writer.WriteLine($"C = {Reals(" ", Of(frame.Camera.PositionMoonMe))}");
+        writer.WriteLine($"C = {Reals(" ", Of(frame.Camera.PositionBodyFixed))}");
         writer.WriteLine($"R = {Reals(" ", [.. Of(turned.Row0), .. Of(turned.Row1), .. Of(turned.Row2)])}");
         writer.WriteLine("pitch = 1");
         if (camera.Distortion is not { } lens)

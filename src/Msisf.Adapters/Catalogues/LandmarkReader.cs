@@ -96,7 +96,7 @@ public static class LandmarkReader
             double.DegreesToRadians(row.Number(columns.Longitude, -360.0, 360.0)));
         bool isOnTerrain = row.Text(columns.Height) is null or "terrain";
         return new Landmark(
-            number, identity, name, place.ToDirectionMoonMe(), isOnTerrain ? null : row.Number(columns.Height, -MaxHeight, MaxHeight));
+            number, identity, name, place.ToDirectionBodyFixed(), isOnTerrain ? null : row.Number(columns.Height, -MaxHeight, MaxHeight));
     }
 
     private readonly record struct Columns(

@@ -36,7 +36,7 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
     public TdbScale TimeScale => _timeScale.Value;
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
         Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
 
     /// <inheritdoc/>

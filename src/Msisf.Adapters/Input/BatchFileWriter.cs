@@ -20,7 +20,7 @@ public static class BatchFileWriter
             .. SpacecraftState.NumberNames, .. states.Any(state => state.Motion is not null) ? CameraMotion.NumberNames : [],
         ];
         bool hasNoise = states.Any(state => state.Noise is not null);
-        bool hasSun = states.Any(state => state.SunPositionMoonMe is not null);
+        bool hasSun = states.Any(state => state.SunPositionBodyFixed is not null);
         bool hasExposure = states.Any(state => state.ExposureFactor is not null);
         string[] named =
         [
@@ -33,7 +33,7 @@ public static class BatchFileWriter
         {
             IEnumerable<string> numbers =
             [
-                .. state.ToNumbers().Concat(state.SunPositionMoonMe is { } sun ? [sun.X, sun.Y, sun.Z] : [])
+                .. state.ToNumbers().Concat(state.SunPositionBodyFixed is { } sun ? [sun.X, sun.Y, sun.Z] : [])
                     .Select(number => number.ToString("R", CultureInfo.InvariantCulture)),
                 .. state.Noise is { } noise ? (string[])[NoiseSeedText.Of(noise)] : [],
                 .. state.ExposureFactor is { } factor ? (string[])[factor.ToString("R", CultureInfo.InvariantCulture)] : [],

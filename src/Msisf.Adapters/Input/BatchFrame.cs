@@ -38,7 +38,7 @@ internal sealed class BatchFrame
     /// <summary>A position in MOON_ME.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="position">m, in the frame of the file.</param>
-    public Vector3D PositionMoonMe(ModifiedJulianDate time, Vector3D position) => IsMoonMe ? position : MoonFromFrame(time) * position;
+    public Vector3D PositionBodyFixed(ModifiedJulianDate time, Vector3D position) => IsMoonMe ? position : MoonFromFrame(time) * position;
 
     /// <summary>The attitude of a quaternion.</summary>
     /// <param name="time">UTC.</param>

@@ -42,12 +42,12 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         _step++;
         BatchRow row = new(columns, values);
         ModifiedJulianDate time = TimeOf(row);
-        Vector3D position = PositionMoonMe(row, time);
+        Vector3D position = PositionBodyFixed(row, time);
         Vector3D? sun = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null;
         return new SpacecraftState(time, position, MoonFromCamera(row, time, position, SceneWithSun.Of(scene, sun), lineNumber))
         {
             Motion = row.Has(BatchNames.Motion[3]) ? CameraMotion.FromNumbers(row.Numbers(BatchNames.Motion)) : null,
-            SunPositionMoonMe = sun,
+            SunPositionBodyFixed = sun,
             Noise = row.Has(BatchNames.Noise) ? row.Read(BatchNames.Noise, text => NoiseSeedText.Parse(text, _step)) : null,
             ExposureFactor = row.Has(BatchNames.Exposure)
                 ? row.Read(BatchNames.Exposure, _ => SpacecraftState.CheckedExposure(row.Number(BatchNames.Exposure)))
@@ -71,7 +71,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         }
 
         return new SpacecraftState(
-            time, frame.PositionMoonMe(time, new Vector3D(numbers[1], numbers[2], numbers[3])), frame.OfQuaternion(time, numbers[4..8]))
+            time, frame.PositionBodyFixed(time, new Vector3D(numbers[1], numbers[2], numbers[3])), frame.OfQuaternion(time, numbers[4..8]))
         {
             Motion = numbers.Length > count ? CameraMotion.FromNumbers(numbers[count..]) : null,
         };
@@ -81,18 +81,18 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         ? new ModifiedJulianDate(said.Epoch!.Value.Days + (row.Number(BatchNames.Seconds) / SecondsPerDay))
         : row.Read(BatchNames.Time, text => TimeText.Parse(text));
 
-    private Vector3D PositionMoonMe(BatchRow row, ModifiedJulianDate time)
+    private Vector3D PositionBodyFixed(BatchRow row, ModifiedJulianDate time)
     {
         if (row.Has(BatchNames.Place[0]))
         {
             return PlaceText.Place(row.Number(BatchNames.Place[0]), row.Number(BatchNames.Place[1]), HeightOf(row))
-                .ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius);
+                .ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
         }
 
         bool isMetres = row.Has(BatchNames.Position[0]);
         double[] numbers = row.Numbers(isMetres ? BatchNames.Position : BatchNames.PositionKilometres);
         Vector3D position = new(numbers[0], numbers[1], numbers[2]);
-        return frame.PositionMoonMe(time, isMetres ? position : MetresPerKilometre * position);
+        return frame.PositionBodyFixed(time, isMetres ? position : MetresPerKilometre * position);
     }
 
     private Vector3D SunOf(BatchRow row, ModifiedJulianDate time)
@@ -100,7 +100,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         double[] numbers = row.Numbers(BatchNames.Sun);
         return row.Read(
             BatchNames.Sun[0],
-            _ => frame.PositionMoonMe(time, SpacecraftState.CheckedSun(new Vector3D(numbers[0], numbers[1], numbers[2]))));
+            _ => frame.PositionBodyFixed(time, SpacecraftState.CheckedSun(new Vector3D(numbers[0], numbers[1], numbers[2]))));
     }
 
     private static (double Height, bool IsOverTerrain) HeightOf(BatchRow row) =>

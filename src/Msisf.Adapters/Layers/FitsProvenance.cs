@@ -35,7 +35,7 @@ internal static class FitsProvenance
         unit.Put("MJD-OBS", frame.SimulationTime.Days, "[d] simulation time");
         unit.Put("OBJECT", frame.Globe.Body.Name, string.Empty);
         unit.Put("REFFRAME", frame.Globe.Body.Frame, "of positions, directions, orientation");
-        PutVector(unit, "CAMPOS", frame.Camera.PositionMoonMe, "camera", frame.Globe);
+        PutVector(unit, "CAMPOS", frame.Camera.PositionBodyFixed, "camera", frame.Globe);
         unit.Put("CAMQX", orientation.X, frame.Globe.Describe("camera axes to MOON_ME: looks along -x,"));
         unit.Put("CAMQY", orientation.Y, "y right, z up");
         unit.Put("CAMQZ", orientation.Z, string.Empty);
@@ -44,7 +44,7 @@ internal static class FitsProvenance
         unit.Put("CAMALT", frame.FlightAltitude, "[m] camera over the mean radius");
         unit.Put("CAMTERR", frame.HeightOverTerrain, "[m] camera over the elevation model below");
         PutMatrix(unit, CameraMatrix.Of(frame.Camera), frame.Globe);
-        PutVector(unit, "SUNPOS", frame.SunPositionMoonMe, "Sun, or lamp", frame.Globe);
+        PutVector(unit, "SUNPOS", frame.SunPositionBodyFixed, "Sun, or lamp", frame.Globe);
         unit.Put("MEANRAD", frame.Globe.AltitudeRadius, "[m] mean radius, for CAMALT");
         unit.Put("REFRAD", frame.Globe.ReferenceRadius, "[m] reference radius, for HEIGHT");
         unit.Put("ELEVMODL", FitsText.Ascii(provenance.ElevationProduct), "elevation model");

@@ -31,10 +31,11 @@ internal static class LayersJson
             }
 
             WriteNumbers(
-                json, "cameraPositionM", frame.Camera.PositionMoonMe.X, frame.Camera.PositionMoonMe.Y, frame.Camera.PositionMoonMe.Z);
+                json, "cameraPositionM", frame.Camera.PositionBodyFixed.X, frame.Camera.PositionBodyFixed.Y,
+                frame.Camera.PositionBodyFixed.Z);
             WriteNumbers(json, "cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
             json.WriteNumber("fieldOfViewDegrees", frame.FieldOfViewDegrees);
-            WriteNumbers(json, "sunPositionM", frame.SunPositionMoonMe.X, frame.SunPositionMoonMe.Y, frame.SunPositionMoonMe.Z);
+            WriteNumbers(json, "sunPositionM", frame.SunPositionBodyFixed.X, frame.SunPositionBodyFixed.Y, frame.SunPositionBodyFixed.Z);
             json.WriteNumber("flightAltitudeM", frame.FlightAltitude);
             json.WriteNumber("heightOverTerrainM", frame.HeightOverTerrain);
             WriteCamera(json, CameraMatrix.Of(frame.Camera));

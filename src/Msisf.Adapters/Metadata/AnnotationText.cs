@@ -14,9 +14,9 @@ internal static class AnnotationText
         return
         [
             Format($"Simulation time:    {frame.SimulationTime.ToIsoUtc()} (MJD {frame.SimulationTime.Days:R})"),
-            Format($"S/C position:       {Components(frame.Camera.PositionMoonMe)} m"),
+            Format($"S/C position:       {Components(frame.Camera.PositionBodyFixed)} m"),
             Format($"S/C orientation:    {orientation.X:F6}, {orientation.Y:F6}, {orientation.Z:F6}, {orientation.W:F6} (x, y, z, r)"),
-            Format($"Sun position:       {Components(frame.SunPositionMoonMe)} m"),
+            Format($"Sun position:       {Components(frame.SunPositionBodyFixed)} m"),
             Format($"Flight altitude:    {frame.FlightAltitude:F0} m ({frame.HeightOverTerrain:F0} m over the terrain)"),
             Format($"Elevation model:    {frame.Elevation.ProductId}{(frame.Elevation.IsSynthetic ? " (SYNTHETIC)" : string.Empty)}"),
             Format($"Surface resolution: {frame.Elevation.Resolution}{Drawn(frame.Elevation)}"),

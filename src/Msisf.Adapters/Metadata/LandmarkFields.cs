@@ -14,16 +14,16 @@ internal static class LandmarkFields
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static IEnumerable<(string Name, string Value)> Of(LandmarkView view, double referenceRadius)
     {
-        SelenographicPoint place = SelenographicPoint.Below(view.PointMoonMe);
+        SelenographicPoint place = SelenographicPoint.Below(view.PointBodyFixed);
         PixelDerivatives by = view.Derivatives;
         return
         [
             ("latitude", Text(double.RadiansToDegrees(place.Latitude))),
             ("longitude", Text(double.RadiansToDegrees(place.Longitude))),
-            ("height", Text(view.PointMoonMe.Length - referenceRadius)),
-            ("x", Text(view.PointMoonMe.X)),
-            ("y", Text(view.PointMoonMe.Y)),
-            ("z", Text(view.PointMoonMe.Z)),
+            ("height", Text(view.PointBodyFixed.Length - referenceRadius)),
+            ("x", Text(view.PointBodyFixed.X)),
+            ("y", Text(view.PointBodyFixed.Y)),
+            ("z", Text(view.PointBodyFixed.Z)),
             ("h", Text(view.X)),
             ("v", Text(view.Y)),
             ("visible", view.HiddenBy is null ? "yes" : "no"),

@@ -70,13 +70,13 @@ public static class MetadataXmlWriter
                   <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
                 </SimulationTime>
                 <CameraPosition unit="m">
-                  {Vector3DElement(frame.Camera.PositionMoonMe, digits)}
+                  {Vector3DElement(frame.Camera.PositionBodyFixed, digits)}
                 </CameraPosition>
                 <CameraOrientation>
                   {QuaternionElement(frame.Camera.MoonFromCamera, digits)}
                 </CameraOrientation>
                 <SunPosition unit="m">
-                  {Vector3DElement(frame.SunPositionMoonMe, digits)}
+                  {Vector3DElement(frame.SunPositionBodyFixed, digits)}
                 </SunPosition>
                 <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude, digits)}</FlightAltitude>
                 <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>

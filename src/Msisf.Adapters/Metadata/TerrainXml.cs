@@ -21,11 +21,11 @@ internal static class TerrainXml
         text.Append("      <Height unit=\"m\">"u8);
         text.Append(terrain.Height);
         text.Append("</Height>\n      <Position unit=\"m\">"u8);
-        Append(terrain.PositionMoonMe, ref text);
+        Append(terrain.PositionBodyFixed, ref text);
         text.Append("</Position>\n      <Range unit=\"m\">"u8);
         text.Append(terrain.Range);
         text.Append("</Range>\n      <Normal>"u8);
-        Append(terrain.NormalMoonMe, ref text);
+        Append(terrain.NormalBodyFixed, ref text);
         text.Append("</Normal>\n      <IncidenceAngle unit=\"deg\">"u8);
         text.Append(double.RadiansToDegrees(terrain.Angles.Incidence));
         text.Append("</IncidenceAngle>\n      <EmissionAngle unit=\"deg\">"u8);

@@ -5,7 +5,7 @@ using Msisf.Core.Scene;
 namespace Msisf.Adapters.Scene;
 
 /// <summary>
-/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, MOON_ME, round-trip numbers; of blocks in other axes
+/// Writes a scene in POV-Ray's language (thesis section 5.3): kilometres, body-fixed, round-trip numbers; of blocks in other axes
 /// (<see cref="SceneAxes"/>), which it declares for their patterns. Patterns are included by file name only and found through POV-Ray's
 /// library path, so that the scene holds no path of the machine that made it.
 /// </summary>
@@ -82,7 +82,7 @@ public static class PovSceneWriter
         bool isMoved = scene.Axes != SceneAxes.MoonKilometres;
         if (isMoved)
         {
-            writer.Write($"// km, MOON_ME: the origin of this scene\n#declare Origin = {Vector(scene.Axes.OriginMoonMe / 1000.0)};\n");
+            writer.Write($"// km, MOON_ME: the origin of this scene\n#declare Origin = {Vector(scene.Axes.OriginBodyFixed / 1000.0)};\n");
             writer.Write(string.Create(
                 CultureInfo.InvariantCulture, $"#declare UnitsPerKilometre = {scene.Axes.UnitsPerKilometre:R};\n"));
         }
@@ -90,11 +90,11 @@ public static class PovSceneWriter
         WriteTexture(writer, scene.Albedo, isMoved);
         WriteLines(writer, Settings);
         writer.Write("\ncamera\n{\n    perspective\n");
-        writer.Write($"    location {Vector(scene.Axes.At(scene.Camera.PositionMoonMe))}\n");
+        writer.Write($"    location {Vector(scene.Axes.At(scene.Camera.PositionBodyFixed))}\n");
         writer.Write($"    right {Vector(scene.Camera.Right)}\n");
         writer.Write($"    up {Vector(scene.Camera.Up)}\n");
         writer.Write($"    direction {Vector(scene.Camera.Direction)}\n}}\n\n");
-        writer.Write($"light_source\n{{\n    {Vector(scene.Axes.At(scene.Light.PositionMoonMe))}\n    color rgb<1, 1, 1>\n");
+        writer.Write($"light_source\n{{\n    {Vector(scene.Axes.At(scene.Light.PositionBodyFixed))}\n    color rgb<1, 1, 1>\n");
         if (scene.Light.IsSun)
         {
             string radius = (SunRadius * scene.Axes.UnitsPerKilometre).ToString("R", CultureInfo.InvariantCulture);

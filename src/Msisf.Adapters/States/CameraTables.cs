@@ -41,7 +41,7 @@ public static class CameraTables
         for (int i = 0; i < states.Count; i++)
         {
             UnitQuaternion q = StateTables.OpenCv(states[i]).Conjugate;
-            Vector3D t = default(Vector3D) - (q * states[i].PositionMoonMe);
+            Vector3D t = default(Vector3D) - (q * states[i].PositionBodyFixed);
             string pose = StateTables.Line(' ', i + 1, q.W, q.X, q.Y, q.Z, t.X, t.Y, t.Z);
             writer.WriteLine($"{pose} 1 {names[i]}.png");
             writer.WriteLine();

@@ -39,14 +39,15 @@ public readonly record struct InertialState(
 
             times.Add(seconds);
             j2000FromMoonMe[i] = ephemeris.MoonMeFromJ2000(seconds).Transposed;
-            positions[i] = j2000FromMoonMe[i] * sorted[i].PositionMoonMe;
+            positions[i] = j2000FromMoonMe[i] * sorted[i].PositionBodyFixed;
         }
 
         return [.. sorted.Select((state, i) => new InertialState(
             times[i], state.Time,
             new StateVector(positions[i], state.Motion is { } motion
                 ? TurningMoon.ToJ2000(
-                    new StateVector(state.PositionMoonMe, motion.VelocityMoonMe), RotationMatrix.Identity, times[i], ephemeris).Velocity
+                    new StateVector(state.PositionBodyFixed, motion.VelocityBodyFixed), RotationMatrix.Identity, times[i],
+                    ephemeris).Velocity
                 : Velocity(times, positions, i)),
             UnitQuaternion.FromMatrix(j2000FromMoonMe[i]) * state.MoonFromCamera))];
     }

@@ -47,7 +47,7 @@ public static class StateTables
             UnitQuaternion q = OpenCv(state);
             string stamp = numbers is null ? UnixSeconds(state.Time) : TimestampOf(numbers[index]);
             writer.WriteLine(
-                $"{stamp} {Line(' ', [.. Numbers(state.PositionMoonMe), q.X, q.Y, q.Z, q.W])}");
+                $"{stamp} {Line(' ', [.. Numbers(state.PositionBodyFixed), q.X, q.Y, q.Z, q.W])}");
         }
     }
 
@@ -64,9 +64,9 @@ public static class StateTables
         foreach (SpacecraftState state in states)
         {
             UnitQuaternion q = OpenCv(state);
-            double[] velocity = hasMotion ? Numbers(state.Motion!.Value.VelocityMoonMe) : [];
+            double[] velocity = hasMotion ? Numbers(state.Motion!.Value.VelocityBodyFixed) : [];
             writer.WriteLine(
-                $"{UnixNanoseconds(state.Time)},{Line(',', [.. Numbers(state.PositionMoonMe), q.W, q.X, q.Y, q.Z, .. velocity])}");
+                $"{UnixNanoseconds(state.Time)},{Line(',', [.. Numbers(state.PositionBodyFixed), q.W, q.X, q.Y, q.Z, .. velocity])}");
         }
     }
 

@@ -34,7 +34,7 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
         foreach (DataSetImage image in images)
         {
             DrawnState drawn = image.Drawn;
-            Vector3D? sun = drawn.State.SunPositionMoonMe;
+            Vector3D? sun = drawn.State.SunPositionBodyFixed;
             double?[] numbers =
             [
                 double.RadiansToDegrees(drawn.Place.Latitude), double.RadiansToDegrees(drawn.Place.Longitude),
@@ -108,9 +108,9 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
     /// <summary>The first three rows of the matrix from the camera's axes (x right, y down, z forward) into MOON_ME.</summary>
     private string PoseOf(SpacecraftState state)
     {
-        CameraMatrix matrix = CameraMatrix.Of(camera.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera)));
+        CameraMatrix matrix = CameraMatrix.Of(camera.At(new CameraState(state.PositionBodyFixed, state.MoonFromCamera)));
         (Vector3D right, Vector3D down, Vector3D forward) = (matrix.RotationRows[0], matrix.RotationRows[1], matrix.RotationRows[2]);
-        Vector3D place = state.PositionMoonMe;
+        Vector3D place = state.PositionBodyFixed;
         return Joined(
             right.X, down.X, forward.X, place.X, right.Y, down.Y, forward.Y, place.Y, right.Z, down.Z, forward.Z, place.Z);
     }

@@ -185,7 +185,7 @@ internal sealed class DataSetRun
     {
         SettingsRecord settings = content.Settings[frames[0].Settings];
         SpacecraftState first = drawn.States[0].State;
-        CameraMatrix matrix = CameraMatrix.Of(_settings.CameraModel.At(new CameraState(first.PositionMoonMe, first.MoonFromCamera)));
+        CameraMatrix matrix = CameraMatrix.Of(_settings.CameraModel.At(new CameraState(first.PositionBodyFixed, first.MoonFromCamera)));
         string all = string.Concat(frames.SelectMany(frame => frame.Files).Select(file => $"{file.Name} {file.Sha256}\n"));
         return new DataSetCard
         {

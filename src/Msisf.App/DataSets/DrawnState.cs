@@ -23,5 +23,5 @@ internal sealed record DrawnState(
     public SkyDirection Sun { get; init; }
 
     /// <summary>The point below the camera.</summary>
-    public SelenographicPoint Place => SelenographicPoint.Below(State.PositionMoonMe);
+    public SelenographicPoint Place => SelenographicPoint.Below(State.PositionBodyFixed);
 }

@@ -27,9 +27,9 @@ internal readonly record struct Region(double South, double North, double West, 
     }
 
     /// <summary>Whether a point lies in it.</summary>
-    public bool Contains(Vector3D pointMoonMe)
+    public bool Contains(Vector3D pointBodyFixed)
     {
-        SelenographicPoint point = SelenographicPoint.Below(pointMoonMe);
+        SelenographicPoint point = SelenographicPoint.Below(pointBodyFixed);
         double latitude = double.RadiansToDegrees(point.Latitude);
         return latitude >= South && latitude <= North && EastOf(West, double.RadiansToDegrees(point.Longitude)) <= East - West;
     }

@@ -132,14 +132,14 @@ internal sealed class StateDraw
 
     private (DrawnState State, string? Failed) Look(DrawnState drawn, Frame frame, Split split, CancellationToken cancellation)
     {
-        Vector3D position = drawn.State.PositionMoonMe;
+        Vector3D position = drawn.State.PositionBodyFixed;
         double ground = _scene.GroundRadius(position);
         if (position.Length < ground + Quantity.Altitude.Least)
         {
             return (drawn, InTheGround);
         }
 
-        SkyDirection sun = SkyDirection.Of(ground * position.Normalized(), frame.Light.PositionMoonMe);
+        SkyDirection sun = SkyDirection.Of(ground * position.Normalized(), frame.Light.PositionBodyFixed);
         Conditions accept = _spec.Accept;
         if (accept.SunElevation is { } range)
         {

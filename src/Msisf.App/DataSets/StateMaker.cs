@@ -25,7 +25,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
             entry => entry.Key, entry => entry.Value.Quantile(point[entry.Key.Coordinate]));
         ((double latitude, double longitude), Region region) = split.At(point[0], point[1]);
         Vector3D position = new SurfacePlace(latitude, longitude, drawn[Quantity.Altitude], isOverTerrain: true)
-            .ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius);
+            .ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
         ModifiedJulianDate time = new(drawn[Quantity.Time]);
         UnitQuaternion pointing = new CameraPointing
         {
@@ -36,7 +36,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
         }.MoonFromCamera(position, time, scene);
         SpacecraftState state = new(time, position, pointing)
         {
-            SunPositionMoonMe = drawn.TryGetValue(Quantity.SunElevation, out double elevation)
+            SunPositionBodyFixed = drawn.TryGetValue(Quantity.SunElevation, out double elevation)
                 ? SunAt(position, elevation, drawn[Quantity.SunAzimuth])
                 : null,
             ExposureFactor = drawn.TryGetValue(Quantity.Exposure, out double factor) ? factor : null,
@@ -46,9 +46,9 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     }
 
     /// <summary>The Sun's place for a direction over the ground below a camera.</summary>
-    private Vector3D SunAt(Vector3D positionMoonMe, double elevationDegrees, double azimuthDegrees)
+    private Vector3D SunAt(Vector3D positionBodyFixed, double elevationDegrees, double azimuthDegrees)
     {
-        LocalFrame below = LocalFrame.At(positionMoonMe);
+        LocalFrame below = LocalFrame.At(positionBodyFixed);
         Vector3D direction = below.DirectionOf(double.DegreesToRadians(azimuthDegrees), double.DegreesToRadians(elevationDegrees));
         return (scene.GroundRadius(below.Up) * below.Up) + (SunDistance * direction);
     }
@@ -56,7 +56,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     /// <summary>The state of a pair's second image: shifted in any direction, and turned about any axis.</summary>
     private static SpacecraftState Moved(SpacecraftState state, Dictionary<Quantity, double> drawn, double[] point) => state with
     {
-        PositionMoonMe = state.PositionMoonMe + (drawn[Quantity.Shift] * Direction(point, Quantity.DirectionOfShift)),
+        PositionBodyFixed = state.PositionBodyFixed + (drawn[Quantity.Shift] * Direction(point, Quantity.DirectionOfShift)),
         MoonFromCamera = state.MoonFromCamera * UnitQuaternion.FromAxisAngle(
             Direction(point, Quantity.AxisOfTurn), double.DegreesToRadians(drawn[Quantity.Turn])),
     };

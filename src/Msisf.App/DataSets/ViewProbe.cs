@@ -54,7 +54,7 @@ internal sealed class ViewProbe
             {
                 if (truth.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light))
                 {
-                    points.Add(hit.PointMoonMe);
+                    points.Add(hit.PointBodyFixed);
                     lit += light.VisibleFraction > 0.0 ? 1 : 0;
                 }
             }
@@ -68,5 +68,5 @@ internal sealed class ViewProbe
 /// <summary>What an image shows.</summary>
 /// <param name="Ground">The part of it that shows ground.</param>
 /// <param name="Lit">The part of that ground that gets light.</param>
-/// <param name="Points">Points of the ground, m, MOON_ME.</param>
+/// <param name="Points">Points of the ground, m, body-fixed.</param>
 internal sealed record View(double Ground, double Lit, IReadOnlyList<Vector3D> Points);

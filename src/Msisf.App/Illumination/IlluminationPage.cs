@@ -90,7 +90,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
         const double Height = 240.0;
         double low = result.Horizon.Min(at => at.Elevation);
         double high = result.Horizon.Max(at => at.Elevation);
-        Vector3D[][] paths = [[.. conditions.SunMoonMe.Take(MostPoints)], [.. conditions.EarthMoonMe.Take(MostPoints)]];
+        Vector3D[][] paths = [[.. conditions.SunBodyFixed.Take(MostPoints)], [.. conditions.EarthMoonMe.Take(MostPoints)]];
         List<(double X, double Elevation)>[] seen =
             [.. paths.Select(path => path.Select(position => Place(result.Frame, position)).ToList())];
         (low, high) = (Math.Min(low, seen[0].Min(at => at.Elevation)) - 1.0, Math.Max(high, seen[0].Max(at => at.Elevation)) + 1.0);
@@ -135,7 +135,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
 
     private static (double X, double Elevation) Place(LocalFrame frame, Vector3D position)
     {
-        Vector3D local = frame.ToLocal(position - frame.PositionMoonMe);
+        Vector3D local = frame.ToLocal(position - frame.PositionBodyFixed);
         double turns = Math.Atan2(local.X, local.Y) / (2.0 * Math.PI);
         return (turns < 0.0 ? turns + 1.0 : turns, double.RadiansToDegrees(Math.Atan2(local.Z, double.Hypot(local.X, local.Y))));
     }

@@ -65,14 +65,14 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
             (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), centreY + (0.5 * lines * cell), polar);
     }
 
-    /// <summary>Direction of a cell's middle, MOON_ME.</summary>
+    /// <summary>Direction of a cell's middle, body-fixed.</summary>
     public Vector3D DirectionOf(int line, int sample)
     {
         double x = Left + ((sample + 0.5) * Cell);
         double y = Top - ((line + 0.5) * Cell);
         return Polar is { } polar
             ? polar.DirectionOf(-y, x)
-            : new SelenographicPoint(y / Radius, x / Radius).ToDirectionMoonMe();
+            : new SelenographicPoint(y / Radius, x / Radius).ToDirectionBodyFixed();
     }
 
     /// <summary>Directions of the cells of some lines, line by line.</summary>
@@ -96,7 +96,7 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
             return (Radius * point.Longitude, Radius * point.Latitude);
         }
 
-        (double line, double sample) = polar.PixelOf(point.ToDirectionMoonMe());
+        (double line, double sample) = polar.PixelOf(point.ToDirectionBodyFixed());
         return (sample, -line);
     }
 }

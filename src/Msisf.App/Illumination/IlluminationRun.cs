@@ -42,7 +42,7 @@ internal sealed class IlluminationRun
         _isMoon = models.Body.IsMoon;
         _surface = string.Join(' ', models.Ldem.Select(text => text[ModelPath.Parse(text).Path.Length..]));
         _conditions = new LightConditions(
-            [.. settings.Times.Select(time => engine.SunPositionMoonMe(time, models.Aberration))], [.. settings.Times.Select(EarthAt)])
+            [.. settings.Times.Select(time => engine.SunPositionBodyFixed(time, models.Aberration))], [.. settings.Times.Select(EarthAt)])
         {
             IsPoint = settings.IsPoint,
             IsExact = settings.IsExact,
@@ -176,7 +176,7 @@ internal sealed class IlluminationRun
 
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon);
         LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
-        PointTables tables = new(_settings, survey, lights, _model, _conditions, time => _engine.SunPositionMoonMe(time), _host);
+        PointTables tables = new(_settings, survey, lights, _model, _conditions, time => _engine.SunPositionBodyFixed(time), _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);
         tables.Write(points, Threads, progress, _cancellation);
     }

@@ -120,12 +120,12 @@ internal sealed class PointTables(
             double azimuth = 2.0 * Math.PI * i / Azimuths;
             double guess = Math.Atan(stored[(int)((long)i * HorizonSurvey.Columns / Azimuths)]);
             (double low, double high) = Bracket(azimuth, guess);
-            _tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, low)), out SurfaceHit hit);
-            bool isGround = hit.NormalMoonMe != default;
+            _tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(azimuth, low)), out SurfaceHit hit);
+            bool isGround = hit.NormalBodyFixed != default;
             IReadOnlyList<Core.Terrain.ITerrainGrid> models = model.Grid.Models;
             samples[i] = new HorizonSample(
                 360.0 * i / Azimuths, double.RadiansToDegrees(0.5 * (low + high)),
-                isGround ? (hit.PointMoonMe - frame.PositionMoonMe).Length : double.NaN,
+                isGround ? (hit.PointBodyFixed - frame.PositionBodyFixed).Length : double.NaN,
                 !isGround ? string.Empty : hit.Facet.Part < models.Count ? models[hit.Facet.Part].ProductId : "seam");
         }
 
@@ -156,7 +156,7 @@ internal sealed class PointTables(
         }
 
         bool IsGround(double azimuth, double elevation) =>
-            _tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, elevation)), out _);
+            _tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(azimuth, elevation)), out _);
     }
 
     /// <summary>Sunrises and sunsets between steps at which the Sun is in view and steps at which it is not.</summary>

@@ -184,7 +184,7 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
     public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, WholeMoon, _summary.Value);
+        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, WholeMoon, _summary.Value);
 
     /// <summary>The surface parts that a frame needs.</summary>
     /// <param name="frame">The frame.</param>
@@ -194,24 +194,24 @@ internal sealed class ElevationModel : IDisposable
     /// <param name="rows">The image rows to draw; null for all.</param>
     public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
         ? _selectors.GetOrAdd(error, NewSelector)
-            .Select(frame.FrameCamera, frame.Light.IsSun ? frame.Light.PositionMoonMe : null, rows).Parts
+            .Select(frame.FrameCamera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, rows).Parts
         : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
 
     private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
 
     /// <summary>Distance from the Moon's centre to the terrain in a direction, m; around a map that to the reference sphere.</summary>
-    public double GroundRadius(Vector3D directionMoonMe) => TerrainHeight.RadiusBelow(Grid, directionMoonMe);
+    public double GroundRadius(Vector3D directionBodyFixed) => TerrainHeight.RadiusBelow(Grid, directionBodyFixed);
 
     /// <summary>How far a position lies below the terrain, m; 0 or less if it is above.</summary>
-    public double DepthBelowGround(Vector3D positionMoonMe) =>
-        positionMoonMe.Length > GroundLimit ? 0.0 : -HeightOverTerrain(positionMoonMe);
+    public double DepthBelowGround(Vector3D positionBodyFixed) =>
+        positionBodyFixed.Length > GroundLimit ? 0.0 : -HeightOverTerrain(positionBodyFixed);
 
     /// <summary>m: no ground is higher; around a map it is the reference sphere.</summary>
     private double GroundLimit => IsWholeMoon ? Grid.RadiusLimits.Max : Math.Max(Grid.RadiusLimits.Max, Grid.ReferenceRadius);
 
     /// <summary>Height of a position over the surface of the model below it, m.</summary>
-    public double HeightOverTerrain(Vector3D positionMoonMe) =>
-        positionMoonMe.Length - GroundRadius(positionMoonMe);
+    public double HeightOverTerrain(Vector3D positionBodyFixed) =>
+        positionBodyFixed.Length - GroundRadius(positionBodyFixed);
 
     public void Dispose()
     {

@@ -45,7 +45,7 @@ internal static class FrameSetup
                 Model = model,
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
-                        model.At(new CameraState(flow.PositionMoonMe, flow.MoonFromCamera)), LightOf(flow))
+                        model.At(new CameraState(flow.PositionBodyFixed, flow.MoonFromCamera)), LightOf(flow))
                     : null,
             });
         }
@@ -55,14 +55,14 @@ internal static class FrameSetup
         ICamera CameraOf(SpacecraftState state) => settings.Scan is { } scan
             ? scan.CameraOf(model, [.. PathOf(state).States.Select(exposure => exposure with
             {
-                SunPositionMoonMe = settings.IgnoreSun ? null
-                    : state.SunPositionMoonMe ?? sun().SunPositionMoonMe(state.Time.After(exposure.Seconds), settings.Aberration),
+                SunPositionBodyFixed = settings.IgnoreSun ? null
+                    : state.SunPositionBodyFixed ?? sun().SunPositionBodyFixed(state.Time.After(exposure.Seconds), settings.Aberration),
             })])
-            : model.At(new CameraState(state.PositionMoonMe, state.MoonFromCamera));
+            : model.At(new CameraState(state.PositionBodyFixed, state.MoonFromCamera));
 
         SceneLight LightOf(FlowState at) => settings.IgnoreSun
-            ? new SceneLight(at.PositionMoonMe, IsSun: false)
-            : new SceneLight(at.SunPositionMoonMe ?? sun().SunPositionMoonMe(at.Time, settings.Aberration), IsSun: true);
+            ? new SceneLight(at.PositionBodyFixed, IsSun: false)
+            : new SceneLight(at.SunPositionBodyFixed ?? sun().SunPositionBodyFixed(at.Time, settings.Aberration), IsSun: true);
     }
 
     private static ScanPath PathOf(SpacecraftState state) => state.Path ?? throw new UsageException(
@@ -71,7 +71,7 @@ internal static class FrameSetup
 
     private static void RefuseUndrawable(int step, SpacecraftState state, RendererKind renderer)
     {
-        double distance = state.PositionMoonMe.Length;
+        double distance = state.PositionBodyFixed.Length;
         if (distance == 0.0)
         {
             throw new BadInputException($"the camera of step {step} is at the Moon's centre. Choose a position above the terrain.");

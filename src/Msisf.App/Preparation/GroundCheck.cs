@@ -32,12 +32,12 @@ internal static class GroundCheck
         foreach (Frame frame in frames)
         {
             cancellation.ThrowIfCancellationRequested();
-            Vector3D position = frame.Camera.PositionMoonMe;
-            double depth = frame.Camera.Bands.Max(band => Depth(band.Camera.PositionMoonMe));
+            Vector3D position = frame.Camera.PositionBodyFixed;
+            double depth = frame.Camera.Bands.Max(band => Depth(band.Camera.PositionBodyFixed));
             if (frame.Motion is { IsRest: false } motion)
             {
                 // At the ends of the way, and where it is nearest to the Moon's centre.
-                Vector3D way = 0.5 * span * motion.VelocityMoonMe;
+                Vector3D way = 0.5 * span * motion.VelocityBodyFixed;
                 double squared = Vector3D.Dot(way, way);
                 double nearest = squared > 0.0 ? Math.Clamp(-Vector3D.Dot(position, way) / squared, -1.0, 1.0) : 0.0;
                 depth = new[] { depth, Depth(position - way), Depth(position + way), Depth(position + (nearest * way)) }.Max();

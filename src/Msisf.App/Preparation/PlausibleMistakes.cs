@@ -59,7 +59,7 @@ internal static class PlausibleMistakes
     /// <param name="motions">Of the camera, or of each state; null where it is not known.</param>
     public static IEnumerable<string> Speed(IEnumerable<CameraMotion?> motions)
     {
-        double fastest = motions.Max(motion => motion?.VelocityMoonMe.Length) ?? 0.0;
+        double fastest = motions.Max(motion => motion?.VelocityBodyFixed.Length) ?? 0.0;
         return fastest <= FastestSpacecraft ? [] :
         [
             string.Create(
@@ -110,19 +110,20 @@ internal static class PlausibleMistakes
     /// <param name="frame">The image.</param>
     /// <param name="radius">m: radius of the sphere.</param>
     public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.Bands[0].Camera.FieldOfView / 2.0)
-        * Math.Abs(frame.Camera.PositionMoonMe.Length - radius);
+        * Math.Abs(frame.Camera.PositionBodyFixed.Length - radius);
 
     /// <summary>What a position inside the body most likely means, by the way in which it was given.</summary>
-    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">m, body-fixed.</param>
     /// <param name="body">The body that is drawn.</param>
     /// <param name="trajectory">How the position was given; null if that is not known.</param>
     /// <returns>A sentence with a blank before it.</returns>
-    public static string Inside(Vector3D positionMoonMe, CelestialBody body, TrajectorySettings? trajectory) => trajectory switch
+    public static string Inside(Vector3D positionBodyFixed, CelestialBody body, TrajectorySettings? trajectory) => trajectory switch
     {
         PlaceSettings { Place: var place } => Height(place, body),
-        BatchFileSettings => $"{FromCentre(positionMoonMe, body)} Heights (lat, lon, height) are in metres over the sphere; terrain+METRES "
+        BatchFileSettings =>
+            $"{FromCentre(positionBodyFixed, body)} Heights (lat, lon, height) are in metres over the sphere; terrain+METRES "
             + "counts from the terrain.",
-        _ => FromCentre(positionMoonMe, body),
+        _ => FromCentre(positionBodyFixed, body),
     };
 
     private static string Height(SurfacePlace place, CelestialBody body)
@@ -141,9 +142,9 @@ internal static class PlausibleMistakes
         return $" The height is in metres over {sphere}; terrain+METRES counts from the terrain.{kilometres}";
     }
 
-    private static string FromCentre(Vector3D positionMoonMe, CelestialBody body)
+    private static string FromCentre(Vector3D positionBodyFixed, CelestialBody body)
     {
-        double kilometres = positionMoonMe.Length;
+        double kilometres = positionBodyFixed.Length;
         return kilometres > (body.IsMoon ? 1700.0 : body.MeanRadius / 1000.0) && kilometres < 100_000.0
             ? string.Create(
                 CultureInfo.InvariantCulture,

@@ -18,10 +18,10 @@ internal sealed class RunGeometry(
     public double ReferenceRadius => body is { IsMoon: false } ? model().Grid.ReferenceRadius : MoonConstants.ReferenceRadius;
 
     /// <inheritdoc/>
-    public double GroundRadius(Vector3D directionMoonMe) => model().GroundRadius(directionMoonMe);
+    public double GroundRadius(Vector3D directionBodyFixed) => model().GroundRadius(directionBodyFixed);
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time) => ephemeris().SunPositionMoonMe(time, aberration);
+    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => ephemeris().SunPositionBodyFixed(time, aberration);
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => ephemeris().MoonMeFromJ2000(time);

@@ -49,11 +49,11 @@ internal static class ScanStates
     /// <summary>The states of an image's exposures, each as that of an image.</summary>
     public static IEnumerable<SpacecraftState> ExposuresOf(SpacecraftState state) => state.Path is { States.Count: > 1 } path
         ? path.States.Select((exposure, index) => new SpacecraftState(
-            state.Time.After(exposure.Seconds), exposure.PositionMoonMe, exposure.MoonFromCamera)
+            state.Time.After(exposure.Seconds), exposure.PositionBodyFixed, exposure.MoonFromCamera)
         {
             Motion = path.MotionBetween(
                 path.States[Math.Max(0, index - 1)].Seconds, path.States[Math.Min(index + 1, path.States.Count - 1)].Seconds),
-            SunPositionMoonMe = state.SunPositionMoonMe,
+            SunPositionBodyFixed = state.SunPositionBodyFixed,
         })
         : [state];
 
@@ -97,7 +97,7 @@ internal static class ScanStates
     {
         double start = time.SecondsSince(motion.Start);
         CameraState state = At(0.0);
-        return new SpacecraftState(time, state.PositionMoonMe, state.MoonFromCamera) { Path = new ScanPath(At) };
+        return new SpacecraftState(time, state.PositionBodyFixed, state.MoonFromCamera) { Path = new ScanPath(At) };
 
         CameraState At(double seconds)
         {
@@ -127,7 +127,7 @@ internal static class ScanStates
             return known;
         }
 
-        CameraState still = new(state.PositionMoonMe, state.MoonFromCamera);
+        CameraState still = new(state.PositionBodyFixed, state.MoonFromCamera);
         return (motion ?? state.Motion) is { } moving ? new ScanPath(seconds => moving.Moved(still, seconds))
             : scan is null ? new ScanPath(_ => still)
             : throw new UsageException(

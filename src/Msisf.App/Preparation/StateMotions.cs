@@ -77,7 +77,7 @@ internal static class StateMotions
         ModifiedJulianDate end = new(time.Days + (HalfStep / SecondsPerDay));
         (SpacecraftState before, SpacecraftState after) = (stateAt(start), stateAt(end));
         CameraMotion motion = CameraMotion.Between(
-            (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), end.SecondsSince(start));
+            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end.SecondsSince(start));
         return orbit.Attitude is { } attitude && (orbit.AttitudeFrame ?? AttitudeFrame.MoonMe) == AttitudeFrame.MoonMe
             ? motion with { AngularVelocityCamera = attitude.AngularVelocityCamera } // without rounding
             : motion;
@@ -99,6 +99,6 @@ internal static class StateMotions
 
         (CameraState before, CameraState after) = (path.At(start), path.At(end));
         return CameraMotion.Between(
-            (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), end - start);
+            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end - start);
     }
 }

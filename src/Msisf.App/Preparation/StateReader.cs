@@ -65,7 +65,7 @@ internal sealed class StateReader
             _host.Log.Warning(mistake);
         }
 
-        ISceneGeometry scene = SceneWithSun.Of(_scene, trajectory.SunPositionMoonMe);
+        ISceneGeometry scene = SceneWithSun.Of(_scene, trajectory.SunPositionBodyFixed);
         IReadOnlyList<SpacecraftState> states = trajectory switch
         {
             FixedStateSettings fixedState => [fixedState.State],
@@ -96,13 +96,13 @@ internal sealed class StateReader
 
     private static IReadOnlyList<SpacecraftState> WithSun(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
     {
-        if (trajectory.SunPositionMoonMe is not { } sun)
+        if (trajectory.SunPositionBodyFixed is not { } sun)
         {
             return states;
         }
 
-        return states.All(state => state.SunPositionMoonMe is null)
-            ? [.. states.Select(state => state with { SunPositionMoonMe = sun })]
+        return states.All(state => state.SunPositionBodyFixed is null)
+            ? [.. states.Select(state => state with { SunPositionBodyFixed = sun })]
             : throw new UsageException(
                 $"{LightOptions.SunPosition.Name} and the batch file both say where the Sun is. Leave one out.")
                 .About(LightOptions.SunPosition);
@@ -173,7 +173,7 @@ internal sealed class StateReader
     private SpacecraftState[] AtPlace(PlaceSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
         Vector3D position = PointingOptions.Position.NamedInErrors(
-            () => settings.Place.ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius));
+            () => settings.Place.ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius));
         if (settings.Pointing.IsTargetHidden(position, scene))
         {
             _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
@@ -218,17 +218,17 @@ internal sealed class StateReader
         CameraState CameraAt(ModifiedJulianDate start, double seconds)
         {
             ModifiedJulianDate time = start.After(seconds);
-            Vector3D position = orbit.PositionMoonMe(start, seconds);
+            Vector3D position = orbit.PositionBodyFixed(start, seconds);
             return new CameraState(
                 position,
-                attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
+                attitude?.MoonFromCamera(time, position, orbit.NormalBodyFixed) ?? NadirPointing.MoonFromCamera(position));
         }
 
         SpacecraftState StateAt(ModifiedJulianDate time)
         {
-            Vector3D position = orbit.PositionMoonMe(time);
+            Vector3D position = orbit.PositionBodyFixed(time);
             return new SpacecraftState(
-                time, position, attitude?.MoonFromCamera(time, position, orbit.NormalMoonMe) ?? NadirPointing.MoonFromCamera(position));
+                time, position, attitude?.MoonFromCamera(time, position, orbit.NormalBodyFixed) ?? NadirPointing.MoonFromCamera(position));
         }
     }
 

@@ -43,7 +43,7 @@ internal static class DryRun
             FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
             notes.Add(frame, view);
             return new PreviewRow(
-                frame.Step, frame.Time, Height(frame.Camera.PositionMoonMe, model), view, view.PixelsPerCell(resolution))
+                frame.Step, frame.Time, Height(frame.Camera.PositionBodyFixed, model), view, view.PixelsPerCell(resolution))
             {
                 HasSignal = signal is not null,
                 Signal = signal?.Of(frame, cancellation),

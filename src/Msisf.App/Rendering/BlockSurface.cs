@@ -66,7 +66,7 @@ internal sealed class BlockSurface : ISceneSurface
     private static IReadOnlyList<SceneBlock> BlocksOf(
         BlockLevel level, Frame frame, PixelRows? rows, int threads, CancellationToken cancellation)
     {
-        Vector3D? sun = frame.Light.IsSun ? frame.Light.PositionMoonMe : null;
+        Vector3D? sun = frame.Light.IsSun ? frame.Light.PositionBodyFixed : null;
         return level.Blocks.Select(frame.Camera, sun, rows, threads, cancellation);
     }
 
@@ -81,7 +81,7 @@ internal sealed class BlockSurface : ISceneSurface
         public IReadOnlyList<GridResolution?> PartResolutions => level.PartResolutions;
 
         public SceneAxes Axes { get; } = SceneAxes.For(
-            frame.Camera.PositionMoonMe, surface._terrain.RadiusLimits.Max, level.Resolution.MetresPerPixel);
+            frame.Camera.PositionBodyFixed, surface._terrain.RadiusLimits.Max, level.Resolution.MetresPerPixel);
 
         public GridResolution TracedResolution => level.Resolution;
 

@@ -49,7 +49,7 @@ internal sealed class FlowOutputs(NavigationSettings settings)
 
         if (settings.Stereo is { } baseline)
         {
-            CameraState right = camera.State with { PositionMoonMe = camera.PositionMoonMe + (baseline * camera.UnitRight) };
+            CameraState right = camera.State with { PositionBodyFixed = camera.PositionBodyFixed + (baseline * camera.UnitRight) };
             FlowField flow = finder.Find(new FlowTarget(camera.Model.At(right), frame.Light), rendered.Threads, cancellation);
             WriteLayers($"{stem}.stereo", FlowLayers.OfStereo(flow));
             Put(FlowFormats.Kitti, ".disparity.png", stream => FlowFiles.WriteKittiDisparity(stream, flow));

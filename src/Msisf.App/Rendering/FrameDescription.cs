@@ -27,13 +27,13 @@ internal sealed class FrameDescription(
         frame.Time,
         frame.Camera,
         settings.FieldOfViewDegrees,
-        frame.Light.PositionMoonMe,
+        frame.Light.PositionBodyFixed,
         new DrawnElevation(
             model.Grid.ProductId, model.IsSynthetic, model.Grid.Resolution, rendered.Drawn.Finest, rendered.Drawn.Coarsest)
         {
             Parts = model.PartsAt(rendered.PartResolutions),
         },
-        model.HeightOverTerrain(frame.Camera.PositionMoonMe),
+        model.HeightOverTerrain(frame.Camera.PositionBodyFixed),
         version,
         arguments,
         rendered.Renderer,

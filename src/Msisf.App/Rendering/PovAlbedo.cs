@@ -25,7 +25,7 @@ internal sealed class PovAlbedo
     public SceneAlbedo For(FrameCamera camera)
     {
         AlbedoMap map = _map.Map;
-        double distance = Math.Max(camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius, 1.0);
+        double distance = Math.Max(camera.PositionBodyFixed.Length - MoonConstants.ReferenceRadius, 1.0);
         double mapPixel = MoonConstants.ReferenceRadius * map.Extent.Height / map.Levels[0].Height;
         double ratio = camera.PixelTangent * distance / mapPixel;
         int level = ratio > 1.0 ? Math.Min(Math.ILogB(ratio), map.Levels.Count - 1) : 0;

@@ -65,6 +65,6 @@ internal sealed class DrawnPixels(ICamera camera, Func<ICamera, NativeFrame> dra
         ray,
         hit with { RayParameter = hit.RayParameter * (drawn.Direction.Length / ray.Direction.Length) },
         light,
-        source.PositionMoonMe,
+        source.PositionBodyFixed,
         firstInventedPart);
 }

@@ -44,9 +44,10 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
         }
 
         SceneLight light = frame.Light.At(_camera, y);
-        bool isDark = light.IsSun && tracer.IsHidden(hit.PointMoonMe, hit.Facet, light.PositionMoonMe);
+        bool isDark = light.IsSun && tracer.IsHidden(hit.PointBodyFixed, hit.Facet, light.PositionBodyFixed);
         return SurfaceReading.Of(
-            _camera.BandAt(y).Camera, ray, hit, PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, light), light.PositionMoonMe,
+            _camera.BandAt(y).Camera, ray, hit, PixelIllumination.At(hit.PointBodyFixed, isDark ? 0.0 : 1.0, light),
+            light.PositionBodyFixed,
             firstInventedPart);
     }
 
@@ -64,20 +65,20 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
         }
 
         Vector3D point = new SurfacePlace(latitudeDegrees, longitudeDegrees, height ?? 0.0, isOverTerrain: false)
-            .ToPositionMoonMe(_ => MoonConstants.ReferenceRadius);
+            .ToPositionBodyFixed(_ => MoonConstants.ReferenceRadius);
         SurfaceHit? ground = height is null ? Ground(point) : null;
-        point = ground?.PointMoonMe ?? point;
+        point = ground?.PointBodyFixed ?? point;
         bool isInFront = _camera.TryProjectPoint(point, out RenderingPoint seen);
         SceneLight light = frame.Light.At(_camera, seen.Y);
         bool isLit = !light.IsSun || !(ground is { } hit
-            ? tracer.IsHidden(point, hit.Facet, light.PositionMoonMe)
-            : tracer.TryTrace(new Ray(point, light.PositionMoonMe - point), out _));
+            ? tracer.IsHidden(point, hit.Facet, light.PositionBodyFixed)
+            : tracer.TryTrace(new Ray(point, light.PositionBodyFixed - point), out _));
         if (!isInFront)
         {
             return new PixelReading(null, null, Visible: false, "outside the image", isLit);
         }
 
-        Vector3D eye = _camera.BandAt(seen.Y).Camera.PositionMoonMe;
+        Vector3D eye = _camera.BandAt(seen.Y).Camera.PositionBodyFixed;
         string? hiddenBy = !IsInside(_camera, seen.X, seen.Y) ? "outside the image"
             : !IsHidden(new Ray(eye, point - eye)) ? null
             : Vector3D.Dot(point, point - eye) > 0.0 ? "limb" : "terrain";

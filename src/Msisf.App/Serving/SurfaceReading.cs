@@ -8,7 +8,7 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.App.Serving;
 
-/// <summary>What a point of an image shows: degrees and m, MOON_ME.</summary>
+/// <summary>What a point of an image shows: degrees and m, body-fixed.</summary>
 /// <param name="Latitude">Degrees.</param>
 /// <param name="Longitude">Degrees, east.</param>
 /// <param name="Height">m over the reference radius.</param>
@@ -32,15 +32,15 @@ internal sealed record SurfaceReading(
     /// <param name="ray">Its ray.</param>
     /// <param name="hit">Where the ray meets the surface.</param>
     /// <param name="light">How the point is lit.</param>
-    /// <param name="lightMoonMe">The Sun, or the lamp at the camera, m.</param>
+    /// <param name="lightBodyFixed">The Sun, or the lamp at the camera, m.</param>
     /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
     public static SurfaceReading Of(
-        FrameCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightMoonMe, int? firstInventedPart)
+        FrameCamera camera, Ray ray, SurfaceHit hit, PixelIllumination light, Vector3D lightBodyFixed, int? firstInventedPart)
     {
-        Vector3D point = hit.PointMoonMe;
+        Vector3D point = hit.PointBodyFixed;
         SelenographicPoint place = SelenographicPoint.Below(point);
-        PhotometricAngles angles = PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightMoonMe);
-        double? direction = Core.Metadata.IlluminationDirection.At(camera, ray.Direction, point, lightMoonMe);
+        PhotometricAngles angles = PhotometricAngles.At(point, hit.NormalBodyFixed, camera.PositionBodyFixed, lightBodyFixed);
+        double? direction = Core.Metadata.IlluminationDirection.At(camera, ray.Direction, point, lightBodyFixed);
         return new SurfaceReading(
             double.RadiansToDegrees(place.Latitude),
             double.RadiansToDegrees(place.Longitude),
@@ -54,7 +54,7 @@ internal sealed record SurfaceReading(
             WordOf(light.State),
             light.VisibleFraction,
             camera.PixelSide(ray, hit.RayParameter),
-            double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalMoonMe, point)),
+            double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalBodyFixed, point)),
             new FacetReading(
                 hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part,
                 firstInventedPart is { } first ? hit.Facet.Part >= first : null));

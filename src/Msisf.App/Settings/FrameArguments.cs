@@ -50,7 +50,7 @@ internal static class FrameArguments
         [
             CameraOptions.FixedState.Name, List((state with { Motion = null }).ToNumbers()),
             .. state.Motion is { } motion ? (string[])[CameraOptions.Motion.Name, List(motion.ToNumbers())] : [],
-            .. state.SunPositionMoonMe is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
+            .. state.SunPositionBodyFixed is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             .. state.Path is { States.Count: > 1 } path ? (string[])[ScanOptions.Trajectory.Name, $"#{path.Digest()}"] : [],
             settings,
             .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, List(flow.ToNumbers())] : [],

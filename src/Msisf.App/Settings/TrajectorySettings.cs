@@ -17,7 +17,7 @@ internal abstract record TrajectorySettings
     public CameraMotion? Motion { get; init; }
 
     /// <summary>m, MOON_ME: where the Sun is in all frames; null if the ephemeris, or each state, says it.</summary>
-    public Vector3D? SunPositionMoonMe { get; init; }
+    public Vector3D? SunPositionBodyFixed { get; init; }
 
     /// <summary>By how much longer all frames are exposed; null if the user does not say it.</summary>
     public double? ExposureFactor { get; init; }

@@ -68,7 +68,7 @@ internal sealed class TrajectorySettingsReader
         ? settings with
         {
             Noise = ReadNoise(_values),
-            SunPositionMoonMe = SunPosition(),
+            SunPositionBodyFixed = SunPosition(),
             ExposureFactor = NativeOptions.ExposureFactor.ReadIfGiven(_values),
         }
         : null;

@@ -10,26 +10,26 @@ namespace Msisf.Core.Attitude;
 public static class Boresight
 {
     /// <summary>The direction from a camera to a point.</summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
-    /// <param name="targetMoonMe">Point, m, MOON_ME.</param>
-    /// <returns>Length 1, MOON_ME.</returns>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
+    /// <param name="targetBodyFixed">Point, m, body-fixed.</param>
+    /// <returns>Length 1, body-fixed.</returns>
     /// <exception cref="BadInputException">The camera is at the point.</exception>
-    public static Vector3D Towards(Vector3D positionMoonMe, Vector3D targetMoonMe)
+    public static Vector3D Towards(Vector3D positionBodyFixed, Vector3D targetBodyFixed)
     {
-        Vector3D line = targetMoonMe - positionMoonMe;
+        Vector3D line = targetBodyFixed - positionBodyFixed;
         return line.Length > 0.0
             ? line.Normalized()
             : throw new BadInputException("The camera is at the very point that it is to look at. Move one of them.");
     }
 
     /// <summary>The direction at an angle from the nadir.</summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
     /// <param name="offNadir">rad, from the nadir; pi looks up.</param>
     /// <param name="azimuth">rad, clockwise from north, as on a map.</param>
-    /// <returns>Length 1, MOON_ME.</returns>
-    public static Vector3D OffNadir(Vector3D positionMoonMe, double offNadir, double azimuth)
+    /// <returns>Length 1, body-fixed.</returns>
+    public static Vector3D OffNadir(Vector3D positionBodyFixed, double offNadir, double azimuth)
     {
-        UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionMoonMe);
+        UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionBodyFixed);
         (double sinAngle, double cosAngle) = Math.SinCos(offNadir);
         (double sinAzimuth, double cosAzimuth) = Math.SinCos(azimuth);
         return nadir * new Vector3D(-cosAngle, sinAngle * sinAzimuth, sinAngle * cosAzimuth);
@@ -38,34 +38,34 @@ public static class Boresight
     /// <summary>
     /// The direction to the horizon: the line from the camera that touches the reference sphere. Inside the sphere it is level.
     /// </summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
     /// <param name="azimuth">rad, clockwise from north.</param>
     /// <param name="radius">m: radius of the reference sphere.</param>
-    /// <returns>Length 1, MOON_ME.</returns>
-    public static Vector3D Horizon(Vector3D positionMoonMe, double azimuth, double radius = MoonConstants.ReferenceRadius)
+    /// <returns>Length 1, body-fixed.</returns>
+    public static Vector3D Horizon(Vector3D positionBodyFixed, double azimuth, double radius = MoonConstants.ReferenceRadius)
     {
-        double height = positionMoonMe.Length - radius;
+        double height = positionBodyFixed.Length - radius;
         double toHorizon = Math.Sqrt(Math.Max(0.0, height * (height + (2.0 * radius))));
-        return OffNadir(positionMoonMe, Math.Atan2(radius, toHorizon), azimuth);
+        return OffNadir(positionBodyFixed, Math.Atan2(radius, toHorizon), azimuth);
     }
 
     /// <summary>The attitude that looks along a direction.</summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
-    /// <param name="forwardMoonMe">Line of sight, length 1, MOON_ME.</param>
-    /// <param name="upMoonMe">
-    /// What points up in the image, MOON_ME, any length. Where it is parallel to the line of sight, north does, and where that is
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
+    /// <param name="forwardBodyFixed">Line of sight, length 1, body-fixed.</param>
+    /// <param name="upBodyFixed">
+    /// What points up in the image, body-fixed, any length. Where it is parallel to the line of sight, north does, and where that is
     /// parallel too, the zenith.
     /// </param>
     /// <param name="roll">rad: turns the camera about its line of sight, clockwise as seen from behind it.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
-    public static UnitQuaternion MoonFromCamera(Vector3D positionMoonMe, Vector3D forwardMoonMe, Vector3D upMoonMe, double roll)
+    public static UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed, Vector3D forwardBodyFixed, Vector3D upBodyFixed, double roll)
     {
-        Vector3D north = NadirPointing.MoonFromCamera(positionMoonMe) * Vector3D.UnitZ;
-        Vector3D[] choices = [upMoonMe, north, positionMoonMe];
-        Vector3D right = choices.Select(up => Vector3D.Cross(forwardMoonMe, up.Normalized())).First(
+        Vector3D north = NadirPointing.MoonFromCamera(positionBodyFixed) * Vector3D.UnitZ;
+        Vector3D[] choices = [upBodyFixed, north, positionBodyFixed];
+        Vector3D right = choices.Select(up => Vector3D.Cross(forwardBodyFixed, up.Normalized())).First(
             across => across.Length > Tolerances.UpAlongBoresight).Normalized();
-        Vector3D up = Vector3D.Cross(right, forwardMoonMe);
-        UnitQuaternion moonFromCamera = UnitQuaternion.FromMatrix(new RotationMatrix(-forwardMoonMe, right, up).Transposed);
+        Vector3D up = Vector3D.Cross(right, forwardBodyFixed);
+        UnitQuaternion moonFromCamera = UnitQuaternion.FromMatrix(new RotationMatrix(-forwardBodyFixed, right, up).Transposed);
         return roll == 0.0 ? moonFromCamera : moonFromCamera * UnitQuaternion.FromAxisAngle(-Vector3D.UnitX, roll);
     }
 }

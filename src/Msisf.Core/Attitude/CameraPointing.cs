@@ -26,40 +26,40 @@ public sealed record CameraPointing
     public double Roll { get; init; }
 
     /// <summary>The attitude of a camera that points so.</summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
     /// <param name="time">UTC.</param>
     /// <param name="scene">Terrain and Sun.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="Errors.BadInputException">The camera is in the Moon's centre, or at the place that it looks at.</exception>
-    public UnitQuaternion MoonFromCamera(Vector3D positionMoonMe, ModifiedJulianDate time, ISceneGeometry scene)
+    public UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed, ModifiedJulianDate time, ISceneGeometry scene)
     {
         // Refuses the Moon's centre, where no direction below has a meaning.
-        UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionMoonMe);
+        UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionBodyFixed);
         Vector3D forward = Kind switch
         {
-            BoresightKind.Place => Boresight.Towards(positionMoonMe, PlaceOfTarget(scene)),
-            BoresightKind.Sun => Boresight.Towards(positionMoonMe, scene.SunPositionMoonMe(time)),
-            BoresightKind.Horizon => Boresight.Horizon(positionMoonMe, Azimuth, scene.ReferenceRadius),
-            BoresightKind.OffNadir => Boresight.OffNadir(positionMoonMe, OffNadir, Azimuth),
+            BoresightKind.Place => Boresight.Towards(positionBodyFixed, PlaceOfTarget(scene)),
+            BoresightKind.Sun => Boresight.Towards(positionBodyFixed, scene.SunPositionBodyFixed(time)),
+            BoresightKind.Horizon => Boresight.Horizon(positionBodyFixed, Azimuth, scene.ReferenceRadius),
+            BoresightKind.OffNadir => Boresight.OffNadir(positionBodyFixed, OffNadir, Azimuth),
             _ => nadir * -Vector3D.UnitX,
         };
         Vector3D up = Up switch
         {
             UpDirection.North => Vector3D.UnitZ,
-            UpDirection.Sun => scene.SunPositionMoonMe(time) - positionMoonMe,
-            _ => positionMoonMe,
+            UpDirection.Sun => scene.SunPositionBodyFixed(time) - positionBodyFixed,
+            _ => positionBodyFixed,
         };
-        return Boresight.MoonFromCamera(positionMoonMe, forward, up, Roll);
+        return Boresight.MoonFromCamera(positionBodyFixed, forward, up, Roll);
     }
 
     /// <summary>Whether the camera looks at a place beyond its horizon, so that it sees the ground in between.</summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
     /// <param name="scene">Terrain and Sun.</param>
-    public bool IsTargetHidden(Vector3D positionMoonMe, ISceneGeometry scene) =>
+    public bool IsTargetHidden(Vector3D positionBodyFixed, ISceneGeometry scene) =>
         Kind == BoresightKind.Place
-        && SightLine.IsBlocked(positionMoonMe, PlaceOfTarget(scene), scene.GroundRadius);
+        && SightLine.IsBlocked(positionBodyFixed, PlaceOfTarget(scene), scene.GroundRadius);
 
-    private Vector3D PlaceOfTarget(ISceneGeometry scene) => Target.ToPositionMoonMe(scene.GroundRadius, scene.ReferenceRadius);
+    private Vector3D PlaceOfTarget(ISceneGeometry scene) => Target.ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
 }
 
 /// <summary>Which direction points up in the image, as far as the line of sight allows.</summary>

@@ -36,26 +36,26 @@ public sealed class FramedAttitude : IAttitudeSource
     /// <inheritdoc/>
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
     {
-        Vector3D orbitNormal = point.OrbitNormalMoonMe;
-        return MoonFromCamera(point.Time, point.PositionMoonMe, _ => orbitNormal);
+        Vector3D orbitNormal = point.OrbitNormalBodyFixed;
+        return MoonFromCamera(point.Time, point.PositionBodyFixed, _ => orbitNormal);
     }
 
     /// <summary>The attitude at a time.</summary>
     /// <param name="time">UTC.</param>
-    /// <param name="positionMoonMe">Spacecraft, m, MOON_ME; not the centre.</param>
-    /// <param name="orbitNormalMoonMe">
-    /// Direction of the orbit's angular momentum at a time, MOON_ME, any length; asked for <see cref="AttitudeFrame.Lvlh"/> only.
+    /// <param name="positionBodyFixed">Spacecraft, m, body-fixed; not the centre.</param>
+    /// <param name="orbitNormalBodyFixed">
+    /// Direction of the orbit's angular momentum at a time, body-fixed, any length; asked for <see cref="AttitudeFrame.Lvlh"/> only.
     /// </param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover (frames at rest).</exception>
     public UnitQuaternion MoonFromCamera(
-        ModifiedJulianDate time, Vector3D positionMoonMe, Func<ModifiedJulianDate, Vector3D> orbitNormalMoonMe)
+        ModifiedJulianDate time, Vector3D positionBodyFixed, Func<ModifiedJulianDate, Vector3D> orbitNormalBodyFixed)
     {
         UnitQuaternion frameFromCamera = _attitude.At(time.SecondsSince(_epoch));
         return _frame switch
         {
             AttitudeFrame.MoonMe => frameFromCamera,
-            AttitudeFrame.Lvlh => UnitQuaternion.FromMatrix(MoonFromLvlh(positionMoonMe, orbitNormalMoonMe(time))) * frameFromCamera,
+            AttitudeFrame.Lvlh => UnitQuaternion.FromMatrix(MoonFromLvlh(positionBodyFixed, orbitNormalBodyFixed(time))) * frameFromCamera,
             _ => UnitQuaternion.FromMatrix(_ephemeris!.MoonMeFromJ2000(time) * _j2000FromFrame) * frameFromCamera,
         };
     }

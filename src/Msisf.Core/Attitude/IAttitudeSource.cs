@@ -26,9 +26,9 @@ public interface IAttitudeSource
 public readonly record struct TrajectoryPoint(
     double TdbSeconds, ModifiedJulianDate Time, StateVector StateJ2000, RotationMatrix MoonMeFromJ2000)
 {
-    /// <summary>m, MOON_ME.</summary>
-    public Vector3D PositionMoonMe => MoonMeFromJ2000 * StateJ2000.Position;
+    /// <summary>m, body-fixed.</summary>
+    public Vector3D PositionBodyFixed => MoonMeFromJ2000 * StateJ2000.Position;
 
-    /// <summary>Direction of the orbit's angular momentum, MOON_ME, any length.</summary>
-    public Vector3D OrbitNormalMoonMe => MoonMeFromJ2000 * Vector3D.Cross(StateJ2000.Position, StateJ2000.Velocity);
+    /// <summary>Direction of the orbit's angular momentum, body-fixed, any length.</summary>
+    public Vector3D OrbitNormalBodyFixed => MoonMeFromJ2000 * Vector3D.Cross(StateJ2000.Position, StateJ2000.Velocity);
 }

@@ -11,14 +11,14 @@ public interface ISceneGeometry
     double ReferenceRadius => MoonConstants.ReferenceRadius;
 
     /// <summary>Distance from the Moon's centre to the terrain.</summary>
-    /// <param name="directionMoonMe">MOON_ME, any length but 0.</param>
+    /// <param name="directionBodyFixed">MOON_ME, any length but 0.</param>
     /// <returns>m.</returns>
-    double GroundRadius(Vector3D directionMoonMe);
+    double GroundRadius(Vector3D directionBodyFixed);
 
     /// <summary>Position of the Sun.</summary>
     /// <param name="time">UTC.</param>
-    /// <returns>m, MOON_ME.</returns>
-    Vector3D SunPositionMoonMe(ModifiedJulianDate time);
+    /// <returns>m, body-fixed.</returns>
+    Vector3D SunPositionBodyFixed(ModifiedJulianDate time);
 
     /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
     /// <param name="time">UTC.</param>

@@ -10,27 +10,27 @@ public static class NadirPointing
     /// The camera looks at the Moon's centre, right is east and up is north. Over a pole these are the limits along the meridian
     /// of atan2(y, x); on the polar axis itself, along the meridian 0.
     /// </summary>
-    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">m, body-fixed.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="BadInputException">The position is the Moon's centre, where there is no down, or not finite.</exception>
     /// <remarks>The thesis gives no formula: docs/deviations.md, row 19.</remarks>
-    public static UnitQuaternion MoonFromCamera(Vector3D positionMoonMe)
+    public static UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed)
     {
-        if (!positionMoonMe.IsFinite)
+        if (!positionBodyFixed.IsFinite)
         {
             throw new BadInputException("The position (m) is not finite; nadir pointing needs three finite numbers.");
         }
 
-        double horizontal = double.Hypot(positionMoonMe.X, positionMoonMe.Y);
-        if (horizontal == 0.0 && positionMoonMe.Z == 0.0)
+        double horizontal = double.Hypot(positionBodyFixed.X, positionBodyFixed.Y);
+        if (horizontal == 0.0 && positionBodyFixed.Z == 0.0)
         {
             throw new BadInputException(
                 "The spacecraft is in the Moon's centre, where no direction is nadir; give an attitude or another position.");
         }
 
         // Without the test, atan2 of two signed zeros may be pi.
-        double longitude = horizontal == 0.0 ? 0.0 : Math.Atan2(positionMoonMe.Y, positionMoonMe.X);
-        double latitude = Math.Atan2(positionMoonMe.Z, horizontal);
+        double longitude = horizontal == 0.0 ? 0.0 : Math.Atan2(positionBodyFixed.Y, positionBodyFixed.X);
+        double latitude = Math.Atan2(positionBodyFixed.Z, horizontal);
         return UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, longitude) * UnitQuaternion.FromAxisAngle(Vector3D.UnitY, -latitude);
     }
 }

@@ -9,5 +9,5 @@ public sealed class PointedAttitude(CameraPointing pointing, ISceneGeometry scen
 {
     /// <inheritdoc/>
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) =>
-        pointing.MoonFromCamera(point.PositionMoonMe, point.Time, scene);
+        pointing.MoonFromCamera(point.PositionBodyFixed, point.Time, scene);
 }

@@ -19,7 +19,7 @@ internal sealed class BlockMeshBuilder(double stepsPerMetre)
     public bool IsInReach => IsInReachAlong(_low.X, _high.X) && IsInReachAlong(_low.Y, _high.Y) && IsInReachAlong(_low.Z, _high.Z);
 
     /// <summary>Adds a facet.</summary>
-    /// <param name="corners">m, MOON_ME, counter-clockwise seen from outside.</param>
+    /// <param name="corners">m, body-fixed, counter-clockwise seen from outside.</param>
     public void Add((Vector3D A, Vector3D B, Vector3D C) corners)
     {
         (Vector3D a, Vector3D b, Vector3D c) = corners;
@@ -86,7 +86,7 @@ internal sealed class BlockMeshBuilder(double stepsPerMetre)
 
 /// <summary>The facets of a <see cref="SceneBlock"/>, with vertices on a lattice.</summary>
 /// <param name="LatticeExponent">k: the lattice has steps of 2^-k m.</param>
-/// <param name="Origin">The point to which the vertices are relative, in steps, MOON_ME.</param>
+/// <param name="Origin">The point to which the vertices are relative, in steps, body-fixed.</param>
 /// <param name="Offsets">x, y, z of each vertex from the origin, in steps; each below <see cref="OffsetLimit"/> in size.</param>
 /// <param name="Faces">Three vertex numbers a facet, counter-clockwise seen from outside.</param>
 public sealed record BlockMesh(int LatticeExponent, (long X, long Y, long Z) Origin, int[] Offsets, int[] Faces)

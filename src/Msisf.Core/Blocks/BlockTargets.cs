@@ -16,10 +16,10 @@ internal sealed class BlockTargets : IReceiverBounds
 
     /// <param name="surface">The surface.</param>
     /// <param name="blocks">The blocks that are seen.</param>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
-    public BlockTargets(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunMoonMe)
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
+    public BlockTargets(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed)
     {
-        MoonHorizon fromSun = new(sunMoonMe, innerRadius: 0.0);
+        MoonHorizon fromSun = new(sunBodyFixed, innerRadius: 0.0);
         (TerrainNode Node, double CellAngle)[] nodes = [.. blocks.Select(block => NodeOf(surface, block))];
         Vector3D middle = default;
         foreach ((TerrainNode node, _) in nodes)
@@ -27,7 +27,7 @@ internal sealed class BlockTargets : IReceiverBounds
             middle += node.Cap.Centre;
         }
 
-        Frame = new LightFrame(sunMoonMe, middle);
+        Frame = new LightFrame(sunBodyFixed, middle);
         List<LightBounds> targets = [];
         Box = LightBox.Empty;
         foreach ((TerrainNode node, double cellAngle) in nodes)

@@ -44,18 +44,18 @@ public sealed class SceneBlocks
     /// pixel wider all around, first meets the same facet from outside as with the whole surface, and so does a ray from there to the Sun.
     /// </summary>
     /// <param name="camera">The camera, without a lens.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
+    /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="rows">The rows of the image that matter; null for all.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <returns>The blocks in order.</returns>
     /// <exception cref="BadInputException">The Sun is not outside the terrain, or a model is damaged.</exception>
     public IReadOnlyList<SceneBlock> Select(
-        ICamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows, int threads, CancellationToken cancellation)
+        ICamera camera, Vector3D? sunPositionBodyFixed, PixelRows? rows, int threads, CancellationToken cancellation)
     {
         HashSet<CellBlock> needed = [.. camera.Bounds(Dspsa.AntialiasingPixels, rows).SelectMany(
             bounds => new BlockCuller(_surface).Find(bounds, threads, cancellation).Select(visible => Whole(visible.Block)))];
-        if (sunPositionMoonMe is Vector3D sun)
+        if (sunPositionBodyFixed is Vector3D sun)
         {
             CasterSearch search = new(_surface);
             search.Check(sun);

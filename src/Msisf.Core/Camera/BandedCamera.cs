@@ -75,12 +75,12 @@ public sealed class BandedCamera : ICamera
 
     /// <inheritdoc/>
     /// <remarks>Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest.</remarks>
-    public bool TryProjectPoint(Vector3D pointMoonMe, out RenderingPoint point)
+    public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point)
     {
         (double nearest, point) = (double.PositiveInfinity, default);
         foreach ((PixelRows rows, FrameCamera camera) in _bands)
         {
-            if (camera.TryProjectPoint(pointMoonMe, out RenderingPoint seen))
+            if (camera.TryProjectPoint(pointBodyFixed, out RenderingPoint seen))
             {
                 double beside = Math.Max(0.0, Math.Max(0.5 - seen.Y, seen.Y - camera.Height - 0.5));
                 (nearest, point) = beside < nearest ? (beside, seen with { Y = seen.Y + rows.First }) : (nearest, point);

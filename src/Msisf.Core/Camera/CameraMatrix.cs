@@ -37,8 +37,8 @@ public sealed record CameraMatrix(
     public static CameraMatrix Of(ICamera camera)
     {
         FrameCamera first = camera.Bands[0].Camera;
-        RotationMatrix rotation = new(first.UnitRight, first.MoonFromCamera * -Vector3D.UnitZ, first.ForwardMoonMe);
-        Vector3D translation = default(Vector3D) - (rotation * first.PositionMoonMe); // no negative zeros
+        RotationMatrix rotation = new(first.UnitRight, first.MoonFromCamera * -Vector3D.UnitZ, first.ForwardBodyFixed);
+        Vector3D translation = default(Vector3D) - (rotation * first.PositionBodyFixed); // no negative zeros
         CameraModel model = first.Model;
         return new CameraMatrix(
             camera.Width, camera.Height, model.FocalX, model.PrincipalX - 1.0, model.PrincipalY - 1.0, rotation, translation)

@@ -6,11 +6,11 @@ namespace Msisf.Core.Camera;
 /// <summary>
 /// How a camera moves about the time of a frame: on a straight line, turning at a constant rate. <c>default</c> is at rest on the Moon.
 /// </summary>
-/// <param name="VelocityMoonMe">m/s over the turning Moon, along the axes of MOON_ME.</param>
+/// <param name="VelocityBodyFixed">m/s over the turning Moon, along the axes of MOON_ME.</param>
 /// <param name="AngularVelocityCamera">
 /// rad/s relative to MOON_ME, about the camera's axes (looks along -x, y right, z up), right-handed.
 /// </param>
-public readonly record struct CameraMotion(Vector3D VelocityMoonMe, Vector3D AngularVelocityCamera)
+public readonly record struct CameraMotion(Vector3D VelocityBodyFixed, Vector3D AngularVelocityCamera)
 {
     /// <summary>The six numbers in their order: velocity (m/s), angular velocity (rad/s).</summary>
     public static IReadOnlyList<string> NumberNames { get; } = ["vx", "vy", "vz", "wx", "wy", "wz"];
@@ -34,7 +34,8 @@ public readonly record struct CameraMotion(Vector3D VelocityMoonMe, Vector3D Ang
     /// <param name="after">The same, later.</param>
     /// <param name="seconds">Time between them, above 0. The camera must turn by less than half a turn.</param>
     public static CameraMotion Between(
-        (Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera) before, (Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera) after,
+        (Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera) before,
+        (Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera) after,
         double seconds)
     {
         UnitQuaternion turn = before.MoonFromCamera.Conjugate * after.MoonFromCamera;
@@ -42,14 +43,15 @@ public readonly record struct CameraMotion(Vector3D VelocityMoonMe, Vector3D Ang
         double length = sine.Length;
         double angle = 2.0 * Math.Atan2(length, Math.Abs(turn.W));
         return new CameraMotion(
-            (after.PositionMoonMe - before.PositionMoonMe) / seconds,
+            (after.PositionBodyFixed - before.PositionBodyFixed) / seconds,
             length == 0.0 ? default : angle * (turn.W < 0.0 ? -1.0 : 1.0) / (length * seconds) * sine);
     }
 
     /// <summary>The six numbers in the order of <see cref="NumberNames"/>.</summary>
     public double[] ToNumbers() =>
     [
-        VelocityMoonMe.X, VelocityMoonMe.Y, VelocityMoonMe.Z, AngularVelocityCamera.X, AngularVelocityCamera.Y, AngularVelocityCamera.Z,
+        VelocityBodyFixed.X, VelocityBodyFixed.Y, VelocityBodyFixed.Z, AngularVelocityCamera.X, AngularVelocityCamera.Y,
+        AngularVelocityCamera.Z,
     ];
 
     /// <summary>Where a camera is some time after, or before.</summary>
@@ -60,7 +62,7 @@ public readonly record struct CameraMotion(Vector3D VelocityMoonMe, Vector3D Ang
         double rate = AngularVelocityCamera.Length;
         return state with
         {
-            PositionMoonMe = state.PositionMoonMe + (seconds * VelocityMoonMe),
+            PositionBodyFixed = state.PositionBodyFixed + (seconds * VelocityBodyFixed),
             MoonFromCamera = rate == 0.0
                 ? state.MoonFromCamera
                 : state.MoonFromCamera * UnitQuaternion.FromAxisAngle(AngularVelocityCamera, rate * seconds),

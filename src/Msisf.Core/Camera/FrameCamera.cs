@@ -15,9 +15,10 @@ public abstract class FrameCamera : ICamera
 
     private protected FrameCamera(CameraState state, CameraModel model)
     {
-        if (!double.IsFinite(state.PositionMoonMe.Length))
+        if (!double.IsFinite(state.PositionBodyFixed.Length))
         {
-            throw new BadInputException($"The camera position {state.PositionMoonMe} m is not finite, or farther away than numbers reach.");
+            throw new BadInputException(
+                $"The camera position {state.PositionBodyFixed} m is not finite, or farther away than numbers reach.");
         }
 
         if (state.MoonFromCamera == default)
@@ -27,7 +28,7 @@ public abstract class FrameCamera : ICamera
 
         (State, Model) = (state, model);
         _bands = [new CameraBand(new PixelRows(0, Height), this)];
-        ForwardMoonMe = MoonFromCamera * -Vector3D.UnitX;
+        ForwardBodyFixed = MoonFromCamera * -Vector3D.UnitX;
         UnitRight = MoonFromCamera * Vector3D.UnitY;
         UnitUp = MoonFromCamera * Vector3D.UnitZ;
         if (model.IsThesis)
@@ -36,13 +37,13 @@ public abstract class FrameCamera : ICamera
             Right = aspect * UnitRight;
             Up = UnitUp;
             ImagePlaneDistance = aspect / 2.0 / Math.Tan(FieldOfView / 2.0);
-            Direction = ImagePlaneDistance * ForwardMoonMe;
+            Direction = ImagePlaneDistance * ForwardBodyFixed;
 
             double right = Math.Tan(FieldOfView / 2.0);
             PixelTangent = 2.0 * right / Width;
             double up = 0.5 * Height * PixelTangent;
             Footprint = new PixelFootprint(
-                PositionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up)));
+                PositionBodyFixed, ForwardBodyFixed, PixelTangent, 1.0 / Math.Sqrt(1.0 + (right * right) + (up * up)));
             return;
         }
 
@@ -53,10 +54,10 @@ public abstract class FrameCamera : ICamera
         double middleRight = (((0.5 * (1.0 + Width)) - model.PrincipalX) / model.FocalX) - (shear * middleDown);
         Right = ImagePlaneDistance * Width / model.FocalX * UnitRight;
         Up = UnitUp + (shear * UnitRight);
-        Direction = ImagePlaneDistance * (ForwardMoonMe + (middleRight * UnitRight) - (middleDown * UnitUp));
+        Direction = ImagePlaneDistance * (ForwardBodyFixed + (middleRight * UnitRight) - (middleDown * UnitUp));
         PixelTangent = model.MinPixelTangent();
         double border = model.BorderTangent();
-        Footprint = new PixelFootprint(PositionMoonMe, ForwardMoonMe, PixelTangent, 1.0 / Math.Sqrt(1.0 + (border * border)));
+        Footprint = new PixelFootprint(PositionBodyFixed, ForwardBodyFixed, PixelTangent, 1.0 / Math.Sqrt(1.0 + (border * border)));
     }
 
     /// <summary>Time, position, orientation and Sun of all rows.</summary>
@@ -69,7 +70,7 @@ public abstract class FrameCamera : ICamera
     public IReadOnlyList<CameraBand> Bands => _bands;
 
     /// <inheritdoc/>
-    public Vector3D PositionMoonMe => State.PositionMoonMe;
+    public Vector3D PositionBodyFixed => State.PositionBodyFixed;
 
     /// <inheritdoc/>
     public UnitQuaternion MoonFromCamera => State.MoonFromCamera;
@@ -83,13 +84,13 @@ public abstract class FrameCamera : ICamera
     /// <inheritdoc/>
     public int Height => Model.Height;
 
-    /// <summary>Viewing direction of length 1, MOON_ME.</summary>
-    public Vector3D ForwardMoonMe { get; }
+    /// <summary>Viewing direction of length 1, body-fixed.</summary>
+    public Vector3D ForwardBodyFixed { get; }
 
-    /// <summary>To the right in the image along its rows, MOON_ME, length 1, perpendicular to the viewing direction.</summary>
+    /// <summary>To the right in the image along its rows, body-fixed, length 1, perpendicular to the viewing direction.</summary>
     public Vector3D UnitRight { get; }
 
-    /// <summary>Up, MOON_ME, length 1, perpendicular to the viewing direction and to the right.</summary>
+    /// <summary>Up, body-fixed, length 1, perpendicular to the viewing direction and to the right.</summary>
     public Vector3D UnitUp { get; }
 
     /// <summary>
@@ -114,7 +115,7 @@ public abstract class FrameCamera : ICamera
     /// Direction of the ray along the optical axis, MOON_ME: the part along the axis of each ray's direction. <see cref="Direction"/> leads
     /// elsewhere where the principal point is not in the middle, and is longer.
     /// </summary>
-    internal Vector3D OpticalAxis => ImagePlaneDistance * ForwardMoonMe;
+    internal Vector3D OpticalAxis => ImagePlaneDistance * ForwardBodyFixed;
 
     /// <summary>Tangent of the angle of a pixel in the middle of the image, or of the smallest pixel if they differ.</summary>
     public double PixelTangent { get; }
@@ -138,16 +139,16 @@ public abstract class FrameCamera : ICamera
     internal abstract void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions);
 
     /// <summary>Where the line from the focal point along a direction meets the image plane.</summary>
-    /// <param name="directionMoonMe">From the focal point, MOON_ME, any length.</param>
+    /// <param name="directionBodyFixed">From the focal point, body-fixed, any length.</param>
     /// <param name="point">Rendering coordinates; (0, 0) if there are none.</param>
     /// <returns>False for a direction that does not lead forward through the image plane.</returns>
     /// <remarks>
     /// Decomposed on right and up: the products of thesis eq. 9.20 cancel, which cost the published angles 5e-5 degrees
     /// (docs/deviations.md, row 10).
     /// </remarks>
-    public bool TryProject(Vector3D directionMoonMe, out RenderingPoint point)
+    public bool TryProject(Vector3D directionBodyFixed, out RenderingPoint point)
     {
-        Vector3D inCamera = MoonFromCamera.Conjugate * directionMoonMe;
+        Vector3D inCamera = MoonFromCamera.Conjugate * directionBodyFixed;
         if (!Model.IsThesis)
         {
             point = default;
@@ -164,7 +165,8 @@ public abstract class FrameCamera : ICamera
     }
 
     /// <inheritdoc/>
-    public bool TryProjectPoint(Vector3D pointMoonMe, out RenderingPoint point) => TryProject(pointMoonMe - PositionMoonMe, out point);
+    public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point) =>
+        TryProject(pointBodyFixed - PositionBodyFixed, out point);
 
     /// <inheritdoc/>
     public CameraBand BandAt(double y) => _bands[0];
@@ -203,11 +205,11 @@ public abstract class FrameCamera : ICamera
     }
 
     /// <summary>How a direction in the image plane of a pinhole appears in the image.</summary>
-    /// <param name="lineOfSightMoonMe">The line of sight through the point, forward.</param>
+    /// <param name="lineOfSightBodyFixed">The line of sight through the point, forward.</param>
     /// <param name="right">Component to the right.</param>
     /// <param name="down">Component down.</param>
-    internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightMoonMe, double right, double down) =>
-        Model.IsThesis ? (right, down) : Model.DirectionInImage(TangentsOf(lineOfSightMoonMe), right, down);
+    internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightBodyFixed, double right, double down) =>
+        Model.IsThesis ? (right, down) : Model.DirectionInImage(TangentsOf(lineOfSightBodyFixed), right, down);
 
     /// <summary>Rendering coordinates of the centres of eight pixels of a row; after the last pixel its own.</summary>
     private protected static Vector512<double> CentresOf(ReadOnlySpan<int> columns, int first, Span<double> xs)
@@ -220,9 +222,9 @@ public abstract class FrameCamera : ICamera
         return Vector512.Create<double>(xs);
     }
 
-    private (double Right, double Down) TangentsOf(Vector3D directionMoonMe)
+    private (double Right, double Down) TangentsOf(Vector3D directionBodyFixed)
     {
-        Vector3D inCamera = MoonFromCamera.Conjugate * directionMoonMe;
+        Vector3D inCamera = MoonFromCamera.Conjugate * directionBodyFixed;
         return (inCamera.Y / -inCamera.X, inCamera.Z / inCamera.X);
     }
 }

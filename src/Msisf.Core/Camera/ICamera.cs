@@ -21,8 +21,8 @@ public interface ICamera
     /// <summary>The state of the frame, which is that of its first row.</summary>
     CameraState State => Bands[0].Camera.State;
 
-    /// <summary>Focal point of the frame, m, MOON_ME.</summary>
-    Vector3D PositionMoonMe => State.PositionMoonMe;
+    /// <summary>Focal point of the frame, m, body-fixed.</summary>
+    Vector3D PositionBodyFixed => State.PositionBodyFixed;
 
     /// <summary>Orientation of the frame: turns camera axes into Moon axes.</summary>
     UnitQuaternion MoonFromCamera => State.MoonFromCamera;
@@ -37,10 +37,10 @@ public interface ICamera
     Ray RayThrough(double x, double y);
 
     /// <summary>Where a point is seen.</summary>
-    /// <param name="pointMoonMe">m, MOON_ME.</param>
+    /// <param name="pointBodyFixed">m, body-fixed.</param>
     /// <param name="point">Rendering coordinates, also outside the image; (0, 0) if there are none.</param>
     /// <returns>False for a point that no row sees, because it lies behind the camera.</returns>
-    bool TryProjectPoint(Vector3D pointMoonMe, out RenderingPoint point);
+    bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point);
 
     /// <summary>The camera of a part of the image, or of more than it, in which each pixel shows what it shows in the whole.</summary>
     /// <param name="left">Columns of the whole to the left of it; negative where it reaches farther than the whole.</param>

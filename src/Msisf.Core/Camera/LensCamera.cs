@@ -17,7 +17,7 @@ internal sealed class LensCamera(CameraState state, CameraModel model) : FrameCa
     {
         (double right, double down) = Model.ToIdeal(x, y);
         (Vector3D middle, Vector3D toRight, Vector3D toDown) = RayAxes;
-        return new Ray(PositionMoonMe, middle + (right * toRight) + (down * toDown));
+        return new Ray(PositionBodyFixed, middle + (right * toRight) + (down * toDown));
     }
 
     /// <inheritdoc/>

@@ -9,7 +9,7 @@ namespace Msisf.Core.Camera;
 public sealed class PinholeCamera : FrameCamera
 {
     /// <summary>Places the camera of the thesis.</summary>
-    /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Focal point, m, body-fixed.</param>
     /// <param name="moonFromCamera">Orientation.</param>
     /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.MinFieldOfView"/> to below pi.</param>
     /// <param name="width">Image width, px, at least 1.</param>
@@ -17,17 +17,17 @@ public sealed class PinholeCamera : FrameCamera
     /// <exception cref="BadInputException">The field of view is out of range, or the position's length is not finite.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A size is below 1.</exception>
     /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
-    public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
-        : this(new CameraState(positionMoonMe, moonFromCamera), CameraModel.FromFieldOfView(fieldOfView, width, height))
+    public PinholeCamera(Vector3D positionBodyFixed, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
+        : this(new CameraState(positionBodyFixed, moonFromCamera), CameraModel.FromFieldOfView(fieldOfView, width, height))
     {
     }
 
     /// <summary>Places a camera; <see cref="CameraModel.At(CameraState)"/> does it for any model.</summary>
-    /// <param name="positionMoonMe">Focal point, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Focal point, m, body-fixed.</param>
     /// <param name="moonFromCamera">Orientation.</param>
     /// <param name="model">Size, focal length and principal point; no lens.</param>
-    public PinholeCamera(Vector3D positionMoonMe, UnitQuaternion moonFromCamera, CameraModel model)
-        : this(new CameraState(positionMoonMe, moonFromCamera), model)
+    public PinholeCamera(Vector3D positionBodyFixed, UnitQuaternion moonFromCamera, CameraModel model)
+        : this(new CameraState(positionBodyFixed, moonFromCamera), model)
     {
     }
 
@@ -45,7 +45,7 @@ public sealed class PinholeCamera : FrameCamera
     {
         double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);
         double right = ((2.0 * x) - 1.0 - Width) / (2.0 * Width);
-        return new Ray(PositionMoonMe, Direction + (up * Up) + (right * Right));
+        return new Ray(PositionBodyFixed, Direction + (up * Up) + (right * Right));
     }
 
     /// <inheritdoc/>

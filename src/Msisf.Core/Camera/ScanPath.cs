@@ -58,7 +58,7 @@ public sealed class ScanPath
     {
         (CameraState before, CameraState after) = (At(from), At(to));
         return CameraMotion.Between(
-            (before.PositionMoonMe, before.MoonFromCamera), (after.PositionMoonMe, after.MoonFromCamera), to - from);
+            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), to - from);
     }
 
     /// <summary>The motion where the camera turns fastest in a time, so that jitter is not averaged away.</summary>

@@ -42,8 +42,8 @@ internal sealed class ViewFrustum
 
     private ViewFrustum(FrameCamera camera, (double Left, double Right, double Top, double Bottom) border)
     {
-        CameraMoonMe = camera.PositionMoonMe;
-        _forward = camera.ForwardMoonMe;
+        CameraBodyFixed = camera.PositionBodyFixed;
+        _forward = camera.ForwardBodyFixed;
         _rows = new PixelRows(0, camera.Height);
         (double left, double right, double top, double bottom) = border;
         _unitRight = UnitRight(camera);
@@ -81,16 +81,16 @@ internal sealed class ViewFrustum
     /// <summary>Whether the frustum is that of a camera with a lens, so that rows of the image say nothing about it.</summary>
     public bool IsOfLens { get; private init; }
 
-    /// <summary>Where the rays come from, m, MOON_ME.</summary>
-    public Vector3D CameraMoonMe { get; }
+    /// <summary>Where the rays come from, m, body-fixed.</summary>
+    public Vector3D CameraBodyFixed { get; }
 
-    /// <summary>Direction of the middle of the rows, MOON_ME, length 1.</summary>
+    /// <summary>Direction of the middle of the rows, body-fixed, length 1.</summary>
     public Vector3D Middle { get; }
 
-    /// <summary>Directions of the four edges, MOON_ME.</summary>
+    /// <summary>Directions of the four edges, body-fixed.</summary>
     public ReadOnlySpan<Vector3D> Edges => _edges;
 
-    /// <summary>Whether a direction from the camera, MOON_ME, lies inside.</summary>
+    /// <summary>Whether a direction from the camera, body-fixed, lies inside.</summary>
     public bool Contains(Vector3D direction)
     {
         foreach (Vector3D inward in _inward)
@@ -108,7 +108,7 @@ internal sealed class ViewFrustum
     /// <param name="ball">Centre (m, MOON_ME) and radius (m).</param>
     public FrustumSide Classify((Vector3D Centre, double Radius) ball)
     {
-        Vector3D fromCamera = ball.Centre - CameraMoonMe;
+        Vector3D fromCamera = ball.Centre - CameraBodyFixed;
         FrustumSide side = FrustumSide.Inside;
         foreach (Vector3D inward in _inward)
         {
@@ -134,7 +134,7 @@ internal sealed class ViewFrustum
     public bool TryFindRows(in OrientedBox box, out PixelRows rows)
     {
         rows = _rows;
-        Vector3D centre = box.Centre - CameraMoonMe;
+        Vector3D centre = box.Centre - CameraBodyFixed;
         foreach (Vector3D inward in _inward)
         {
             if (Vector3D.Dot(inward, centre) + box.ReachAlong(inward) < 0.0)
@@ -160,7 +160,7 @@ internal sealed class ViewFrustum
     /// <summary>The part of the ideal image plane in which a box may be seen; everything for a box that is not wholly in front.</summary>
     public TangentBox TangentsOf(in OrientedBox box)
     {
-        Vector3D centre = box.Centre - CameraMoonMe;
+        Vector3D centre = box.Centre - CameraBodyFixed;
         if (Vector3D.Dot(_forward, centre) - box.ReachAlong(_forward) <= 0.0)
         {
             return TangentBox.Everything;
@@ -181,7 +181,7 @@ internal sealed class ViewFrustum
     }
 
     /// <summary>Cuts off the part of a polygon that is outside.</summary>
-    /// <param name="polygon">Corners, m, MOON_ME; convex. Replaced by the corners of the part inside; there can be four more.</param>
+    /// <param name="polygon">Corners, m, body-fixed; convex. Replaced by the corners of the part inside; there can be four more.</param>
     /// <param name="count">Corners before; after: 0 if nothing is inside.</param>
     public void Clip(Span<Vector3D> polygon, ref int count)
     {
@@ -193,8 +193,8 @@ internal sealed class ViewFrustum
             {
                 Vector3D here = polygon[corner];
                 Vector3D next = polygon[corner + 1 == count ? 0 : corner + 1];
-                double distance = Vector3D.Dot(inward, here - CameraMoonMe) + Tolerances.VertexLattice;
-                double nextDistance = Vector3D.Dot(inward, next - CameraMoonMe) + Tolerances.VertexLattice;
+                double distance = Vector3D.Dot(inward, here - CameraBodyFixed) + Tolerances.VertexLattice;
+                double nextDistance = Vector3D.Dot(inward, next - CameraBodyFixed) + Tolerances.VertexLattice;
                 if (distance >= 0.0)
                 {
                     cut[kept++] = here;

@@ -146,7 +146,7 @@ public sealed class CameraDetector
 
     /// <summary>Electrons that a pixel of a drawn row, from 0 behind the margin, collects at a radiance factor of 1, a steradian.</summary>
     private double PerSteradian(NativeFrame drawn, int row) => _electronsPerSteradian
-        * SpectralBand.RadianceOfUnitIrradiance(drawn.Light.At(drawn.Camera, row + 1 + Margin).PositionMoonMe.Length);
+        * SpectralBand.RadianceOfUnitIrradiance(drawn.Light.At(drawn.Camera, row + 1 + Margin).PositionBodyFixed.Length);
 
     /// <summary>Returns an image's memory for later frames; it must not be used after that.</summary>
     public void GiveBack(DetectorImage image) => _idle.Add(image);

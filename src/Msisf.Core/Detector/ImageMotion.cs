@@ -84,25 +84,25 @@ internal static class ImageMotion
             {
                 if (frame.TryGetSurface(x, y, out SurfaceHit hit))
                 {
-                    double depth = Vector3D.Dot(hit.PointMoonMe - camera.PositionMoonMe, camera.ForwardMoonMe);
+                    double depth = Vector3D.Dot(hit.PointBodyFixed - camera.PositionBodyFixed, camera.ForwardBodyFixed);
                     nearest = Math.Min(nearest, depth);
                     farthest = Math.Max(farthest, depth);
                 }
             }
         }
 
-        double centre = frame.Camera.PositionMoonMe.Length;
+        double centre = frame.Camera.PositionBodyFixed.Length;
         return farthest > 0.0 ? (nearest, farthest) : (centre, centre);
     }
 
     /// <summary>The greatest motion of a point from one camera to the next, px, while one of them shows it.</summary>
-    private static double OfPoint(ICamera[] cameras, Vector3D pointMoonMe)
+    private static double OfPoint(ICamera[] cameras, Vector3D pointBodyFixed)
     {
         double greatest = 0.0;
-        (double X, double Y)? before = ImageOf(cameras[0], pointMoonMe);
+        (double X, double Y)? before = ImageOf(cameras[0], pointBodyFixed);
         foreach (ICamera camera in cameras.AsSpan(1))
         {
-            (double X, double Y)? after = ImageOf(camera, pointMoonMe);
+            (double X, double Y)? after = ImageOf(camera, pointBodyFixed);
             if (IsInside(camera, before) || IsInside(camera, after))
             {
                 greatest = before is { } from && after is { } to
@@ -116,8 +116,8 @@ internal static class ImageMotion
         return greatest;
     }
 
-    private static (double X, double Y)? ImageOf(ICamera camera, Vector3D pointMoonMe) =>
-        camera.TryProjectPoint(pointMoonMe, out RenderingPoint point) ? (point.X, point.Y) : null;
+    private static (double X, double Y)? ImageOf(ICamera camera, Vector3D pointBodyFixed) =>
+        camera.TryProjectPoint(pointBodyFixed, out RenderingPoint point) ? (point.X, point.Y) : null;
 
     private static bool IsInside(ICamera camera, (double X, double Y)? point) => point is (double x, double y)
         && x >= 0.0 && x <= camera.Width + 1.0 && y >= 0.0 && y <= camera.Height + 1.0;

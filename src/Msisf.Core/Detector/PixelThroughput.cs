@@ -53,6 +53,6 @@ internal static class PixelThroughput
         Vector3D ray = camera.RayThrough(x, y).Direction;
         double length = ray.Length;
         double solidAngle = Math.Abs(Vector3D.Dot(Vector3D.Cross(across, down), ray)) / (length * length * length);
-        return solidAngle * Vector3D.Dot(ray, camera.ForwardMoonMe) / length;
+        return solidAngle * Vector3D.Dot(ray, camera.ForwardBodyFixed) / length;
     }
 }

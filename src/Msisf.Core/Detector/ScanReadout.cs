@@ -131,7 +131,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
             CameraState middle = shot.Camera.BandAt(shot.Scan.ImageRowOf(shot.Model, number, 0) + 1).Camera.State;
             CameraState state = seconds == 0.0
                 ? middle
-                : shot.Path.At(_middle + seconds) with { SunPositionMoonMe = middle.SunPositionMoonMe };
+                : shot.Path.At(_middle + seconds) with { SunPositionBodyFixed = middle.SunPositionBodyFixed };
             return shot.Scan.ExposureOf(shot.Model, number, rowsBelow).At(state);
         }
 

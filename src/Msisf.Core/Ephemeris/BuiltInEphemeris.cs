@@ -52,7 +52,7 @@ public sealed class BuiltInEphemeris : IEphemeris
     };
 
     /// <inheritdoc/>
-    public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None)
+    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None)
     {
         double tdbSeconds = _scale.FromUtc(time);
         Vector3D sunKm = PositionKm(Sun, tdbSeconds) ?? throw Cover.Outside(time);

@@ -20,7 +20,7 @@ public interface IEphemeris
     /// <exception cref="SpiceException">
     /// The time, or with light time the time when the light left the Sun, is outside the kernels' cover, which the message names.
     /// </exception>
-    Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None);
+    Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None);
 
     /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
     /// <param name="time">UTC.</param>

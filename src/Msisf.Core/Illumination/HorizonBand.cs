@@ -58,7 +58,7 @@ internal sealed class HorizonBand
             for (double north = -halfLatitude; north <= halfLatitude; north += StepDegrees)
             {
                 Vector3D local = frame.ToLocal(new SelenographicPoint(
-                    double.DegreesToRadians(north), double.DegreesToRadians(east)).ToDirectionMoonMe());
+                    double.DegreesToRadians(north), double.DegreesToRadians(east)).ToDirectionBodyFixed());
                 double across = double.Hypot(local.X, local.Y);
                 double elevation = double.RadiansToDegrees(Math.Atan2(local.Z, across));
                 double group = Math.Atan2(local.X, local.Y) / (2.0 * Math.PI) * degrees.Length;

@@ -52,7 +52,7 @@ internal sealed class HorizonFinder
     /// <param name="tops">For each group of columns the tangent of one above which nothing needs to be known.</param>
     public void Find(LocalFrame frame, double bottom, float[] tops)
     {
-        (_frame, _radius) = (frame, frame.PositionMoonMe.Length);
+        (_frame, _radius) = (frame, frame.PositionBodyFixed.Length);
         KeepOwners();
         Buffer.Clear((float)bottom, tops);
         _done.Clear();

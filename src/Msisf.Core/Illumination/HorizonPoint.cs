@@ -16,10 +16,10 @@ internal readonly record struct HorizonPoint(double East, double North, double U
     /// <summary>Finds where a vertex is seen.</summary>
     /// <param name="columns">Columns of a turn.</param>
     /// <param name="frame">The place.</param>
-    /// <param name="positionMoonMe">The vertex, m, MOON_ME.</param>
-    public static HorizonPoint Of(int columns, in LocalFrame frame, Vector3D positionMoonMe)
+    /// <param name="positionBodyFixed">The vertex, m, body-fixed.</param>
+    public static HorizonPoint Of(int columns, in LocalFrame frame, Vector3D positionBodyFixed)
     {
-        Vector3D local = frame.ToLocal(positionMoonMe - frame.PositionMoonMe);
+        Vector3D local = frame.ToLocal(positionBodyFixed - frame.PositionBodyFixed);
         double across = double.Sqrt((local.X * local.X) + (local.Y * local.Y)); // m on one body: no overflow
         double turns = Math.Atan2(local.X, local.Y) / (2.0 * Math.PI);
         return new HorizonPoint(

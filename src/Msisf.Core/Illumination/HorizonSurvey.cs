@@ -62,10 +62,10 @@ public sealed class HorizonSurvey
             return null;
         }
 
-        Vector3D up = hit.PointMoonMe.Normalized();
-        double cosine = Vector3D.Dot(hit.NormalMoonMe, up);
+        Vector3D up = hit.PointBodyFixed.Normalized();
+        double cosine = Vector3D.Dot(hit.NormalBodyFixed, up);
         double slope = Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine))) / cosine;
-        return (LocalFrame.At((hit.PointMoonMe.Length + Math.Max(height, LeastHeight)) * up), slope);
+        return (LocalFrame.At((hit.PointBodyFixed.Length + Math.Max(height, LeastHeight)) * up), slope);
     }
 
     /// <summary>Finds horizons.</summary>
@@ -102,7 +102,7 @@ public sealed class HorizonSurvey
                 found.Clear();
                 Profile.Store(finder.Buffer.Tangents, StoredErrorDegrees, found);
                 corners[place] = [.. found];
-                (radii[place], slopes[place]) = (frame.PositionMoonMe.Length, (float)slope);
+                (radii[place], slopes[place]) = (frame.PositionBodyFixed.Length, (float)slope);
             }
 
             advanced?.Invoke(end - (item * PerItem));

@@ -28,7 +28,7 @@ internal sealed class HorizonTerrain(SurfaceModel surface)
     /// <summary>Bounds of a node of a model.</summary>
     public ref readonly TerrainNode NodeOf(int part, NodePlace node) => ref _tables[part].Of(node);
 
-    /// <summary>The vertices of a block, relative to an origin, m, MOON_ME.</summary>
+    /// <summary>The vertices of a block, relative to an origin, m, body-fixed.</summary>
     public (BlockVertices Vertices, Vector3D Origin) BlockAt(int part, int row, int column)
     {
         lock (_gate)

@@ -148,7 +148,7 @@ internal sealed class LightFinder
         seen.East = Along(frame.East, x, y, z);
         seen.North = Along(frame.North, x, y, z);
         seen.Up = Along(frame.Up, x, y, z)
-            - (Vector512.Create((float)frame.PositionMoonMe.Length) * Vector512.LoadUnsafe(ref body.PerMetre[step]));
+            - (Vector512.Create((float)frame.PositionBodyFixed.Length) * Vector512.LoadUnsafe(ref body.PerMetre[step]));
         Vector512<float> across = Vector512.Sqrt((seen.East * seen.East) + (seen.North * seen.North));
         seen.Tangent = seen.Up / Vector512.MaxNative(across, Vector512.Create(1e-6f));
         seen.Column = AzimuthLanes.Turns(seen.East, seen.North) * Vector512.Create((float)Table.Columns);

@@ -27,9 +27,9 @@ public sealed class LightSurvey
     {
         (_horizons, _conditions) = (horizons, conditions);
         double radius = conditions.IsPoint ? 0.0 : SunRadius;
-        _sun = new LightTimes(conditions.SunMoonMe, radius);
+        _sun = new LightTimes(conditions.SunBodyFixed, radius);
         _earth = new LightTimes(conditions.EarthMoonMe, EarthRadius);
-        _exact = new ExactLight(tracer, conditions.SunMoonMe, radius);
+        _exact = new ExactLight(tracer, conditions.SunBodyFixed, radius);
     }
 
     /// <summary>The light of places.</summary>
@@ -72,8 +72,8 @@ public sealed class LightSurvey
 
     /// <summary>Whether any part of the Sun is in view of a place above the ground, by rays of the exact tracer.</summary>
     /// <param name="frame">The place.</param>
-    /// <param name="sunMoonMe">The Sun, m, MOON_ME.</param>
-    public bool IsSunInView(LocalFrame frame, Vector3D sunMoonMe) => _exact.IsVisible(frame, sunMoonMe);
+    /// <param name="sunBodyFixed">The Sun, m, body-fixed.</param>
+    public bool IsSunInView(LocalFrame frame, Vector3D sunBodyFixed) => _exact.IsVisible(frame, sunBodyFixed);
 
     /// <summary>The stored horizon of a place.</summary>
     /// <param name="horizons">Horizons of places.</param>
@@ -107,9 +107,9 @@ public sealed class LightSurvey
 }
 
 /// <summary>What light is asked for.</summary>
-/// <param name="SunMoonMe">The Sun at each step, m, MOON_ME.</param>
-/// <param name="EarthMoonMe">The Earth at each step, m, MOON_ME.</param>
-public sealed record LightConditions(IReadOnlyList<Vector3D> SunMoonMe, IReadOnlyList<Vector3D> EarthMoonMe)
+/// <param name="SunBodyFixed">The Sun at each step, m, body-fixed.</param>
+/// <param name="EarthMoonMe">The Earth at each step, m, body-fixed.</param>
+public sealed record LightConditions(IReadOnlyList<Vector3D> SunBodyFixed, IReadOnlyList<Vector3D> EarthMoonMe)
 {
     /// <summary>Whether the Sun is a point.</summary>
     public bool IsPoint { get; init; }

@@ -9,17 +9,17 @@ internal sealed class LightTimes
     public const int Lanes = 16;
 
     /// <summary>Takes the body's places.</summary>
-    /// <param name="positionsMoonMe">m, MOON_ME, at each step.</param>
+    /// <param name="positionsBodyFixed">m, body-fixed, at each step.</param>
     /// <param name="radius">m: of the body; 0 for a point.</param>
-    public LightTimes(IReadOnlyList<Vector3D> positionsMoonMe, double radius)
+    public LightTimes(IReadOnlyList<Vector3D> positionsBodyFixed, double radius)
     {
-        Count = positionsMoonMe.Count;
+        Count = positionsBodyFixed.Count;
         int padded = (Count + Lanes - 1) / Lanes * Lanes;
         (X, Y, Z) = (new float[padded], new float[padded], new float[padded]);
         (PerMetre, Slope, Distances) = (new float[padded], new float[padded], new double[padded]);
         for (int step = 0; step < padded; step++)
         {
-            Vector3D position = positionsMoonMe[Math.Min(step, Count - 1)];
+            Vector3D position = positionsBodyFixed[Math.Min(step, Count - 1)];
             double distance = position.Length;
             Vector3D direction = position / distance;
             (X[step], Y[step], Z[step]) = ((float)direction.X, (float)direction.Y, (float)direction.Z);
@@ -33,7 +33,7 @@ internal sealed class LightTimes
     /// <summary>Number of steps; the arrays are padded with the last one.</summary>
     public int Count { get; }
 
-    /// <summary>Directions, MOON_ME, length 1.</summary>
+    /// <summary>Directions, body-fixed, length 1.</summary>
     public float[] X { get; }
 
     /// <inheritdoc cref="X"/>

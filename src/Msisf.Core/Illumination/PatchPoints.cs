@@ -24,7 +24,7 @@ internal sealed class PatchPoints
 
     /// <summary>Turns the vertices of a patch.</summary>
     /// <param name="vertices">Those of its block.</param>
-    /// <param name="origin">To which they are relative, m, MOON_ME.</param>
+    /// <param name="origin">To which they are relative, m, body-fixed.</param>
     /// <param name="top">Line of the patch in the block.</param>
     /// <param name="left">Its sample.</param>
     /// <param name="cells">Its cells.</param>
@@ -33,7 +33,7 @@ internal sealed class PatchPoints
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Place(BlockVertices vertices, Vector3D origin, int top, int left, CellRange cells, in LocalFrame frame, int columns)
     {
-        Vector3D start = frame.ToLocal(origin - frame.PositionMoonMe);
+        Vector3D start = frame.ToLocal(origin - frame.PositionBodyFixed);
         for (int line = 0; line <= cells.Lines; line++)
         {
             nuint from = (nuint)(((top + line) * BlockVertices.Stride) + left);

@@ -62,7 +62,7 @@ internal sealed class LayerRow
     public double AxisLength { get; private set; }
 
     /// <summary>Position of the Sun, or of the lamp that replaces it, m.</summary>
-    public Vector3D LightPositionMoonMe { get; private set; }
+    public Vector3D LightPositionBodyFixed { get; private set; }
 
     /// <summary>
     /// px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.
@@ -96,13 +96,13 @@ internal sealed class LayerRow
     /// <summary>The ray parameter of each pixel's point, whose unit is the length of <see cref="Sight"/>.</summary>
     public double[] Parameters => _truth.Points.Parameters;
 
-    /// <summary>Surface points, m, MOON_ME.</summary>
+    /// <summary>Surface points, m, body-fixed.</summary>
     public VectorRow Points => _points;
 
-    /// <summary>Normals of length 1, MOON_ME.</summary>
+    /// <summary>Normals of length 1, body-fixed.</summary>
     public VectorRow Normals => _normals;
 
-    /// <summary>From the camera to the points: directions of the pixels' rays, MOON_ME.</summary>
+    /// <summary>From the camera to the points: directions of the pixels' rays, body-fixed.</summary>
     public VectorRow Sight
     {
         get
@@ -125,7 +125,7 @@ internal sealed class LayerRow
             if (Misses(Known.ToLight))
             {
                 // Relative to the camera, so that a lamp at the camera lies exactly on the line of sight, however near the ground is.
-                RowGeometry.FindRest(LightPositionMoonMe - Camera.PositionMoonMe, Parameters, sight, Count, _toLight);
+                RowGeometry.FindRest(LightPositionBodyFixed - Camera.PositionBodyFixed, Parameters, sight, Count, _toLight);
             }
 
             return _toLight;
@@ -166,8 +166,8 @@ internal sealed class LayerRow
         {
             (Camera, AxisLength) = (camera, camera.OpticalAxis.Length);
             SceneLight light = _frame.Light.At(_frame.Camera, row + 1);
-            LightPositionMoonMe = light.PositionMoonMe;
-            RadianceOfUnitFactor = light.IsSun ? _band.RadianceOfUnitFactor(light.PositionMoonMe.Length) : null;
+            LightPositionBodyFixed = light.PositionBodyFixed;
+            RadianceOfUnitFactor = light.IsSun ? _band.RadianceOfUnitFactor(light.PositionBodyFixed.Length) : null;
         }
 
         _frame.ReadRow(row + 1, _truth);

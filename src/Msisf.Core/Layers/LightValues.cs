@@ -24,7 +24,7 @@ internal static class LightValues
         for (int i = 0; i < row.Count; i++)
         {
             double? angle = IlluminationDirection.At(
-                row.Camera, sight[i], lengths[i], row.Points[i], radii[i], row.LightPositionMoonMe);
+                row.Camera, sight[i], lengths[i], row.Points[i], radii[i], row.LightPositionBodyFixed);
             values[i] = double.RadiansToDegrees(angle ?? double.NaN);
         }
     }

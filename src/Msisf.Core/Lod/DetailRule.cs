@@ -54,7 +54,7 @@ public sealed class DetailRule
     /// <returns>0 for the model itself; each further level has half the resolution.</returns>
     public int LevelOfImage(PixelFootprint footprint, int subsamplesPerAxis)
     {
-        double height = footprint.PositionMoonMe.Length - _referenceRadius;
+        double height = footprint.PositionBodyFixed.Length - _referenceRadius;
         return LevelOfPixel(height * footprint.Tangent / subsamplesPerAxis);
     }
 

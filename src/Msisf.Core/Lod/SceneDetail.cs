@@ -38,8 +38,8 @@ public sealed class SceneDetail : IFrameTerrain
     public IReadOnlyList<int?> LevelsFor(PixelFootprint footprint, int subsamplesPerAxis)
     {
         NestedTerrain scene = _levels.Scene;
-        double distance = footprint.PositionMoonMe.Length;
-        Vector3D direction = footprint.PositionMoonMe.Normalized();
+        double distance = footprint.PositionBodyFixed.Length;
+        Vector3D direction = footprint.PositionBodyFixed.Normalized();
         double ground = scene.GroundRadius(direction);
         int?[] levels = new int?[_rules.Length];
         for (int model = 0; model < levels.Length; model++)

@@ -13,7 +13,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="SimulationTime">UTC.</param>
 /// <param name="Camera">Position and orientation.</param>
 /// <param name="FieldOfViewDegrees">Horizontal field of view as the user gave it.</param>
-/// <param name="SunPositionMoonMe">m; with <c>--ignore-sun</c> the position of the light, which is the camera's.</param>
+/// <param name="SunPositionBodyFixed">m; with <c>--ignore-sun</c> the position of the light, which is the camera's.</param>
 /// <param name="Elevation">The elevation model.</param>
 /// <param name="HeightOverTerrain">Of the camera over the model's surface below it, m.</param>
 /// <param name="Version">Version of the program.</param>
@@ -24,7 +24,7 @@ public sealed record FrameMetadata(
     ModifiedJulianDate SimulationTime,
     ICamera Camera,
     double FieldOfViewDegrees,
-    Vector3D SunPositionMoonMe,
+    Vector3D SunPositionBodyFixed,
     DrawnElevation Elevation,
     double HeightOverTerrain,
     string Version,
@@ -45,7 +45,7 @@ public sealed record FrameMetadata(
     public NavigationTruth? Navigation { get; init; }
 
     /// <summary>m: height of the camera over the Moon's mean radius (thesis section 9.2), or over another body's sphere.</summary>
-    public double FlightAltitude => Camera.PositionMoonMe.Length - Globe.AltitudeRadius;
+    public double FlightAltitude => Camera.PositionBodyFixed.Length - Globe.AltitudeRadius;
 
     /// <summary>Name of the renderer, as the command line and the files have it.</summary>
     public string RendererName => Renderer switch

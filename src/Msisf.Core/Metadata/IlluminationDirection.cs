@@ -11,9 +11,9 @@ public static class IlluminationDirection
 {
     /// <summary>The direction at the ground point that a line of sight shows.</summary>
     /// <param name="camera">Where the line of sight begins; its orientation turns the direction into the image plane.</param>
-    /// <param name="lineOfSightMoonMe">From the camera to the ground point, any length; in the image's half space.</param>
-    /// <param name="pointMoonMe">The ground point, m, on that line; the tangent plane is that of the sphere through it.</param>
-    /// <param name="sunPositionMoonMe">The Sun, or the light that stands for it, m.</param>
+    /// <param name="lineOfSightBodyFixed">From the camera to the ground point, any length; in the image's half space.</param>
+    /// <param name="pointBodyFixed">The ground point, m, on that line; the tangent plane is that of the sphere through it.</param>
+    /// <param name="sunPositionBodyFixed">The Sun, or the light that stands for it, m.</param>
     /// <returns>
     /// rad, [0, 2 pi); null where it is undefined: the Sun is in the zenith or nadir of the point, or its ground line is seen end on.
     /// </returns>
@@ -23,27 +23,27 @@ public static class IlluminationDirection
     /// of two nearby projections: the plane through the line of sight and the ground line cuts the image plane in the wanted direction,
     /// and its normal is one cross product (docs/deviations.md, rows 9 and 10).
     /// </remarks>
-    public static double? At(FrameCamera camera, Vector3D lineOfSightMoonMe, Vector3D pointMoonMe, Vector3D sunPositionMoonMe) =>
-        At(camera, lineOfSightMoonMe, lineOfSightMoonMe.Length, pointMoonMe, pointMoonMe.Length, sunPositionMoonMe);
+    public static double? At(FrameCamera camera, Vector3D lineOfSightBodyFixed, Vector3D pointBodyFixed, Vector3D sunPositionBodyFixed) =>
+        At(camera, lineOfSightBodyFixed, lineOfSightBodyFixed.Length, pointBodyFixed, pointBodyFixed.Length, sunPositionBodyFixed);
 
     /// <summary>The same, for a caller that knows the lengths of the line of sight and of the point's vector, which are not 0.</summary>
     internal static double? At(
-        FrameCamera camera, Vector3D lineOfSightMoonMe, double lineOfSightLength, Vector3D pointMoonMe, double pointRadius,
-        Vector3D sunPositionMoonMe)
+        FrameCamera camera, Vector3D lineOfSightBodyFixed, double lineOfSightLength, Vector3D pointBodyFixed, double pointRadius,
+        Vector3D sunPositionBodyFixed)
     {
-        Vector3D lineOfSight = lineOfSightMoonMe / lineOfSightLength;
+        Vector3D lineOfSight = lineOfSightBodyFixed / lineOfSightLength;
 
         // The point is taken on the line of sight: rounding moves it aside by 1e-10 m, which would turn the direction to a lamp at a
         // camera 1 m above the ground by 1e-7 degrees.
-        double distance = Vector3D.Dot(pointMoonMe - camera.PositionMoonMe, lineOfSight);
-        Vector3D toSun = sunPositionMoonMe - camera.PositionMoonMe - (distance * lineOfSight);
+        double distance = Vector3D.Dot(pointBodyFixed - camera.PositionBodyFixed, lineOfSight);
+        Vector3D toSun = sunPositionBodyFixed - camera.PositionBodyFixed - (distance * lineOfSight);
         double sunDistance = toSun.Length;
         if (!(sunDistance > 0.0))
         {
             return null;
         }
 
-        Vector3D zenith = pointMoonMe / pointRadius;
+        Vector3D zenith = pointBodyFixed / pointRadius;
         Vector3D alongGround = Vector3D.Cross(zenith, Vector3D.Cross(toSun / sunDistance, zenith));
         Vector3D planeNormal = camera.MoonFromCamera.Conjugate * Vector3D.Cross(lineOfSight, alongGround);
         double right = -planeNormal.Z;
@@ -54,7 +54,7 @@ public static class IlluminationDirection
         }
 
         // A lens turns the direction as it turns a short line at the point.
-        (right, down) = camera.DirectionInImage(lineOfSightMoonMe, right, down);
+        (right, down) = camera.DirectionInImage(lineOfSightBodyFixed, right, down);
         return AngleReduction.FullTurnOfHalf(Math.Atan2(right, down));
     }
 }

@@ -18,9 +18,9 @@ internal sealed class SpherePixels : IPixelView
     /// <exception cref="BadInputException">The Sun's position is not finite.</exception>
     public SpherePixels(ICamera camera, ISurface sphere, SceneLight light)
     {
-        if (!light.PositionMoonMe.IsFinite)
+        if (!light.PositionBodyFixed.IsFinite)
         {
-            throw new BadInputException($"The Sun's position {light.PositionMoonMe} is not finite.");
+            throw new BadInputException($"The Sun's position {light.PositionBodyFixed} is not finite.");
         }
 
         _camera = camera;
@@ -42,7 +42,7 @@ internal sealed class SpherePixels : IPixelView
         }
 
         double? direction = IlluminationDirection.At(
-            _camera.BandAt(v).Camera, ray.Direction, point, _light.At(_camera, v).PositionMoonMe);
+            _camera.BandAt(v).Camera, ray.Direction, point, _light.At(_camera, v).PositionBodyFixed);
         record = new PixelRecord(h, v, SelenographicPoint.Below(point), direction);
         return true;
     }

@@ -42,14 +42,14 @@ internal sealed class TerrainPixels : IPixelView
         }
 
         FrameCamera camera = _truth.Camera.BandAt(v).Camera;
-        Vector3D point = hit.PointMoonMe;
-        Vector3D lightPosition = _truth.Light.At(_truth.Camera, v).PositionMoonMe;
+        Vector3D point = hit.PointBodyFixed;
+        Vector3D lightPosition = _truth.Light.At(_truth.Camera, v).PositionBodyFixed;
         TerrainRecord terrain = new(
             point.Length - _referenceRadius,
             point,
-            (point - camera.PositionMoonMe).Length,
-            hit.NormalMoonMe,
-            PhotometricAngles.At(point, hit.NormalMoonMe, camera.PositionMoonMe, lightPosition),
+            (point - camera.PositionBodyFixed).Length,
+            hit.NormalBodyFixed,
+            PhotometricAngles.At(point, hit.NormalBodyFixed, camera.PositionBodyFixed, lightPosition),
             light,
             _pixelsPerDegree is { } resolution ? TileId.Holding(hit.Facet, resolution) : null,
             hit.Facet)

@@ -7,18 +7,18 @@ namespace Msisf.Core.Metadata;
 
 /// <summary>The terrain point that a pixel shows.</summary>
 /// <param name="Height">m over the reference radius.</param>
-/// <param name="PositionMoonMe">m, MOON_ME.</param>
+/// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="Range">m from the camera.</param>
-/// <param name="NormalMoonMe">Outward normal that shades the point, MOON_ME, length 1.</param>
+/// <param name="NormalBodyFixed">Outward normal that shades the point, body-fixed, length 1.</param>
 /// <param name="Angles">Incidence and emission from this normal, phase.</param>
 /// <param name="Light">How the point is lit.</param>
 /// <param name="Tile">The tile that holds the facet; null on a map that has no tiles.</param>
 /// <param name="Facet">The facet on which the point lies.</param>
 public readonly record struct TerrainRecord(
     double Height,
-    Vector3D PositionMoonMe,
+    Vector3D PositionBodyFixed,
     double Range,
-    Vector3D NormalMoonMe,
+    Vector3D NormalBodyFixed,
     PhotometricAngles Angles,
     PixelIllumination Light,
     TileId? Tile,
@@ -35,18 +35,18 @@ public readonly record struct TerrainRecord(
 public readonly record struct PhotometricAngles(double Incidence, double Emission, double Phase)
 {
     /// <summary>The angles at a point.</summary>
-    /// <param name="pointMoonMe">The point of the surface, m.</param>
-    /// <param name="normalMoonMe">Its outward normal, any length but zero.</param>
-    /// <param name="cameraMoonMe">Where it is seen from, m; not the point itself.</param>
-    /// <param name="lightMoonMe">The Sun, or the lamp that stands for it, m; not the point itself.</param>
+    /// <param name="pointBodyFixed">The point of the surface, m.</param>
+    /// <param name="normalBodyFixed">Its outward normal, any length but zero.</param>
+    /// <param name="cameraBodyFixed">Where it is seen from, m; not the point itself.</param>
+    /// <param name="lightBodyFixed">The Sun, or the lamp that stands for it, m; not the point itself.</param>
     /// <returns>Phase is 0 to the last bit if the light is at the camera.</returns>
-    public static PhotometricAngles At(Vector3D pointMoonMe, Vector3D normalMoonMe, Vector3D cameraMoonMe, Vector3D lightMoonMe)
+    public static PhotometricAngles At(Vector3D pointBodyFixed, Vector3D normalBodyFixed, Vector3D cameraBodyFixed, Vector3D lightBodyFixed)
     {
-        Vector3D toCamera = cameraMoonMe - pointMoonMe;
-        Vector3D toLight = lightMoonMe - pointMoonMe;
+        Vector3D toCamera = cameraBodyFixed - pointBodyFixed;
+        Vector3D toLight = lightBodyFixed - pointBodyFixed;
         return new PhotometricAngles(
-            Vector3D.AngleBetween(toLight, normalMoonMe),
-            Vector3D.AngleBetween(toCamera, normalMoonMe),
+            Vector3D.AngleBetween(toLight, normalBodyFixed),
+            Vector3D.AngleBetween(toCamera, normalBodyFixed),
             Vector3D.AngleBetween(toLight, toCamera));
     }
 }

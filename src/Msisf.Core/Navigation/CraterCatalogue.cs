@@ -25,7 +25,7 @@ public sealed class CraterCatalogue
     /// <summary>m: of the largest.</summary>
     public double MaxRadius { get; }
 
-    /// <summary>From the Moon's centre to the centres of the craters, length 1, MOON_ME.</summary>
+    /// <summary>From the Moon's centre to the centres of the craters, length 1, body-fixed.</summary>
     internal ReadOnlySpan<Vector3D> Directions => _directions;
 
     /// <summary>The disc of a crater's rim on a terrain.</summary>

@@ -39,15 +39,15 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
     }
 
     /// <summary>Whether a position lies above the disc's plane, so that it sees the disc's upper side.</summary>
-    public bool IsBelow(Vector3D positionMoonMe) => Vector3D.Dot(positionMoonMe - Centre, Up) > 0.0;
+    public bool IsBelow(Vector3D positionBodyFixed) => Vector3D.Dot(positionBodyFixed - Centre, Up) > 0.0;
 
     /// <summary>
     /// Whether a surface point that a camera above the disc sees inside of the rim's ellipse hides the disc: it lies above the disc's
     /// plane, so nearer, and not over the disc. The crater's own walls over the disc do not hide it.
     /// </summary>
-    public bool IsHiddenBy(Vector3D pointMoonMe)
+    public bool IsHiddenBy(Vector3D pointBodyFixed)
     {
-        Vector3D way = pointMoonMe - Centre;
+        Vector3D way = pointBodyFixed - Centre;
         if (!(Vector3D.Dot(way, Up) > 0.0))
         {
             return false;
@@ -72,7 +72,7 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
     public bool TryProject(FrameCamera camera, out ImageEllipse ellipse)
     {
         CameraModel model = camera.Model;
-        Vector3D centre = InCamera(camera, Centre - camera.PositionMoonMe);
+        Vector3D centre = InCamera(camera, Centre - camera.PositionBodyFixed);
         Vector3D major = InCamera(camera, Major);
         Vector3D minor = InCamera(camera, Minor);
         double towards = double.Hypot(major.Z, minor.Z);
@@ -99,7 +99,7 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
 
     /// <summary>Right, down, forward.</summary>
     private static Vector3D InCamera(FrameCamera camera, Vector3D vector) => new(
-        Vector3D.Dot(vector, camera.UnitRight), -Vector3D.Dot(vector, camera.UnitUp), Vector3D.Dot(vector, camera.ForwardMoonMe));
+        Vector3D.Dot(vector, camera.UnitRight), -Vector3D.Dot(vector, camera.UnitUp), Vector3D.Dot(vector, camera.ForwardBodyFixed));
 
     private static (double X, double Y) ToImage(CameraModel model, double right, double down) =>
         ((model.FocalX * right) + (model.Skew * down), model.FocalY * down);

@@ -60,8 +60,8 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
     private static CraterView View(ICamera camera, SceneLight light, Crater crater, in CraterDisc disc, in CraterShape shape)
     {
         ImageEllipse ellipse = shape.Ellipse;
-        Vector3D eye = camera.BandAt(ellipse.Y).Camera.PositionMoonMe;
-        Vector3D source = light.At(camera, ellipse.Y).PositionMoonMe;
+        Vector3D eye = camera.BandAt(ellipse.Y).Camera.PositionBodyFixed;
+        Vector3D source = light.At(camera, ellipse.Y).PositionBodyFixed;
         return new CraterView(crater, disc, ellipse)
         {
             Curve = shape.Curve,
@@ -87,7 +87,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
             {
                 double tangent = band.Camera.Model.BorderTangent();
                 double cosine = 1.0 / double.Hypot(1.0, tangent);
-                return (band.Camera.PositionMoonMe, band.Camera.ForwardMoonMe, tangent * cosine, cosine);
+                return (band.Camera.PositionBodyFixed, band.Camera.ForwardBodyFixed, tangent * cosine, cosine);
             }),
         ];
         List<int> found = [];
@@ -124,7 +124,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
             return CurveOf(camera, disc, terrain);
         }
 
-        if (!disc.IsBelow(pinhole.PositionMoonMe) || !ofPinhole.Shows(disc))
+        if (!disc.IsBelow(pinhole.PositionBodyFixed) || !ofPinhole.Shows(disc))
         {
             return default;
         }
@@ -182,7 +182,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
         RenderingPoint[] shown = curve[..seen];
         bool isInView = seen > 0
             && CurvePolygon.Meets(shown, camera.Width, camera.Height)
-            && disc.IsBelow(camera.BandAt(shown.Average(point => point.Y)).Camera.PositionMoonMe);
+            && disc.IsBelow(camera.BandAt(shown.Average(point => point.Y)).Camera.PositionBodyFixed);
         return !isInView ? default
             : seen == rim.Length && EllipseFit.TryFit(curve, out ImageEllipse ellipse, out double residual)
                 ? new CraterShape(IsInView: true, ellipse, curve, residual, null)

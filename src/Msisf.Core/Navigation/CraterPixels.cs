@@ -121,7 +121,7 @@ public static class CraterPixels
                 return; // the sky beside a crater at the limb
             }
 
-            if (disc.IsHiddenBy(hit.PointMoonMe))
+            if (disc.IsHiddenBy(hit.PointBodyFixed))
             {
                 Hidden++;
                 return;

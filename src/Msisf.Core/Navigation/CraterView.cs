@@ -4,7 +4,7 @@ namespace Msisf.Core.Navigation;
 
 /// <summary>A crater in an image.</summary>
 /// <param name="Crater">The crater.</param>
-/// <param name="Disc">Its disc, m, MOON_ME.</param>
+/// <param name="Disc">Its disc, m, body-fixed.</param>
 /// <param name="Ellipse">How its rim is seen.</param>
 public sealed record CraterView(Crater Crater, CraterDisc Disc, ImageEllipse Ellipse)
 {

@@ -30,11 +30,11 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
     {
         FlowField flow = new(frame.Camera.Width, frame.Camera.Height);
         FrameCamera other = target.Camera;
-        using NativeFrame? seen = other.PositionMoonMe.Length > redraw.Terrain.RadiusLimits.Max + Clear
-            ? redraw.With(new SceneLight(other.PositionMoonMe, IsSun: true), SunModel.Point, threads, cancellation)
+        using NativeFrame? seen = other.PositionBodyFixed.Length > redraw.Terrain.RadiusLimits.Max + Clear
+            ? redraw.With(new SceneLight(other.PositionBodyFixed, IsSun: true), SunModel.Point, threads, cancellation)
             : null;
         TerrainTracer? tracer = seen is null ? new TerrainTracer(redraw.Terrain) : null;
-        bool isRelit = target.Light.IsSun && frame.Light.IsSun && target.Light.PositionMoonMe != frame.Light.PositionMoonMe;
+        bool isRelit = target.Light.IsSun && frame.Light.IsSun && target.Light.PositionBodyFixed != frame.Light.PositionBodyFixed;
         using NativeFrame? relit = isRelit ? redraw.With(target.Light, redraw.Sun, threads, cancellation) : null;
         TruthRow[][] rows = [.. Enumerable.Range(0, threads).Select(_ => (TruthRow[])[new(), new(), new()])];
         WorkerTeam.Run(
@@ -95,7 +95,7 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
         }
 
         bool IsSeen(int index) => seen is null
-            ? !tracer!.IsHidden(points.PointAt(index), points.Facets[index], other.PositionMoonMe)
+            ? !tracer!.IsHidden(points.PointAt(index), points.Facets[index], other.PositionBodyFixed)
             : seen.Lights[index].VisibleFraction > 0.0;
     }
 
@@ -103,12 +103,12 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
     private void FindLights(FlowField flow, int row, TruthRow points, TruthRow relit, SceneLight otherLight)
     {
         int start = row * flow.Width;
-        Vector3D light = frame.Light.PositionMoonMe;
+        Vector3D light = frame.Light.PositionBodyFixed;
         for (int i = 0; i < points.Points.Count; i++)
         {
             bool isLit = points.Lights[i].VisibleFraction > 0.0;
             bool isLitThere = relit.Lights[i].VisibleFraction > 0.0;
-            Vector3D source = isLit ? otherLight.PositionMoonMe : light;
+            Vector3D source = isLit ? otherLight.PositionBodyFixed : light;
             flow.Lights[start + points.Points.Columns[i]] = (byte)(isLit == isLitThere
                 ? isLit ? FlowLight.LitInBoth : FlowLight.DarkInBoth
                 : Vector3D.Dot(redraw.NormalOf(points.Facets[i]), source - points.PointAt(i)) > 0.0 ? FlowLight.ChangedByShadow

@@ -47,7 +47,7 @@ public sealed class FrameRedraw(NativeRenderer renderer, ICamera camera, int mar
         threads,
         cancellation);
 
-    /// <summary>The outward normal of a facet, MOON_ME, of any length.</summary>
+    /// <summary>The outward normal of a facet, body-fixed, of any length.</summary>
     internal Vector3D NormalOf(FacetId facet)
     {
         (Vector3D a, Vector3D b, Vector3D c) = _surface.Value.CornersOf(facet);

@@ -12,7 +12,7 @@ internal readonly struct ImagePyramid
     /// <summary>The pyramid of a camera without a lens.</summary>
     public ImagePyramid(FrameCamera camera)
     {
-        _apex = camera.PositionMoonMe;
+        _apex = camera.PositionBodyFixed;
         Vector3D[] corners =
         [
             camera.RayThrough(0.5, 0.5).Direction, camera.RayThrough(camera.Width + 0.5, 0.5).Direction,

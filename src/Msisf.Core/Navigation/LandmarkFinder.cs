@@ -32,7 +32,7 @@ public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
             double top = terrain.RadiusLimits.Max + Above;
             bool hasGround = tracer.TryTrace(new Ray(top * landmark.Direction, -landmark.Direction), out SurfaceHit ground);
             Vector3D point = landmark.Height is null && hasGround
-                ? ground.PointMoonMe
+                ? ground.PointBodyFixed
                 : (terrain.ReferenceRadius + (landmark.Height ?? 0.0)) * landmark.Direction;
             if (camera.TryProjectPoint(point, out RenderingPoint seen) && IsInside(camera, seen))
             {
@@ -48,20 +48,20 @@ public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
         ICamera camera, Landmark landmark, Vector3D point, RenderingPoint seen, TerrainTracer tracer, SceneLight light, SurfaceHit? ground)
     {
         (PixelRows rows, FrameCamera band) = camera.BandAt(seen.Y);
-        Vector3D way = point - band.PositionMoonMe;
-        Vector3D toLight = light.PositionMoonMe - point;
+        Vector3D way = point - band.PositionBodyFixed;
+        Vector3D toLight = light.PositionBodyFixed - point;
         bool isOnGround = landmark.Height is null && ground is not null;
         bool isDark = isOnGround
-            ? tracer.IsHidden(point, ground!.Value.Facet, light.PositionMoonMe)
-            : ground?.PointMoonMe.Length - SamePoint > point.Length || tracer.TryTrace(new Ray(point, toLight), out _);
-        bool isHidden = tracer.TryTrace(new Ray(band.PositionMoonMe, way), out SurfaceHit before)
+            ? tracer.IsHidden(point, ground!.Value.Facet, light.PositionBodyFixed)
+            : ground?.PointBodyFixed.Length - SamePoint > point.Length || tracer.TryTrace(new Ray(point, toLight), out _);
+        bool isHidden = tracer.TryTrace(new Ray(band.PositionBodyFixed, way), out SurfaceHit before)
             && before.RayParameter * way.Length < way.Length - SamePoint;
         Ray ray = band.RayThrough(seen.X, seen.Y - rows.First);
         return new LandmarkView(landmark, point, seen.X, seen.Y)
         {
             HiddenBy = isHidden ? before.Facet : null,
             IsLit = !light.IsSun || !isDark,
-            Incidence = ground is { } below ? Vector3D.AngleBetween(below.NormalMoonMe, toLight) : null,
+            Incidence = ground is { } below ? Vector3D.AngleBetween(below.NormalBodyFixed, toLight) : null,
             Range = way.Length,
             PixelScale = band.PixelSide(ray, way.Length / ray.Direction.Length),
             Derivatives = PixelDerivatives.At(band, point),

@@ -5,10 +5,10 @@ namespace Msisf.Core.Navigation;
 
 /// <summary>A landmark whose place lies inside an image.</summary>
 /// <param name="Landmark">The landmark.</param>
-/// <param name="PointMoonMe">m.</param>
+/// <param name="PointBodyFixed">m.</param>
 /// <param name="X">Rendering coordinate.</param>
 /// <param name="Y">Rendering coordinate.</param>
-public sealed record LandmarkView(Landmark Landmark, Vector3D PointMoonMe, double X, double Y)
+public sealed record LandmarkView(Landmark Landmark, Vector3D PointBodyFixed, double X, double Y)
 {
     /// <summary>The facet that hides it from the camera; null if it is visible.</summary>
     public FacetId? HiddenBy { get; init; }
@@ -38,6 +38,6 @@ public sealed record LandmarksOfFrame(IReadOnlyList<LandmarkView> Views, int Out
 /// <param name="Number">The list's row, from 1, without its heading.</param>
 /// <param name="Identity">The list's own name of the row, its number where there is none; no two are the same.</param>
 /// <param name="Name">Null where the list has none.</param>
-/// <param name="Direction">From the Moon's centre, length 1, MOON_ME.</param>
+/// <param name="Direction">From the Moon's centre, length 1, body-fixed.</param>
 /// <param name="Height">m over the reference radius; null for a point on the terrain.</param>
 public sealed record Landmark(int Number, string Identity, string? Name, Vector3D Direction, double? Height);

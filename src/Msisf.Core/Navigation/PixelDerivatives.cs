@@ -6,7 +6,7 @@ namespace Msisf.Core.Navigation;
 /// <summary>Partial derivatives of the place at which a point is seen. Each vector holds those by three numbers.</summary>
 /// <param name="XByShift">px/m: of x by the camera's position along its own axes (-x forward, y right, z up).</param>
 /// <param name="XByTurn">px/rad: of x by turns of the camera about its own axes, right-handed.</param>
-/// <param name="XByPoint">px/m: of x by the point, MOON_ME.</param>
+/// <param name="XByPoint">px/m: of x by the point, body-fixed.</param>
 /// <param name="YByShift">px/m: of y.</param>
 /// <param name="YByTurn">px/rad: of y.</param>
 /// <param name="YByPoint">px/m: of y.</param>
@@ -15,14 +15,14 @@ public readonly record struct PixelDerivatives(
 {
     /// <summary>The derivatives at a point in front of a camera.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="pointMoonMe">m.</param>
+    /// <param name="pointBodyFixed">m.</param>
     /// <remarks>
     /// The point is p = M^T (P - C) in camera axes, its tangents are -p.y / p.x to the right and p.z / p.x down. A shift of the camera
     /// changes p by its opposite, a turn w by p x w.
     /// </remarks>
-    public static PixelDerivatives At(FrameCamera camera, Vector3D pointMoonMe)
+    public static PixelDerivatives At(FrameCamera camera, Vector3D pointBodyFixed)
     {
-        Vector3D p = camera.MoonFromCamera.Conjugate * (pointMoonMe - camera.PositionMoonMe);
+        Vector3D p = camera.MoonFromCamera.Conjugate * (pointBodyFixed - camera.PositionBodyFixed);
         (double Right, double Down) tangents = (-p.Y / p.X, p.Z / p.X);
         (double xByRight, double yByRight) = camera.Model.DirectionInImage(tangents, 1.0, 0.0);
         (double xByDown, double yByDown) = camera.Model.DirectionInImage(tangents, 0.0, 1.0);

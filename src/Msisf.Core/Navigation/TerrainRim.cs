@@ -16,7 +16,7 @@ internal static class TerrainRim
     /// <summary>Places on this way: steps of a 20th of the radius.</summary>
     private const int Places = 9;
 
-    /// <summary>The rim, m, MOON_ME.</summary>
+    /// <summary>The rim, m, body-fixed.</summary>
     /// <param name="disc">The disc.</param>
     /// <param name="terrain">The terrain.</param>
     /// <param name="directions">How many points.</param>

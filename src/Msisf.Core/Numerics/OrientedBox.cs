@@ -1,7 +1,7 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>A box with edges in any direction.</summary>
-/// <param name="Centre">m, MOON_ME.</param>
+/// <param name="Centre">m, body-fixed.</param>
 /// <param name="HalfX">m, MOON_ME: from the centre to the middle of a side.</param>
 /// <param name="HalfY">The same, at a right angle to <paramref name="HalfX"/>.</param>
 /// <param name="HalfZ">The same, at a right angle to both.</param>

@@ -34,14 +34,14 @@ public sealed record FramePreview(
     public static FramePreview Of(ICamera camera, SceneLight light, ITerrain? terrain)
     {
         FrameCamera inMiddle = camera.BandAt(0.5 * (1.0 + camera.Height)).Camera;
-        Vector3D position = inMiddle.PositionMoonMe;
+        Vector3D position = inMiddle.PositionBodyFixed;
         double radius = RadiusBelow(position, terrain);
         SphereShare share = ShareOf(camera, light, radius);
         BoresightView? middle = InTheMiddle(inMiddle, light, radius);
         bool isBesideMap = share.Moon > 0.0 && terrain is { IsWholeBody: false } && !IsInView(terrain, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),
-            Vector3D.AngleBetween(inMiddle.ForwardMoonMe, -position.Normalized()),
+            Vector3D.AngleBetween(inMiddle.ForwardBodyFixed, -position.Normalized()),
             isBesideMap ? null : middle,
             isBesideMap ? new SphereShare(0.0, Lit: null) : share,
             isBesideMap);
@@ -59,7 +59,7 @@ public sealed record FramePreview(
     {
         SurfaceModel surface = SurfaceModel.Of(map);
         return camera.Bands[0].Camera.Model.Lens is not null
-            || (middle is { } seen && surface.Parts[0].Mesh.PlaceOf(seen.Point.ToDirectionMoonMe()) is not null)
+            || (middle is { } seen && surface.Parts[0].Mesh.PlaceOf(seen.Point.ToDirectionBodyFixed()) is not null)
             || camera.Bounds(Margin).Any(
                 bounds => new BlockCuller(surface).Find(bounds, threads: 1, CancellationToken.None).Count > 0);
     }
@@ -85,15 +85,15 @@ public sealed record FramePreview(
 
     private static BoresightView? InTheMiddle(FrameCamera camera, SceneLight light, double radius)
     {
-        if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionMoonMe, camera.ForwardMoonMe), out Vector3D point))
+        if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionBodyFixed, camera.ForwardBodyFixed), out Vector3D point))
         {
             return null;
         }
 
-        double metresPerPixel = (point - camera.PositionMoonMe).Length * camera.PixelTangent;
+        double metresPerPixel = (point - camera.PositionBodyFixed).Length * camera.PixelTangent;
         return double.IsFinite(metresPerPixel) // a camera may be as far away as numbers reach
             ? new BoresightView(
-                SelenographicPoint.Below(point), light.IsSun ? SkyDirection.Of(point, light.PositionMoonMe) : null, metresPerPixel)
+                SelenographicPoint.Below(point), light.IsSun ? SkyDirection.Of(point, light.PositionBodyFixed) : null, metresPerPixel)
             : null;
     }
 

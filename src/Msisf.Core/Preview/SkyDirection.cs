@@ -10,12 +10,12 @@ namespace Msisf.Core.Preview;
 public readonly record struct SkyDirection(double Elevation, double? Azimuth)
 {
     /// <summary>The direction from a point to something else.</summary>
-    /// <param name="pointMoonMe">The point, m; not the Moon's centre.</param>
-    /// <param name="targetMoonMe">What is seen from there, m; not the point itself.</param>
-    public static SkyDirection Of(Vector3D pointMoonMe, Vector3D targetMoonMe)
+    /// <param name="pointBodyFixed">The point, m; not the Moon's centre.</param>
+    /// <param name="targetBodyFixed">What is seen from there, m; not the point itself.</param>
+    public static SkyDirection Of(Vector3D pointBodyFixed, Vector3D targetBodyFixed)
     {
-        Vector3D up = pointMoonMe.Normalized();
-        Vector3D toTarget = (targetMoonMe - pointMoonMe).Normalized();
+        Vector3D up = pointBodyFixed.Normalized();
+        Vector3D toTarget = (targetBodyFixed - pointBodyFixed).Normalized();
         Vector3D across = Vector3D.Cross(up, toTarget);
         double elevation = Math.Atan2(Vector3D.Dot(up, toTarget), across.Length);
         double fromAxis = double.Hypot(up.X, up.Y);

@@ -35,13 +35,13 @@ internal sealed class SphereCoverage
     /// <summary>Distance over the centre, in radii towards the light, at which the light stands on the horizon.</summary>
     private readonly double _horizon;
 
-    private SphereCoverage(FrameCamera camera, Vector3D lightMoonMe, double radius)
+    private SphereCoverage(FrameCamera camera, Vector3D lightBodyFixed, double radius)
     {
         _radius = radius;
-        _distance = camera.PositionMoonMe.Length;
-        _toCentre = ForwardRightUp(camera, -camera.PositionMoonMe / _distance);
-        double lightDistance = lightMoonMe.Length;
-        _toLight = ForwardRightUp(camera, lightMoonMe / lightDistance);
+        _distance = camera.PositionBodyFixed.Length;
+        _toCentre = ForwardRightUp(camera, -camera.PositionBodyFixed / _distance);
+        double lightDistance = lightBodyFixed.Length;
+        _toLight = ForwardRightUp(camera, lightBodyFixed / lightDistance);
         _horizon = radius / lightDistance;
         _outline = new SphereOutline(_toCentre, radius, _distance, ImageOf(camera));
     }
@@ -52,16 +52,16 @@ internal sealed class SphereCoverage
     /// <param name="radius">Radius, m.</param>
     public static SphereShare Of(FrameCamera camera, SceneLight light, double radius)
     {
-        if (!(camera.PositionMoonMe.Length >= radius))
+        if (!(camera.PositionBodyFixed.Length >= radius))
         {
             return new SphereShare(0.0, Lit: null);
         }
 
-        SphereCoverage coverage = new(camera, light.PositionMoonMe, radius);
+        SphereCoverage coverage = new(camera, light.PositionBodyFixed, radius);
         if (coverage._outline.TryFindRows(out double bottom, out double top))
         {
             double moon = coverage.Moon(bottom, top);
-            double? uniform = light.IsSun ? UniformLight(camera.PositionMoonMe, light.PositionMoonMe, radius) : 1.0;
+            double? uniform = light.IsSun ? UniformLight(camera.PositionBodyFixed, light.PositionBodyFixed, radius) : 1.0;
             return new SphereShare(Math.Min(1.0, moon), uniform ?? coverage.Lit(bottom, top));
         }
 
@@ -72,11 +72,11 @@ internal sealed class SphereCoverage
     /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. Most frames
     /// from a low orbit are told by this.
     /// </summary>
-    private static double? UniformLight(Vector3D positionMoonMe, Vector3D lightMoonMe, double radius)
+    private static double? UniformLight(Vector3D positionBodyFixed, Vector3D lightBodyFixed, double radius)
     {
-        double toHorizon = AngleToHorizon(positionMoonMe.Length, radius);
-        double toTerminator = AngleToHorizon(lightMoonMe.Length, radius);
-        double between = Vector3D.AngleBetween(positionMoonMe.Normalized(), lightMoonMe.Normalized());
+        double toHorizon = AngleToHorizon(positionBodyFixed.Length, radius);
+        double toTerminator = AngleToHorizon(lightBodyFixed.Length, radius);
+        double between = Vector3D.AngleBetween(positionBodyFixed.Normalized(), lightBodyFixed.Normalized());
         return between + toHorizon <= toTerminator ? 1.0 : between - toHorizon >= toTerminator ? 0.0 : null;
     }
 
@@ -173,9 +173,9 @@ internal sealed class SphereCoverage
     }
 
     /// <summary>Camera axes look along -x, with y to the right and z up.</summary>
-    private static Vector3D ForwardRightUp(FrameCamera camera, Vector3D directionMoonMe)
+    private static Vector3D ForwardRightUp(FrameCamera camera, Vector3D directionBodyFixed)
     {
-        Vector3D inCamera = camera.MoonFromCamera.Conjugate * directionMoonMe;
+        Vector3D inCamera = camera.MoonFromCamera.Conjugate * directionBodyFixed;
         return inCamera with { X = -inCamera.X };
     }
 

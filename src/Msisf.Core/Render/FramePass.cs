@@ -114,10 +114,10 @@ internal sealed class FramePass : IDrawnFrame
             return false;
         }
 
-        light = PixelIllumination.At(hit.PointMoonMe, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
+        light = PixelIllumination.At(hit.PointBodyFixed, _sunlight.VisibleFraction(((y - 1) * Camera.Width) + x - 1), Light);
         if (_options!.Normals == NormalModel.Smooth)
         {
-            hit = hit with { NormalMoonMe = _light.SmoothNormal(hit, Camera.PositionMoonMe) };
+            hit = hit with { NormalBodyFixed = _light.SmoothNormal(hit, Camera.PositionBodyFixed) };
         }
 
         return true;
@@ -140,7 +140,7 @@ internal sealed class FramePass : IDrawnFrame
             {
                 Vector3D ofFacet = new(points.NormalX[i], points.NormalY[i], points.NormalZ[i]);
                 Vector3D normal = _light.SmoothNormal(
-                    new SurfaceHit(point, ofFacet, row.Facets[i], points.Parameters[i]), Camera.PositionMoonMe);
+                    new SurfaceHit(point, ofFacet, row.Facets[i], points.Parameters[i]), Camera.PositionBodyFixed);
                 (points.NormalX[i], points.NormalY[i], points.NormalZ[i]) = (normal.X, normal.Y, normal.Z);
             }
         }

@@ -9,12 +9,12 @@ namespace Msisf.Core.Render;
 public readonly record struct PixelIllumination(IlluminationState State, double VisibleFraction)
 {
     /// <summary>The illumination of a surface point that a camera sees.</summary>
-    /// <param name="pointMoonMe">The surface point, m, MOON_ME.</param>
+    /// <param name="pointBodyFixed">The surface point, m, body-fixed.</param>
     /// <param name="visibleFraction">
     /// Visible fraction of the Sun, 0 to 1; for a Sun that is a point it is 0 or 1. It is ignored for a lamp.
     /// </param>
     /// <param name="light">The Sun, or the lamp at the camera, which illuminates everything that the camera sees.</param>
-    public static PixelIllumination At(Vector3D pointMoonMe, double visibleFraction, SceneLight light)
+    public static PixelIllumination At(Vector3D pointBodyFixed, double visibleFraction, SceneLight light)
     {
         if (!light.IsSun || visibleFraction >= 1.0)
         {
@@ -26,7 +26,7 @@ public readonly record struct PixelIllumination(IlluminationState State, double 
             return new PixelIllumination(IlluminationState.Penumbra, visibleFraction);
         }
 
-        bool isAboveHorizon = Vector3D.Dot(pointMoonMe, light.PositionMoonMe - pointMoonMe) > 0.0;
+        bool isAboveHorizon = Vector3D.Dot(pointBodyFixed, light.PositionBodyFixed - pointBodyFixed) > 0.0;
         return new PixelIllumination(isAboveHorizon ? IlluminationState.Shadow : IlluminationState.Night, 0.0);
     }
 }

@@ -45,8 +45,8 @@ public sealed class TracedFrameTruth : IGroundTruth
         // A lamp at the camera illuminates everything that the camera sees. It is not traced, because rounding on the way back could hide
         // the edges of facets.
         SceneLight source = Light.At(Camera, y);
-        bool isDark = source.IsSun && _tracer.IsHidden(hit.PointMoonMe, hit.Facet, source.PositionMoonMe);
-        light = PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, source);
+        bool isDark = source.IsSun && _tracer.IsHidden(hit.PointBodyFixed, hit.Facet, source.PositionBodyFixed);
+        light = PixelIllumination.At(hit.PointBodyFixed, isDark ? 0.0 : 1.0, source);
         return true;
     }
 }

@@ -40,13 +40,13 @@ internal sealed class TruthRow
         int i = points.Count++;
         points.Columns[i] = column;
         points.Parameters[i] = hit.RayParameter;
-        (points.X[i], points.Y[i], points.Z[i]) = (hit.PointMoonMe.X, hit.PointMoonMe.Y, hit.PointMoonMe.Z);
-        (points.NormalX[i], points.NormalY[i], points.NormalZ[i]) = (hit.NormalMoonMe.X, hit.NormalMoonMe.Y, hit.NormalMoonMe.Z);
+        (points.X[i], points.Y[i], points.Z[i]) = (hit.PointBodyFixed.X, hit.PointBodyFixed.Y, hit.PointBodyFixed.Z);
+        (points.NormalX[i], points.NormalY[i], points.NormalZ[i]) = (hit.NormalBodyFixed.X, hit.NormalBodyFixed.Y, hit.NormalBodyFixed.Z);
         Facets[i] = hit.Facet;
         Lights[i] = light;
     }
 
-    /// <summary>A pixel's surface point, m, MOON_ME.</summary>
+    /// <summary>A pixel's surface point, m, body-fixed.</summary>
     /// <param name="index">Which of the pixels, from 0.</param>
     public Vector3D PointAt(int index) => new(Points.X[index], Points.Y[index], Points.Z[index]);
 

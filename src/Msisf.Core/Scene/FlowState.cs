@@ -6,11 +6,11 @@ namespace Msisf.Core.Scene;
 
 /// <summary>The state of the other frame of a flow.</summary>
 /// <param name="Time">UTC.</param>
-/// <param name="PositionMoonMe">m, MOON_ME.</param>
+/// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="MoonFromCamera">Turns camera axes into Moon axes.</param>
-/// <param name="SunPositionMoonMe">m, MOON_ME; null for that of the ephemeris.</param>
+/// <param name="SunPositionBodyFixed">m, body-fixed; null for that of the ephemeris.</param>
 public sealed record FlowState(
-    ModifiedJulianDate Time, Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera, Vector3D? SunPositionMoonMe = null)
+    ModifiedJulianDate Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera, Vector3D? SunPositionBodyFixed = null)
 {
     /// <summary>The numbers of a Sun, in their order.</summary>
     public static IReadOnlyList<string> NumberNamesOfSun { get; } = ["sx", "sy", "sz"];
@@ -20,7 +20,7 @@ public sealed record FlowState(
 
     /// <summary>That of a frame.</summary>
     public static FlowState Of(SpacecraftState state) =>
-        new(state.Time, state.PositionMoonMe, state.MoonFromCamera, state.SunPositionMoonMe);
+        new(state.Time, state.PositionBodyFixed, state.MoonFromCamera, state.SunPositionBodyFixed);
 
     /// <summary>Takes the numbers of <see cref="SpacecraftState.NumberNames"/>, or of <see cref="NumberNamesWithSun"/>.</summary>
     /// <exception cref="BadInputException">A number is out of its range.</exception>
@@ -32,7 +32,7 @@ public sealed record FlowState(
             ? state
             : state with
             {
-                SunPositionMoonMe = SpacecraftState.CheckedSun(
+                SunPositionBodyFixed = SpacecraftState.CheckedSun(
                     new Vector3D(numbers[count], numbers[count + 1], numbers[count + 2])),
             };
     }
@@ -40,7 +40,7 @@ public sealed record FlowState(
     /// <summary>The numbers; <see cref="FromNumbers"/> makes the same state of them.</summary>
     public double[] ToNumbers() =>
     [
-        .. new SpacecraftState(Time, PositionMoonMe, MoonFromCamera).ToNumbers(),
-        .. SunPositionMoonMe is { } sun ? (double[])[sun.X, sun.Y, sun.Z] : [],
+        .. new SpacecraftState(Time, PositionBodyFixed, MoonFromCamera).ToNumbers(),
+        .. SunPositionBodyFixed is { } sun ? (double[])[sun.X, sun.Y, sun.Z] : [],
     ];
 }

@@ -24,15 +24,16 @@ public static class GroundAberration
     /// <param name="ephemeris">Where the solar system's barycentre is, and how the Moon turns.</param>
     /// <param name="radius">m: of the sphere that the ground is taken for.</param>
     /// <returns>Position (m, MOON_ME) and orientation.</returns>
-    public static (Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera) Pose(
+    public static (Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera) Pose(
         in TrajectoryPoint point, UnitQuaternion moonFromCamera, Aberration aberration, IEphemeris ephemeris, double radius)
     {
         if (aberration == Aberration.None)
         {
-            return (point.PositionMoonMe, moonFromCamera);
+            return (point.PositionBodyFixed, moonFromCamera);
         }
 
-        double seconds = LightSpeed.TimeOver(Distance(point.PositionMoonMe, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
+        double seconds = LightSpeed.TimeOver(
+            Distance(point.PositionBodyFixed, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
         StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds);
         Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds - seconds).Position - center.Position;
         RotationMatrix moonThen = ephemeris.MoonMeFromJ2000(point.TdbSeconds - seconds);

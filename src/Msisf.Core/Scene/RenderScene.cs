@@ -26,9 +26,9 @@ public sealed record RenderScene(
 public sealed record SceneAlbedo(string ImageName, double WestDegrees, int Rows, double Diffuse);
 
 /// <summary>The one light of a scene.</summary>
-/// <param name="PositionMoonMe">m, MOON_ME.</param>
+/// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="IsSun">The Sun; otherwise a lamp at the camera (<c>--ignore-sun</c>), which has no disc.</param>
-public readonly record struct SceneLight(Vector3D PositionMoonMe, bool IsSun)
+public readonly record struct SceneLight(Vector3D PositionBodyFixed, bool IsSun)
 {
     /// <summary>The light of a row: at the camera's place of that time, or where the Sun is then.</summary>
     /// <param name="camera">The frame's camera; one state has the frame's light.</param>
@@ -37,5 +37,5 @@ public readonly record struct SceneLight(Vector3D PositionMoonMe, bool IsSun)
 
     /// <summary>The light of a camera's state.</summary>
     internal SceneLight Of(CameraState state) =>
-        this with { PositionMoonMe = IsSun ? state.SunPositionMoonMe ?? PositionMoonMe : state.PositionMoonMe };
+        this with { PositionBodyFixed = IsSun ? state.SunPositionBodyFixed ?? PositionBodyFixed : state.PositionBodyFixed };
 }

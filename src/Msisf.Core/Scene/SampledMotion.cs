@@ -30,7 +30,7 @@ public sealed class SampledMotion
         foreach (SpacecraftState state in states)
         {
             _positions.Add(
-                state.Time.SecondsSince(Start), new StateVector(state.PositionMoonMe, state.Motion?.VelocityMoonMe ?? default));
+                state.Time.SecondsSince(Start), new StateVector(state.PositionBodyFixed, state.Motion?.VelocityBodyFixed ?? default));
         }
     }
 

@@ -5,9 +5,9 @@ namespace Msisf.Core.Scene;
 /// <summary>
 /// Where a scene of POV-Ray has its origin, and in which unit it counts; its axes are those of MOON_ME (docs/pattern-format.md).
 /// </summary>
-/// <param name="OriginMoonMe">m, MOON_ME.</param>
+/// <param name="OriginBodyFixed">m, body-fixed.</param>
 /// <param name="UnitsPerKilometre">A power of two, at least 1.</param>
-public sealed record SceneAxes(Vector3D OriginMoonMe, double UnitsPerKilometre)
+public sealed record SceneAxes(Vector3D OriginBodyFixed, double UnitsPerKilometre)
 {
     /// <summary>Kilometres from the Moon's centre.</summary>
     public static SceneAxes MoonKilometres { get; } = new(default, 1.0);
@@ -29,17 +29,17 @@ public sealed record SceneAxes(Vector3D OriginMoonMe, double UnitsPerKilometre)
     /// from the Moon's centre are wrong by 0.1 m; there 7 of 65,536 pixels of cells of 1 m were lit through the ground. The unit is a small
     /// part of a cell, as far as the ground can be reached with it.
     /// </summary>
-    /// <param name="cameraMoonMe">Position of the camera, m, MOON_ME.</param>
+    /// <param name="cameraBodyFixed">Position of the camera, m, body-fixed.</param>
     /// <param name="moonRadius">m: the Moon's surface is nowhere farther from its centre.</param>
     /// <param name="cell">m: width of the narrowest cells.</param>
-    public static SceneAxes For(Vector3D cameraMoonMe, double moonRadius, double cell)
+    public static SceneAxes For(Vector3D cameraBodyFixed, double moonRadius, double cell)
     {
         double wanted = Math.Ceiling(Math.Log2(UnitsPerCell * MetresPerKilometre / cell));
-        double allowed = Math.Floor(Math.Log2(FarthestGround * MetresPerKilometre / (cameraMoonMe.Length + moonRadius)));
-        return new SceneAxes(cameraMoonMe, Math.Pow(2.0, Math.Max(0.0, Math.Min(wanted, allowed))));
+        double allowed = Math.Floor(Math.Log2(FarthestGround * MetresPerKilometre / (cameraBodyFixed.Length + moonRadius)));
+        return new SceneAxes(cameraBodyFixed, Math.Pow(2.0, Math.Max(0.0, Math.Min(wanted, allowed))));
     }
 
     /// <summary>A position in the scene's axes and unit.</summary>
-    /// <param name="positionMoonMe">m, MOON_ME.</param>
-    public Vector3D At(Vector3D positionMoonMe) => UnitsPerKilometre * ((positionMoonMe - OriginMoonMe) / MetresPerKilometre);
+    /// <param name="positionBodyFixed">m, body-fixed.</param>
+    public Vector3D At(Vector3D positionBodyFixed) => UnitsPerKilometre * ((positionBodyFixed - OriginBodyFixed) / MetresPerKilometre);
 }

@@ -40,6 +40,6 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
     public SpacecraftState At(ModifiedJulianDate time)
     {
         CameraState camera = At(ephemeris.TimeScale.FromUtc(time));
-        return new SpacecraftState(time, camera.PositionMoonMe, camera.MoonFromCamera);
+        return new SpacecraftState(time, camera.PositionBodyFixed, camera.MoonFromCamera);
     }
 }

@@ -10,9 +10,9 @@ namespace Msisf.Core.Scene;
 /// All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is not a state.
 /// </summary>
 /// <param name="Time">UTC.</param>
-/// <param name="PositionMoonMe">m, MOON_ME.</param>
+/// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="MoonFromCamera">Turns camera axes (looks along -x, y right, z up) into Moon axes.</param>
-public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D PositionMoonMe, UnitQuaternion MoonFromCamera)
+public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera)
 {
     /// <summary>
     /// The eight numbers of a fixed state in the thesis's order (section 6.3.2): MJD (days, UTC), position (m), quaternion.
@@ -46,21 +46,21 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <summary>
     /// m, MOON_ME: where the light's Sun is, at least <see cref="NearestSun"/> away; null for the place that the ephemeris gives.
     /// </summary>
-    public Vector3D? SunPositionMoonMe { get; init; }
+    public Vector3D? SunPositionBodyFixed { get; init; }
 
     /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
     /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/>,
-    /// <see cref="ExposureFactor"/>, <see cref="SunPositionMoonMe"/> and <see cref="Flow"/>.
+    /// <see cref="ExposureFactor"/>, <see cref="SunPositionBodyFixed"/> and <see cref="Flow"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [
-        Time.Days, PositionMoonMe.X, PositionMoonMe.Y, PositionMoonMe.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
+        Time.Days, PositionBodyFixed.X, PositionBodyFixed.Y, PositionBodyFixed.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
         MoonFromCamera.W, .. Motion?.ToNumbers() ?? [],
     ];
 
     /// <summary>Checks and takes a position of the Sun.</summary>
-    /// <param name="position">m, MOON_ME.</param>
+    /// <param name="position">m, body-fixed.</param>
     /// <exception cref="BadInputException">It is not finite, or nearer than <see cref="NearestSun"/>.</exception>
     public static Vector3D CheckedSun(Vector3D position) => position.Length is >= NearestSun and < double.PositiveInfinity
         ? position

@@ -47,8 +47,8 @@ internal sealed class BlockVertices
     internal Span<double> Radii => _radii;
 
     /// <summary>
-    /// Coordinate of each vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>; line by line with <see cref="Stride"/>
-    /// elements each.
+    /// Coordinate of each vertex, m, body-fixed, relative to the origin of the last <see cref="Load"/>; line by line with
+    /// <see cref="Stride"/> elements each.
     /// </summary>
     public double[] X { get; } = new double[Rows * Stride];
 
@@ -58,7 +58,7 @@ internal sealed class BlockVertices
     /// <inheritdoc cref="X"/>
     public double[] Z { get; } = new double[Rows * Stride];
 
-    /// <summary>Position of a vertex, m, MOON_ME, relative to the origin of the last <see cref="Load"/>.</summary>
+    /// <summary>Position of a vertex, m, body-fixed, relative to the origin of the last <see cref="Load"/>.</summary>
     public Vector3D this[int line, int sample]
     {
         get
@@ -90,11 +90,11 @@ internal sealed class BlockVertices
     /// <summary>Reads the vertices of a block.</summary>
     /// <param name="surface">The surface.</param>
     /// <param name="block">The block.</param>
-    /// <param name="originMoonMe">Origin, m, MOON_ME; it is subtracted from each vertex with one rounding per component.</param>
-    public void Load(SurfaceModel surface, CellBlock block, Vector3D originMoonMe)
+    /// <param name="originBodyFixed">Origin, m, body-fixed; it is subtracted from each vertex with one rounding per component.</param>
+    public void Load(SurfaceModel surface, CellBlock block, Vector3D originBodyFixed)
     {
         Block = block;
-        surface.Patches[block.Part].Load(this, originMoonMe);
+        surface.Patches[block.Part].Load(this, originBodyFixed);
     }
 
     /// <summary>Begins to load a block of cells.</summary>

@@ -2,7 +2,7 @@ using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Surface;
 
-/// <summary>The four vertices of a cell, m, MOON_ME; two of them coincide on the polar side of a fan.</summary>
+/// <summary>The four vertices of a cell, m, body-fixed; two of them coincide on the polar side of a fan.</summary>
 /// <param name="NorthWest">m.</param>
 /// <param name="NorthEast">m.</param>
 /// <param name="SouthWest">m.</param>

@@ -90,7 +90,7 @@ internal sealed class CylinderGeometry : MeshGeometry
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     public override void PlaceLine(
-        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originMoonMe, Span<double> x, Span<double> y, Span<double> z)
+        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {
         Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
         Debug.Assert(firstSample - _firstSample + radii.Length <= _longitudeSines.Length, "A line reaches beyond the table of longitudes.");
@@ -113,9 +113,9 @@ internal sealed class CylinderGeometry : MeshGeometry
             Vector512<double> px = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref cosines, i)) + half) * metresPerStep;
             Vector512<double> py = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref sines, i)) + half) * metresPerStep;
             Vector512<double> pz = Vector512.Floor((steps * sinLatitude) + half) * metresPerStep;
-            (px - Vector512.Create(originMoonMe.X)).StoreUnsafe(ref toX, i);
-            (py - Vector512.Create(originMoonMe.Y)).StoreUnsafe(ref toY, i);
-            (pz - Vector512.Create(originMoonMe.Z)).StoreUnsafe(ref toZ, i);
+            (px - Vector512.Create(originBodyFixed.X)).StoreUnsafe(ref toX, i);
+            (py - Vector512.Create(originBodyFixed.Y)).StoreUnsafe(ref toY, i);
+            (pz - Vector512.Create(originBodyFixed.Z)).StoreUnsafe(ref toZ, i);
         }
     }
 

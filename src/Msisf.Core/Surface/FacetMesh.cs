@@ -66,10 +66,10 @@ internal sealed class FacetMesh
     public static double Longitude(double sample, int samples) => (sample + 0.5) * 2.0 * Math.PI / samples;
 
     /// <summary>Line and sample of a direction on a map, px from the centre of the first pixel; null outside its cells.</summary>
-    /// <param name="directionMoonMe">MOON_ME, of any length above 0.</param>
-    public (double Line, double Sample)? PlaceOf(Vector3D directionMoonMe)
+    /// <param name="directionBodyFixed">MOON_ME, of any length above 0.</param>
+    public (double Line, double Sample)? PlaceOf(Vector3D directionBodyFixed)
     {
-        (double line, double sample) = Grid.Projection.PixelOf(directionMoonMe);
+        (double line, double sample) = Grid.Projection.PixelOf(directionBodyFixed);
         sample += sample < Cells.FirstSample ? SamplesOfTurn : 0;
         return line >= Cells.FirstLine && line <= Cells.EndLine && sample >= Cells.FirstSample && sample <= Cells.EndSample
             ? (line, sample)

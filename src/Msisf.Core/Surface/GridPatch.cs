@@ -62,7 +62,7 @@ internal sealed class GridPatch : Patch
     /// <summary>The cells of a block, or of a piece of it.</summary>
     public CellRange CellsOf(CellBlock block) => block.Piece == 0 ? block.Cells(Mesh) : Kept!.Pieces[block.Piece - 1];
 
-    /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
+    /// <summary>Position of a vertex whose radius is known, m, body-fixed, on the lattice.</summary>
     /// <param name="line">A line of the mesh; -1 (north pole) to the mesh's lines (south pole) of a closed one.</param>
     /// <param name="sample">A sample; of a closed mesh up to its number of samples, which is 0 again.</param>
     /// <param name="radius">m.</param>
@@ -106,7 +106,7 @@ internal sealed class GridPatch : Patch
     public override long CountFacets(CellRange cells) => 2L * cells.Lines * cells.Samples;
 
     /// <inheritdoc/>
-    public override void Load(BlockVertices vertices, Vector3D originMoonMe)
+    public override void Load(BlockVertices vertices, Vector3D originBodyFixed)
     {
         CellRange cells = CellsOf(vertices.Block);
         vertices.Begin(cells, Mesh.SouthFanLine);
@@ -119,7 +119,7 @@ internal sealed class GridPatch : Patch
             int start = line * BlockVertices.Stride;
             Mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, radii[..samples]);
             Geometry.PlaceLine(
-                cells.FirstLine + line, cells.FirstSample, radii[..whole], originMoonMe, vertices.X.AsSpan(start, whole),
+                cells.FirstLine + line, cells.FirstSample, radii[..whole], originBodyFixed, vertices.X.AsSpan(start, whole),
                 vertices.Y.AsSpan(start, whole), vertices.Z.AsSpan(start, whole));
         }
     }

@@ -14,6 +14,6 @@ internal interface ISurfaceSource
 internal interface IGround
 {
     /// <summary>Distance from the Moon's centre to the ground in a direction, m.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     double RadiusAt(Vector3D direction);
 }

@@ -16,8 +16,8 @@ public readonly record struct LatticePoint(int X, int Y, int Z)
     /// <summary>m: radii must be below this, so that their number of steps stays below 2^30.</summary>
     public const double RadiusLimit = 1 << 23;
 
-    /// <summary>Position, m, MOON_ME.</summary>
-    public Vector3D PositionMoonMe => new((double)X / StepsPerMetre, (double)Y / StepsPerMetre, (double)Z / StepsPerMetre);
+    /// <summary>Position, m, body-fixed.</summary>
+    public Vector3D PositionBodyFixed => new((double)X / StepsPerMetre, (double)Y / StepsPerMetre, (double)Z / StepsPerMetre);
 
     /// <summary>The lattice point nearest to a point of the surface; the order of the products is part of the pattern format.</summary>
     /// <param name="radius">m, above 0 and below <see cref="RadiusLimit"/>.</param>

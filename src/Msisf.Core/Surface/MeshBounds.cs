@@ -38,7 +38,7 @@ internal static class MeshBounds
             Distance(latitude, FacetMesh.Latitude(cells.FirstLine, lines), halfWidth),
             Distance(latitude, FacetMesh.Latitude(cells.EndLine, lines), halfWidth));
         (double sinRadius, double cosRadius) = Math.SinCos(radius);
-        return new SphericalCap(new SelenographicPoint(latitude, longitude).ToDirectionMoonMe(), cosRadius, sinRadius);
+        return new SphericalCap(new SelenographicPoint(latitude, longitude).ToDirectionBodyFixed(), cosRadius, sinRadius);
     }
 
     /// <summary>Radius (rad) of a cap around the block's middle that lies entirely within the block's facets.</summary>

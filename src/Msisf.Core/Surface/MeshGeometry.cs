@@ -27,7 +27,7 @@ internal abstract class MeshGeometry
     public static MeshGeometry Of(FacetMesh mesh) =>
         mesh.Grid.Projection is PolarStereographic polar ? new PlaneGeometry(polar, mesh) : new CylinderGeometry(mesh);
 
-    /// <summary>Position of a vertex whose radius is known, m, MOON_ME, on the lattice.</summary>
+    /// <summary>Position of a vertex whose radius is known, m, body-fixed, on the lattice.</summary>
     public abstract Vector3D Vertex(int line, int sample, double radius);
 
     /// <summary>
@@ -36,12 +36,12 @@ internal abstract class MeshGeometry
     /// <param name="line">The line.</param>
     /// <param name="firstSample">Sample of the first vertex.</param>
     /// <param name="radii">m; as many as whole vectors of eight hold.</param>
-    /// <param name="originMoonMe">Is subtracted from each position with one rounding a component, m, MOON_ME.</param>
+    /// <param name="originBodyFixed">Is subtracted from each position with one rounding a component, m, body-fixed.</param>
     /// <param name="x">Receives m, as many as there are radii.</param>
     /// <param name="y">As <paramref name="x"/>.</param>
     /// <param name="z">As <paramref name="x"/>.</param>
     public abstract void PlaceLine(
-        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originMoonMe, Span<double> x, Span<double> y, Span<double> z);
+        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z);
 
     /// <summary>Gets two planes through the Moon's centre between which the vertices of a rectangle of cells lie, left to right.</summary>
     /// <param name="cells">The rectangle.</param>

@@ -21,9 +21,9 @@ internal readonly record struct NodeBounds(float Min, float Max, float MaxSlope)
 }
 
 /// <summary>Bounding volumes of the facets of a node: a cap of directions and a box.</summary>
-/// <param name="Up">Direction of the node's middle, MOON_ME, length 1.</param>
+/// <param name="Up">Direction of the node's middle, body-fixed, length 1.</param>
 /// <param name="CapRadius">Angle around <paramref name="Up"/> that contains the directions of the facets.</param>
-/// <param name="Box">Box that contains the facets, MOON_ME; its axes point up and along the grid at the middle of the node.</param>
+/// <param name="Box">Box that contains the facets, body-fixed; its axes point up and along the grid at the middle of the node.</param>
 internal readonly record struct NodeBox(Vector3D Up, SineCosine CapRadius, OrientedBox Box);
 
 /// <summary>Neighbouring nodes of one level.</summary>
@@ -34,7 +34,7 @@ internal readonly record struct NodeBox(Vector3D Up, SineCosine CapRadius, Orien
 internal readonly record struct NodeRange(int FirstRow, int EndRow, int FirstColumn, int EndColumn);
 
 /// <summary>All directions within an angle of a centre direction.</summary>
-/// <param name="Centre">Unit vector, MOON_ME.</param>
+/// <param name="Centre">Unit vector, body-fixed.</param>
 /// <param name="CosRadius">Cosine of the angle.</param>
 /// <param name="SinRadius">Sine of the angle, which is below pi.</param>
 internal readonly record struct SphericalCap(Vector3D Centre, double CosRadius, double SinRadius);

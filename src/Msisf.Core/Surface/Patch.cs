@@ -57,7 +57,7 @@ internal abstract class Patch
     /// <returns>Part, line and sample of the vertex.</returns>
     public abstract (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner);
 
-    /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
+    /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public abstract (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet);
 
     /// <summary>Number of facets of some cells; at poles, and beside finer models, an upper bound.</summary>
@@ -65,6 +65,6 @@ internal abstract class Patch
 
     /// <summary>Reads the vertices of <see cref="BlockVertices.Block"/>.</summary>
     /// <param name="vertices">Receives them.</param>
-    /// <param name="originMoonMe">m, MOON_ME; it is subtracted from each vertex with one rounding per component.</param>
-    public abstract void Load(BlockVertices vertices, Vector3D originMoonMe);
+    /// <param name="originBodyFixed">m, body-fixed; it is subtracted from each vertex with one rounding per component.</param>
+    public abstract void Load(BlockVertices vertices, Vector3D originBodyFixed);
 }

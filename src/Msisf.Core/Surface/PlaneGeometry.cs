@@ -60,7 +60,7 @@ internal sealed class PlaneGeometry : MeshGeometry
         double b = _projection.B(line);
         double s = 0.25 * ((a * a) + (b * b));
         double f = (StepsPerMetre * radius) / (1.0 + s);
-        return _projection.ToMoonMe(new Vector3D(
+        return _projection.ToBodyFixed(new Vector3D(
             Math.Floor((f * b) + 0.5) / StepsPerMetre,
             Math.Floor((f * a) + 0.5) / StepsPerMetre,
             Math.Floor((_projection.PoleSign * (f * (1.0 - s))) + 0.5) / StepsPerMetre));
@@ -69,13 +69,13 @@ internal sealed class PlaneGeometry : MeshGeometry
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     public override void PlaceLine(
-        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originMoonMe, Span<double> x, Span<double> y, Span<double> z)
+        int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {
         Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
         Debug.Assert(firstSample + radii.Length <= _a.Length, "A line reaches beyond the table of samples.");
         ref double radiiStart = ref MemoryMarshal.GetReference(radii);
         ref double aStart = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_a), firstSample);
-        Vector3D origin = _projection.ToMap(originMoonMe);
+        Vector3D origin = _projection.ToMap(originBodyFixed);
         ref double toX = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => y, 2 => z, _ => x });
         ref double toY = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => z, 2 => x, _ => y });
         ref double toZ = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => x, 2 => y, _ => z });
@@ -108,8 +108,8 @@ internal sealed class PlaneGeometry : MeshGeometry
         double v1 = 0.5 * _projection.B(cells.EndLine);
         PlaneBorder below = PlaneBorder.Below(0.5 * _a[cells.FirstSample], v0, v1);
         PlaneBorder above = PlaneBorder.Above(0.5 * _a[cells.EndSample], v0, v1);
-        west = _projection.ToMoonMe(new Vector3D(below.Along, below.Across, _projection.PoleSign * below.Up));
-        east = _projection.ToMoonMe(new Vector3D(above.Along, above.Across, _projection.PoleSign * above.Up));
+        west = _projection.ToBodyFixed(new Vector3D(below.Along, below.Across, _projection.PoleSign * below.Up));
+        east = _projection.ToBodyFixed(new Vector3D(above.Along, above.Across, _projection.PoleSign * above.Up));
         return true;
     }
 
@@ -123,7 +123,7 @@ internal sealed class PlaneGeometry : MeshGeometry
         PlaneBorder north = _projection.IsSouth ? PlaneBorder.Above(first, u0, u1) : PlaneBorder.Below(first, u0, u1);
         PlaneBorder south = _projection.IsSouth ? PlaneBorder.Below(last, u0, u1) : PlaneBorder.Above(last, u0, u1);
         return (
-            _projection.ToMoonMe(new Vector3D(north.Across, north.Along, _projection.PoleSign * north.Up)),
-            _projection.ToMoonMe(new Vector3D(south.Across, south.Along, _projection.PoleSign * south.Up)));
+            _projection.ToBodyFixed(new Vector3D(north.Across, north.Along, _projection.PoleSign * north.Up)),
+            _projection.ToBodyFixed(new Vector3D(south.Across, south.Along, _projection.PoleSign * south.Up)));
     }
 }

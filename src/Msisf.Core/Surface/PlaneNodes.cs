@@ -72,11 +72,11 @@ internal sealed class PlaneNodes(PolarStereographic projection)
         }
 
         /// <summary>Tangent of the u axis in the middle, length 1.</summary>
-        public Vector3D AlongU => _projection.ToMoonMe(
+        public Vector3D AlongU => _projection.ToBodyFixed(
             new(-2.0 * _u * _v * _scale, 1.0 - (2.0 * _u * _u * _scale), -2.0 * _sign * _u * _scale));
 
         /// <summary>Tangent of the v axis in the middle, length 1.</summary>
-        public Vector3D AlongV => _projection.ToMoonMe(
+        public Vector3D AlongV => _projection.ToBodyFixed(
             new(1.0 - (2.0 * _v * _v * _scale), -2.0 * _u * _v * _scale, -2.0 * _sign * _v * _scale));
 
         /// <summary>Half of the extent along <see cref="AlongU"/>, as a fraction of the radius.</summary>
@@ -92,7 +92,7 @@ internal sealed class PlaneNodes(PolarStereographic projection)
             double squaredHalfSine = ((_halfU * _halfU) + (_halfV * _halfV)) * _scale / (1.0 + (nearU * nearU) + (nearV * nearV));
             double cosine = 1.0 - (2.0 * squaredHalfSine);
             double sine = 2.0 * Math.Sqrt(squaredHalfSine * (1.0 - squaredHalfSine));
-            Vector3D centre = _projection.ToMoonMe(
+            Vector3D centre = _projection.ToBodyFixed(
                 new Vector3D(2.0 * _v * _scale, 2.0 * _u * _scale, _sign * ((2.0 * _scale) - 1.0)));
 
             // Wider by the angle CapRadius, whose square is below the rounding.

@@ -5,11 +5,11 @@ namespace Msisf.Core.Surface;
 /// <summary>Bounds of a block of facets of the seams.</summary>
 /// <param name="Box">Cap of directions, and box.</param>
 /// <param name="Node">Cap and radii; slopes are not known.</param>
-/// <param name="Ball">A ball that contains the facets: centre, m, MOON_ME, and radius, m.</param>
+/// <param name="Ball">A ball that contains the facets: centre, m, body-fixed, and radius, m.</param>
 internal readonly record struct SeamBlock(NodeBox Box, TerrainNode Node, (Vector3D Centre, double Radius) Ball)
 {
     /// <summary>Finds the bounds of facets.</summary>
-    /// <param name="corners">Their corners, m, MOON_ME.</param>
+    /// <param name="corners">Their corners, m, body-fixed.</param>
     public static SeamBlock Of(ReadOnlySpan<Vector3D> corners)
     {
         Vector3D sum = default;
@@ -48,7 +48,7 @@ internal readonly record struct SeamBlock(NodeBox Box, TerrainNode Node, (Vector
 }
 
 /// <summary>A vertex of a model that a seam uses too.</summary>
-/// <param name="Position">m, MOON_ME, on the lattice of its model.</param>
+/// <param name="Position">m, body-fixed, on the lattice of its model.</param>
 /// <param name="Part">Number of the model.</param>
 /// <param name="Line">Line of the vertex in the model's mesh.</param>
 /// <param name="Sample">Sample of the vertex.</param>

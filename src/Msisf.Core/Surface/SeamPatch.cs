@@ -122,7 +122,7 @@ internal sealed class SeamPatch : Patch
     /// <inheritdoc/>
     public override long CountFacets(CellRange cells) => FacetsOf(cells.FirstSample / CellBlock.Size);
 
-    /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
+    /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public (Vector3D A, Vector3D B, Vector3D C) CornersOf(int facet) =>
         (VertexOf(facet, 0).Position, VertexOf(facet, 1).Position, VertexOf(facet, 2).Position);
 
@@ -135,7 +135,7 @@ internal sealed class SeamPatch : Patch
     private static double SineSquare(Vector3D u, Vector3D v) => Vector3D.Cross(u, v).LengthSquared / (u.LengthSquared * v.LengthSquared);
 
     /// <inheritdoc/>
-    public override void Load(BlockVertices vertices, Vector3D originMoonMe)
+    public override void Load(BlockVertices vertices, Vector3D originBodyFixed)
     {
         int block = vertices.Block.Column;
         int facets = FacetsOf(block);
@@ -146,10 +146,10 @@ internal sealed class SeamPatch : Patch
             // Places without a facet repeat the last one, so that all numbers are of the block.
             (Vector3D a, Vector3D b, Vector3D c) = CornersOf((block * BlockFacets) + Math.Min(i, facets - 1));
             int at = (i / LineFacets * 2 * BlockVertices.Stride) + (i % LineFacets * 2);
-            Put(at, a - originMoonMe);
-            Put(at + 1, c - originMoonMe);
-            Put(at + BlockVertices.Stride, b - originMoonMe);
-            Put(at + BlockVertices.Stride + 1, c - originMoonMe);
+            Put(at, a - originBodyFixed);
+            Put(at + 1, c - originBodyFixed);
+            Put(at + BlockVertices.Stride, b - originBodyFixed);
+            Put(at + BlockVertices.Stride + 1, c - originBodyFixed);
         }
 
         void Put(int index, Vector3D position) =>

@@ -57,7 +57,7 @@ internal sealed class SurfaceModel
     public double SolidRadius(double minRadius) =>
         IsClosed ? (minRadius * Patches.Min(patch => patch.Sagitta)) - Tolerances.VertexLattice : 0.0;
 
-    /// <summary>The corners of a facet, m, MOON_ME, counter-clockwise seen from outside.</summary>
+    /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Patches[facet.Part].CornersOf(facet);
 
     /// <summary>Whether the surface has a facet.</summary>

@@ -22,12 +22,12 @@ public static class TerrainHeight
     /// sphere.
     /// </summary>
     /// <param name="terrain">The model, or several.</param>
-    /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
+    /// <param name="positionBodyFixed">m, body-fixed; not the centre.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The position is the centre or not finite.</exception>
-    public static double RadiusBelow(ITerrain terrain, Vector3D positionMoonMe)
+    public static double RadiusBelow(ITerrain terrain, Vector3D positionBodyFixed)
     {
-        Vector3D direction = positionMoonMe.Normalized();
+        Vector3D direction = positionBodyFixed.Normalized();
         return terrain is IGround ground
             ? ground.RadiusAt(direction)
             : RadiusOn(new FacetMesh((ITerrainGrid)terrain), direction) ?? terrain.ReferenceRadius;
@@ -35,7 +35,7 @@ public static class TerrainHeight
 
     /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>
     /// <param name="mesh">The mesh.</param>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     internal static double? RadiusOn(FacetMesh mesh, Vector3D direction)
     {
         if (CellsAround(mesh, direction) is not { } cells)
@@ -128,12 +128,12 @@ public static class TerrainHeight
 
     /// <summary>Throws an exception for a position that is not above the surface.</summary>
     /// <param name="terrain">The model, or several.</param>
-    /// <param name="positionMoonMe">m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">m, body-fixed.</param>
     /// <exception cref="BadInputException">The position is not above the surface.</exception>
-    public static void RequireAbove(ITerrain terrain, Vector3D positionMoonMe)
+    public static void RequireAbove(ITerrain terrain, Vector3D positionBodyFixed)
     {
-        double distance = positionMoonMe.Length;
-        double surface = distance > 0.0 ? RadiusBelow(terrain, positionMoonMe) : double.PositiveInfinity;
+        double distance = positionBodyFixed.Length;
+        double surface = distance > 0.0 ? RadiusBelow(terrain, positionBodyFixed) : double.PositiveInfinity;
         if (!(distance > surface + Tolerances.VertexLattice))
         {
             throw new BadInputException(string.Create(

@@ -18,10 +18,10 @@ internal sealed class TerrainPatch
     /// <summary>Number of vertices from west to east.</summary>
     public int Samples { get; private set; }
 
-    /// <summary>Positions of the vertices, m, MOON_ME, line by line.</summary>
+    /// <summary>Positions of the vertices, m, body-fixed, line by line.</summary>
     public ReadOnlySpan<Vector3D> Positions => _positions.AsSpan(0, Lines * Samples);
 
-    /// <summary>Position of a vertex, m, MOON_ME; the indices are within the patch.</summary>
+    /// <summary>Position of a vertex, m, body-fixed; the indices are within the patch.</summary>
     public Vector3D this[int line, int sample] => _positions[(line * Samples) + sample];
 
     /// <summary>Reads the vertices of the cells [firstLine, endLine) x [firstSample, endSample), borders included.</summary>

@@ -18,12 +18,12 @@ public sealed record Equirectangular(int PixelsPerDegree) : MapProjection
     /// <inheritdoc/>
     public override Vector3D DirectionOf(double line, double sample) => new SelenographicPoint(
         double.DegreesToRadians(90.0 - ((line + 0.5) / PixelsPerDegree)),
-        double.DegreesToRadians((sample + 0.5) / PixelsPerDegree)).ToDirectionMoonMe();
+        double.DegreesToRadians((sample + 0.5) / PixelsPerDegree)).ToDirectionBodyFixed();
 
     /// <inheritdoc/>
-    public override (double Line, double Sample) PixelOf(Vector3D directionMoonMe)
+    public override (double Line, double Sample) PixelOf(Vector3D directionBodyFixed)
     {
-        SelenographicPoint point = SelenographicPoint.Below(directionMoonMe);
+        SelenographicPoint point = SelenographicPoint.Below(directionBodyFixed);
         return (
             ((90.0 - double.RadiansToDegrees(point.Latitude)) * PixelsPerDegree) - 0.5,
             (double.RadiansToDegrees(point.Longitude) * PixelsPerDegree) - 0.5);

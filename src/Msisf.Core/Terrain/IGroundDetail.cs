@@ -23,7 +23,7 @@ public interface IGroundDetail
     void ReadRadii(PolarStereographic map, int firstLine, int firstSample, int side, Span<double> radii);
 
     /// <summary>Radius in a direction, m.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     /// <param name="cell">m: width of the cells, a power of two.</param>
     double RadiusAt(Vector3D direction, double cell);
 }

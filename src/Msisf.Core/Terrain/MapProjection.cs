@@ -14,12 +14,12 @@ public abstract record MapProjection
     /// </summary>
     public abstract MapProjection? Halved();
 
-    /// <summary>Direction of a place of the grid from the Moon's centre, MOON_ME, length 1.</summary>
+    /// <summary>Direction of a place of the grid from the Moon's centre, body-fixed, length 1.</summary>
     /// <param name="line">px from the centre of the top line, downwards.</param>
     /// <param name="sample">px from the centre of the leftmost sample, to the right.</param>
     public abstract Vector3D DirectionOf(double line, double sample);
 
     /// <summary>Line and sample of a direction, px from the centre of the first pixel; they may lie outside the grid.</summary>
-    /// <param name="directionMoonMe">MOON_ME, of any length above 0.</param>
-    public abstract (double Line, double Sample) PixelOf(Vector3D directionMoonMe);
+    /// <param name="directionBodyFixed">MOON_ME, of any length above 0.</param>
+    public abstract (double Line, double Sample) PixelOf(Vector3D directionBodyFixed);
 }

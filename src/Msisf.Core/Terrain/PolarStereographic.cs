@@ -35,7 +35,7 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
     public double PoleSign => IsSouth ? -1.0 : 1.0;
 
     /// <summary>Turns the axes of the map, of which the third goes through its middle, to those of MOON_ME.</summary>
-    public Vector3D ToMoonMe(Vector3D inMap) => Turn switch
+    public Vector3D ToBodyFixed(Vector3D inMap) => Turn switch
     {
         1 => new Vector3D(inMap.Z, inMap.X, inMap.Y),
         2 => new Vector3D(inMap.Y, inMap.Z, inMap.X),
@@ -71,14 +71,14 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
         double b = B(line);
         double s = 0.25 * ((a * a) + (b * b));
         double f = 1.0 / (1.0 + s);
-        return ToMoonMe(new Vector3D(f * b, f * a, PoleSign * (f * (1.0 - s))));
+        return ToBodyFixed(new Vector3D(f * b, f * a, PoleSign * (f * (1.0 - s))));
     }
 
     /// <inheritdoc/>
-    public override (double Line, double Sample) PixelOf(Vector3D directionMoonMe)
+    public override (double Line, double Sample) PixelOf(Vector3D directionBodyFixed)
     {
         // The other pole lies at infinity, where no pixel is.
-        Vector3D direction = ToMap(directionMoonMe).Normalized();
+        Vector3D direction = ToMap(directionBodyFixed).Normalized();
         double f = 2.0 * MoonConstants.ReferenceRadius / MetresPerPixel / (1.0 + (PoleSign * direction.Z));
         return (LineOffset + (PoleSign * f * direction.X), SampleOffset + (f * direction.Y));
     }

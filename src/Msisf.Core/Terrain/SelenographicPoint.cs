@@ -8,16 +8,16 @@ namespace Msisf.Core.Terrain;
 public readonly record struct SelenographicPoint(double Latitude, double Longitude)
 {
     /// <summary>The point below a position. On the polar axis the longitude is 0.</summary>
-    /// <param name="positionMoonMe">m, MOON_ME; not the centre.</param>
+    /// <param name="positionBodyFixed">m, body-fixed; not the centre.</param>
     /// <remarks>Thesis eq. 3.10, by atan2 (docs/deviations.md, row 6).</remarks>
-    public static SelenographicPoint Below(Vector3D positionMoonMe)
+    public static SelenographicPoint Below(Vector3D positionBodyFixed)
     {
-        double latitude = Math.Atan2(positionMoonMe.Z, double.Hypot(positionMoonMe.X, positionMoonMe.Y));
-        return new SelenographicPoint(latitude, AngleReduction.ToFullTurn(Math.Atan2(positionMoonMe.Y, positionMoonMe.X)));
+        double latitude = Math.Atan2(positionBodyFixed.Z, double.Hypot(positionBodyFixed.X, positionBodyFixed.Y));
+        return new SelenographicPoint(latitude, AngleReduction.ToFullTurn(Math.Atan2(positionBodyFixed.Y, positionBodyFixed.X)));
     }
 
-    /// <summary>The unit vector from the Moon's centre to this point, MOON_ME (thesis eq. 3.9).</summary>
-    public Vector3D ToDirectionMoonMe()
+    /// <summary>The unit vector from the Moon's centre to this point, body-fixed (thesis eq. 3.9).</summary>
+    public Vector3D ToDirectionBodyFixed()
     {
         (double sinLatitude, double cosLatitude) = Math.SinCos(Latitude);
         (double sinLongitude, double cosLongitude) = Math.SinCos(Longitude);

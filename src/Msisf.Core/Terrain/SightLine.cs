@@ -15,15 +15,15 @@ public static class SightLine
     /// Whether ground hides a target that lies beyond the camera's horizon. A target that sees the camera above its own horizontal plane
     /// counts as visible: single mountains in between are not looked for.
     /// </summary>
-    /// <param name="positionMoonMe">Camera, m, MOON_ME.</param>
-    /// <param name="targetMoonMe">Target, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
+    /// <param name="targetBodyFixed">Target, m, body-fixed.</param>
     /// <param name="groundRadius">Distance from the Moon's centre to the terrain in a direction, m.</param>
-    public static bool IsBlocked(Vector3D positionMoonMe, Vector3D targetMoonMe, Func<Vector3D, double> groundRadius)
+    public static bool IsBlocked(Vector3D positionBodyFixed, Vector3D targetBodyFixed, Func<Vector3D, double> groundRadius)
     {
-        Vector3D line = targetMoonMe - positionMoonMe;
-        return Vector3D.Dot(line, targetMoonMe) > 0.0 && Enumerable.Range(1, Points - 1).Any(index =>
+        Vector3D line = targetBodyFixed - positionBodyFixed;
+        return Vector3D.Dot(line, targetBodyFixed) > 0.0 && Enumerable.Range(1, Points - 1).Any(index =>
         {
-            Vector3D point = positionMoonMe + ((double)index / Points * line);
+            Vector3D point = positionBodyFixed + ((double)index / Points * line);
             return point.Length < groundRadius(point);
         });
     }

@@ -31,15 +31,15 @@ public readonly record struct SurfacePlace
     /// <summary>Whether <see cref="Height"/> counts from the terrain and not from the reference radius.</summary>
     public bool IsOverTerrain { get; }
 
-    /// <summary>Position in m, MOON_ME.</summary>
+    /// <summary>Position in m, body-fixed.</summary>
     /// <param name="groundRadius">
     /// Distance from the Moon's centre to the terrain in a direction, m; asked only if the height counts from the terrain.
     /// </param>
     /// <param name="referenceRadius">m: radius of the sphere over which other heights count.</param>
-    public Vector3D ToPositionMoonMe(Func<Vector3D, double> groundRadius, double referenceRadius = MoonConstants.ReferenceRadius)
+    public Vector3D ToPositionBodyFixed(Func<Vector3D, double> groundRadius, double referenceRadius = MoonConstants.ReferenceRadius)
     {
         Vector3D direction = new SelenographicPoint(
-            double.DegreesToRadians(LatitudeDegrees), double.DegreesToRadians(LongitudeDegrees)).ToDirectionMoonMe();
+            double.DegreesToRadians(LatitudeDegrees), double.DegreesToRadians(LongitudeDegrees)).ToDirectionBodyFixed();
         return ((IsOverTerrain ? groundRadius(direction) : referenceRadius) + Height) * direction;
     }
 }

@@ -10,7 +10,7 @@ namespace Msisf.Core.Tiles;
 /// <param name="Layout">Which samples are joined, and the order of the vertices.</param>
 /// <param name="Radii">m, one a vertex; a pole's is the mean of the line beside it.</param>
 /// <param name="Offsets">
-/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, MOON_ME axes, each below 2^24 in size; the vertices of the skirt's
+/// x, y, z of each vertex in lattice steps from <see cref="Origin"/>, body-fixed axes, each below 2^24 in size; the vertices of the skirt's
 /// foot are last.
 /// </param>
 /// <param name="Faces">

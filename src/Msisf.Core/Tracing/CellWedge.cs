@@ -16,8 +16,8 @@ internal readonly struct CellWedge
 
     /// <summary>Prepares the cuts of a ray.</summary>
     /// <param name="geometry">Gives the borders of rectangles of cells.</param>
-    /// <param name="start">Point of the ray at which a piece's position is 0, m, MOON_ME.</param>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="start">Point of the ray at which a piece's position is 0, m, body-fixed.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     public CellWedge(MeshGeometry geometry, Vector3D start, Vector3D direction)
     {
         _geometry = geometry;

@@ -37,8 +37,8 @@ internal readonly struct EdgeFunction
     /// Above 0 if a ray that enters the ground passes on the left side of the edge from a to b as seen from outside, where it may hit the
     /// facet on that side; 0 if the ray meets the edge's line.
     /// </summary>
-    /// <param name="a">m, MOON_ME, on the lattice.</param>
-    /// <param name="b">m, MOON_ME, on the lattice.</param>
+    /// <param name="a">m, body-fixed, on the lattice.</param>
+    /// <param name="b">m, body-fixed, on the lattice.</param>
     public double Of(Vector3D a, Vector3D b)
     {
         Vector3D fromA = a - _origin;

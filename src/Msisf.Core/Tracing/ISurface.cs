@@ -7,8 +7,8 @@ namespace Msisf.Core.Tracing;
 public interface ISurface
 {
     /// <summary>Finds the first point of the surface in front of the ray's origin.</summary>
-    /// <param name="ray">The ray, MOON_ME.</param>
-    /// <param name="pointMoonMe">The point, m, MOON_ME; the zero vector if there is none.</param>
+    /// <param name="ray">The ray, body-fixed.</param>
+    /// <param name="pointBodyFixed">The point, m, body-fixed; the zero vector if there is none.</param>
     /// <returns>Whether the ray meets the surface.</returns>
-    bool TryFirstHit(Ray ray, out Vector3D pointMoonMe);
+    bool TryFirstHit(Ray ray, out Vector3D pointBodyFixed);
 }

@@ -16,18 +16,18 @@ public interface ITerrainTracer
     /// <summary>
     /// Whether a point of the ground gets no light, because its facet faces away from the light or other terrain is in between.
     /// </summary>
-    /// <param name="pointMoonMe">The point, m, MOON_ME, on the facet.</param>
+    /// <param name="pointBodyFixed">The point, m, body-fixed, on the facet.</param>
     /// <param name="facet">The facet on which the point lies.</param>
-    /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
-    bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe);
+    /// <param name="lightBodyFixed">The Sun or another point of light outside the Moon, m, body-fixed.</param>
+    bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed);
 }
 
 /// <summary>Where a ray meets the terrain.</summary>
-/// <param name="PointMoonMe">The point on the facet, m, MOON_ME.</param>
-/// <param name="NormalMoonMe">
-/// Outward normal with which the point is shaded, MOON_ME, length 1: the facet's normal, or one interpolated between the surrounding
+/// <param name="PointBodyFixed">The point on the facet, m, body-fixed.</param>
+/// <param name="NormalBodyFixed">
+/// Outward normal with which the point is shaded, body-fixed, length 1: the facet's normal, or one interpolated between the surrounding
 /// samples.
 /// </param>
 /// <param name="Facet">The facet that is met.</param>
 /// <param name="RayParameter">Ray parameter t of the point: origin + t direction.</param>
-public readonly record struct SurfaceHit(Vector3D PointMoonMe, Vector3D NormalMoonMe, FacetId Facet, double RayParameter);
+public readonly record struct SurfaceHit(Vector3D PointBodyFixed, Vector3D NormalBodyFixed, FacetId Facet, double RayParameter);

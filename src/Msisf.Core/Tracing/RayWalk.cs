@@ -37,7 +37,7 @@ internal ref struct RayWalk
 
     /// <summary>Prepares a walk.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="ray">The ray, MOON_ME; it must be finite and have a direction.</param>
+    /// <param name="ray">The ray, body-fixed; it must be finite and have a direction.</param>
     /// <param name="endParameter">Hits at this parameter of the ray or beyond do not count.</param>
     /// <param name="stopsAtAnyHit">Whether the walk stops at any hit instead of finding the first one.</param>
     public RayWalk(SurfaceModel surface, Ray ray, double endParameter, bool stopsAtAnyHit)
@@ -64,13 +64,13 @@ internal ref struct RayWalk
     /// <summary>Parameter of the hit on the original ray.</summary>
     public readonly double Parameter => _offset + _parameter;
 
-    /// <summary>The point that is hit, m, MOON_ME.</summary>
+    /// <summary>The point that is hit, m, body-fixed.</summary>
     public readonly Vector3D Point => _near.Origin + (_parameter * _near.Direction);
 
     /// <summary>The facet that is hit; null if none has been hit.</summary>
     public FacetId? Facet { get; private set; }
 
-    /// <summary>Outward normal of the facet that is hit, MOON_ME; its length is not 1.</summary>
+    /// <summary>Outward normal of the facet that is hit, body-fixed; its length is not 1.</summary>
     public Vector3D Normal { get; private set; }
 
     private readonly bool IsOver => _stopsAtAnyHit && Facet is not null;

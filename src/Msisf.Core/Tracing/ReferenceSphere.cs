@@ -34,7 +34,7 @@ public sealed class ReferenceSphere : ISurface
     /// chord is subtracted. Neither step depends on the distance of the origin, so no digits are lost to cancellation between 1 m and 1e12
     /// m. A tangent ray hits.
     /// </remarks>
-    public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
+    public bool TryFirstHit(Ray ray, out Vector3D pointBodyFixed)
     {
         Vector3D direction = ray.Direction.Normalized();
         Vector3D nearest = Vector3D.Cross(direction, Vector3D.Cross(ray.Origin, direction)) / direction.LengthSquared;
@@ -42,12 +42,12 @@ public sealed class ReferenceSphere : ISurface
         bool looksInward = Vector3D.Dot(ray.Origin, direction) < 0.0;
         if (!(looksInward && nearestDistance <= _radius && ray.Origin.Length >= _radius))
         {
-            pointMoonMe = default;
+            pointBodyFixed = default;
             return false;
         }
 
         double halfChord = Math.Sqrt((_radius - nearestDistance) * (_radius + nearestDistance));
-        pointMoonMe = nearest - (halfChord * direction);
+        pointBodyFixed = nearest - (halfChord * direction);
         return true;
     }
 }

@@ -32,10 +32,10 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <inheritdoc/>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
     /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
-    public bool TryFirstHit(Ray ray, out Vector3D pointMoonMe)
+    public bool TryFirstHit(Ray ray, out Vector3D pointBodyFixed)
     {
         bool isHit = TryTrace(ray, out SurfaceHit hit);
-        pointMoonMe = hit.PointMoonMe;
+        pointBodyFixed = hit.PointBodyFixed;
         return isHit;
     }
 
@@ -59,15 +59,15 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     /// <summary>
     /// Whether a point of the ground gets no light, because its facet faces away from the light or other terrain is in between.
     /// </summary>
-    /// <param name="pointMoonMe">The point, m, MOON_ME, on the facet.</param>
+    /// <param name="pointBodyFixed">The point, m, body-fixed, on the facet.</param>
     /// <param name="facet">The facet on which the point lies.</param>
-    /// <param name="lightMoonMe">The Sun or another point of light outside the Moon, m, MOON_ME.</param>
+    /// <param name="lightBodyFixed">The Sun or another point of light outside the Moon, m, body-fixed.</param>
     /// <exception cref="ArgumentException">Point or light is not finite, or they are the same.</exception>
     /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The model has no such facet.</exception>
-    public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
+    public bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed)
     {
-        Ray ray = new(pointMoonMe, lightMoonMe - pointMoonMe);
+        Ray ray = new(pointBodyFixed, lightBodyFixed - pointBodyFixed);
         RequireRay(ray);
         RequireFacet(facet);
         (Vector3D a, Vector3D b, Vector3D c) = _surface.CornersOf(facet);

@@ -74,7 +74,7 @@ internal static class VizGeometry
         return double.IsFinite(position.Length)
             ? new SpacecraftState(time, position, attitude)
             {
-                SunPositionMoonMe = SpacecraftState.CheckedSun(moonFromInertial * (sun.Position - moon.Position)),
+                SunPositionBodyFixed = SpacecraftState.CheckedSun(moonFromInertial * (sun.Position - moon.Position)),
             }
             : throw new BadInputException($"the position of '{craft.Name}' is {position}; three finite numbers are needed.");
     }

@@ -30,7 +30,7 @@ public sealed class BuiltInKernelsTests : IDisposable
     {
         using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
 
-        Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd));
+        Vector3D sun = kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(mjd));
 
         // 55289 is a whole day, at which both have the same double: some ulps are left; elsewhere see above.
         Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, mjd == 55289.0 ? 1e-15 : 2e-12);
@@ -57,7 +57,7 @@ public sealed class BuiltInKernelsTests : IDisposable
     {
         using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
 
-        Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd), aberration);
+        Vector3D sun = kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(mjd), aberration);
 
         Assert.InRange((sun - new Vector3D(x, y, z)).Length / sun.Length, 0.0, 2e-12);
     }
@@ -81,7 +81,7 @@ public sealed class BuiltInKernelsTests : IDisposable
     {
         using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd)));
+        SpiceException failure = Assert.Throws<SpiceException>(() => kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(mjd)));
 
         Assert.StartsWith(time, failure.Message, StringComparison.Ordinal);
         Assert.Contains("the kernels cover 1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z", failure.Message, StringComparison.Ordinal);
@@ -102,8 +102,10 @@ public sealed class BuiltInKernelsTests : IDisposable
         using BuiltInKernels kernels = Open(spk, bigEndian);
 
         // The sample scale below puts TDB = UTC + 0 s, and the series rise by 1 km from a record's middle to its end.
-        Assert.Equal(new Vector3D(100_500.0, 200_500.0, 300_500.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
-        Assert.Equal(new Vector3D(399_250.0, 499_250.0, 599_250.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51546.0)));
+        Assert.Equal(new Vector3D(100_500.0, 200_500.0, 300_500.0),
+            kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)));
+        Assert.Equal(new Vector3D(399_250.0, 499_250.0, 599_250.0),
+            kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51546.0)));
     }
 
     [Theory]
@@ -118,8 +120,8 @@ public sealed class BuiltInKernelsTests : IDisposable
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
         // At a record's middle, seen along x: y and z are v/c of the distance.
-        Vector3D sun = kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5), Aberration.LightTimeAndStellar)
-            - kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5), Aberration.LightTime);
+        Vector3D sun = kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5), Aberration.LightTimeAndStellar)
+            - kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5), Aberration.LightTime);
         Assert.Equal(1e9 * kilometresPerSecond / 299_792.458, sun.Y, 1e-3 * kilometresPerSecond * 1e3);
         Assert.Equal(sun.Y, sun.Z, 1e-3);
     }
@@ -131,7 +133,8 @@ public sealed class BuiltInKernelsTests : IDisposable
             10, 0, -Day, 2.0 * Day, 2, [100.0, 200.0, 300.0]).AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray();
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
-        Assert.Equal(new Vector3D(100_000.0, 200_000.0, 300_000.0), kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51545.5)));
+        Assert.Equal(new Vector3D(100_000.0, 200_000.0, 300_000.0),
+            kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51545.5)));
     }
 
     [Fact]
@@ -145,8 +148,8 @@ public sealed class BuiltInKernelsTests : IDisposable
         using BuiltInKernels lateWins = new([.. Frames(bigEndian: false), early, late]);
         using BuiltInKernels earlyWins = new([.. Frames(bigEndian: false), late, early]);
 
-        Assert.Equal(2000.0, lateWins.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)).X);
-        Assert.Equal(1000.0, earlyWins.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)).X);
+        Assert.Equal(2000.0, lateWins.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)).X);
+        Assert.Equal(1000.0, earlyWins.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)).X);
     }
 
     [Fact]
@@ -158,7 +161,8 @@ public sealed class BuiltInKernelsTests : IDisposable
             .AddSpk(301, 0, -Day, 2.0 * Day, 2, [0.0, 0.0, 0.0]).ToArray();
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
+        SpiceException failure = Assert.Throws<SpiceException>(() =>
+            kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)));
 
         Assert.Contains("body 10 is given by SPK type 20", failure.Message, StringComparison.Ordinal);
         Assert.True(kernels.Ephemeris.MoonMeFromJ2000(new ModifiedJulianDate(51544.5)).Row0.IsFinite);
@@ -186,7 +190,7 @@ public sealed class BuiltInKernelsTests : IDisposable
         using BuiltInKernels kernels = Open(spk, bigEndian: false);
 
         BadInputException failure = Assert.Throws<BadInputException>(
-            () => kernels.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(51544.5)));
+            () => kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)));
 
         Assert.Contains(expected, failure.Message, StringComparison.Ordinal);
         Assert.Contains("body 10", failure.Message, StringComparison.Ordinal);
@@ -227,14 +231,14 @@ public sealed class BuiltInKernelsTests : IDisposable
         IReadOnlyList<string> paths = KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]);
         using BuiltInKernels one = new(paths);
         using BuiltInKernels many = new(paths);
-        Vector3D[] expected = [.. times.Select(time => one.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(time)))];
+        Vector3D[] expected = [.. times.Select(time => one.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(time)))];
         Vector3D[] found = new Vector3D[times.Length];
 
         // Eight loops over the same times, so that threads meet at records that none has read.
         Parallel.For(0, 8 * times.Length, new ParallelOptions { MaxDegreeOfParallelism = 8 }, i =>
         {
             int k = i % times.Length;
-            found[k] = many.Ephemeris.SunPositionMoonMe(new ModifiedJulianDate(times[k]));
+            found[k] = many.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(times[k]));
         });
 
         Assert.Equal(expected, found);

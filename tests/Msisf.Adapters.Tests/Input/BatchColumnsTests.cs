@@ -60,7 +60,8 @@ public class BatchColumnsTests
                 + $"0,60328.5,2E6,1,-3,-1.5E11,{Quaternion},1")];
 
         Assert.Equal(
-            [new Vector3D(1.4e11, 2.5e10, -3e9), new Vector3D(-1.5e11, 1.0, 0.0)], states.Select(state => state.SunPositionMoonMe!.Value));
+            [new Vector3D(1.4e11, 2.5e10, -3e9), new Vector3D(-1.5e11, 1.0, 0.0)],
+                states.Select(state => state.SunPositionBodyFixed!.Value));
         foreach (bool hasNoise in (bool[])[false, true])
         {
             SpacecraftState[] written = [.. states.Select(state => state with { Noise = hasNoise ? new NoiseSeed(7, 3) : null })];
@@ -118,7 +119,7 @@ public class BatchColumnsTests
     {
         double[] numbers = [60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703, 1500.0, -2.0, 3.5, 1e-3, 0.0, -2e-4];
         SpacecraftState expected = SpacecraftState.FromNumbers(numbers);
-        Assert.Equal(1500.0, expected.Motion!.Value.VelocityMoonMe.X);
+        Assert.Equal(1500.0, expected.Motion!.Value.VelocityBodyFixed.X);
         Assert.Equal(-2e-4, expected.Motion.Value.AngularVelocityCamera.Z);
         Assert.Equal(numbers, expected.ToNumbers());
 
@@ -140,7 +141,7 @@ public class BatchColumnsTests
         SpacecraftState state = Assert.Single(Read(
             "time,lat,lon,height,look_lat,look_lon,roll,up\n60328.5,10,20,terrain+50000,11,21,30,north"));
 
-        Vector3D position = new SurfacePlace(10.0, 20.0, 50_000.0, isOverTerrain: true).ToPositionMoonMe(new SphereScene().GroundRadius);
+        Vector3D position = new SurfacePlace(10.0, 20.0, 50_000.0, isOverTerrain: true).ToPositionBodyFixed(new SphereScene().GroundRadius);
         CameraPointing pointing = new()
         {
             Kind = BoresightKind.Place,
@@ -148,8 +149,8 @@ public class BatchColumnsTests
             Roll = Math.PI / 6.0,
             Up = UpDirection.North,
         };
-        Assert.Equal(position, state.PositionMoonMe);
-        Assert.Equal(MoonConstants.ReferenceRadius + SphereScene.TerrainHeight + 50_000.0, state.PositionMoonMe.Length, 1e-8);
+        Assert.Equal(position, state.PositionBodyFixed);
+        Assert.Equal(MoonConstants.ReferenceRadius + SphereScene.TerrainHeight + 50_000.0, state.PositionBodyFixed.Length, 1e-8);
         Assert.Equal(pointing.MoonFromCamera(position, state.Time, new SphereScene()), state.MoonFromCamera);
     }
 

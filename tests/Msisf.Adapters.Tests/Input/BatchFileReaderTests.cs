@@ -28,7 +28,7 @@ public class BatchFileReaderTests
         Assert.Equal([55289.0, 55289.0, 55289.0], states.Select(state => state.Time.Days));
         Assert.Equal(
             [new Vector3D(2e6, 2e6, 0.0), new Vector3D(-2e6, 2e6, 0.0), new Vector3D(2e6, 2e6, 0.0)],
-            states.Select(state => state.PositionMoonMe));
+            states.Select(state => state.PositionBodyFixed));
 
         // 1: the printed quaternions have 6 digits and are normalised.
         Assert.Equal(-0.923879, states[1].MoonFromCamera.Z, 1e-6);

@@ -191,7 +191,7 @@ public class MetadataXmlWriterTests
     public void Write_UndefinedDirection_SaysSoAndHasNoNumber()
     {
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 1, 1);
-        FrameMetadata belowTheSun = Frame() with { Camera = camera, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) };
+        FrameMetadata belowTheSun = Frame() with { Camera = camera, SunPositionBodyFixed = new Vector3D(1e11, 0.0, 0.0) };
 
         string xml = Text(belowTheSun, spacing: 1);
 
@@ -325,11 +325,11 @@ public class MetadataXmlWriterTests
             frame.Camera,
             new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
             ReferenceSphere.Lola,
-            new SceneLight(frame.SunPositionMoonMe, IsSun: true));
+            new SceneLight(frame.SunPositionBodyFixed, IsSun: true));
 
     private static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
         new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
-        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionMoonMe),
+        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionBodyFixed),
         4);
 
     private static string TerrainText(FrameMetadata frame, int spacing)

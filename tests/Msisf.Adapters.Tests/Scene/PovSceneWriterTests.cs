@@ -28,7 +28,7 @@ public sealed class PovSceneWriterTests
     {
         Vector3D expected = name switch
         {
-            "location" => Camera.PositionMoonMe / 1000.0,
+            "location" => Camera.PositionBodyFixed / 1000.0,
             "right" => Camera.Right,
             "up" => Camera.Up,
             _ => Camera.Direction,
@@ -44,16 +44,16 @@ public sealed class PovSceneWriterTests
     {
         string scene = Write(Sun);
 
-        Assert.Equal(Sun.PositionMoonMe / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.Equal(Sun.PositionBodyFixed / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
         Assert.Contains("looks_like", scene, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Write_LampAtTheCamera_HasNoDisc()
     {
-        string scene = Write(new SceneLight(Camera.PositionMoonMe, IsSun: false));
+        string scene = Write(new SceneLight(Camera.PositionBodyFixed, IsSun: false));
 
-        Assert.Equal(Camera.PositionMoonMe / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.Equal(Camera.PositionBodyFixed / 1000.0, VectorAfter(@"light_source\s*\{\s*", scene));
         Assert.DoesNotContain("looks_like", scene, StringComparison.Ordinal);
     }
 
@@ -78,8 +78,8 @@ public sealed class PovSceneWriterTests
 
         Assert.Equal(origin / 1000.0, VectorAfter("#declare Origin =", scene));
         Assert.Contains("#declare UnitsPerKilometre = 4;\n", scene, StringComparison.Ordinal);
-        Assert.Equal((Camera.PositionMoonMe - origin) / 250.0, VectorAfter("location", scene));
-        Assert.Equal((Sun.PositionMoonMe - origin) / 250.0, VectorAfter(@"light_source\s*\{\s*", scene));
+        Assert.Equal((Camera.PositionBodyFixed - origin) / 250.0, VectorAfter("location", scene));
+        Assert.Equal((Sun.PositionBodyFixed - origin) / 250.0, VectorAfter(@"light_source\s*\{\s*", scene));
         Assert.Matches(@"rotate <0, 0, 0>\s*translate -Origin\s*scale UnitsPerKilometre\s*\}", scene);
         Assert.Matches(@"sphere\s*\{\s*0, 4000\s", scene);
     }

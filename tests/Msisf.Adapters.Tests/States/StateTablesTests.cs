@@ -51,8 +51,8 @@ public sealed class StateTablesTests
         CameraModel model = new(640, 480, (600.0, 610.0), (300.25, 260.5), 0.0, new OpenCvDistortion([0.05, -0.01], [1e-3, -2e-3]));
         UnitQuaternion attitude = UnitQuaternion.FromAxisAngle(new Vector3D(1.0, 2.0, 3.0), 0.3);
         SpacecraftState state = Straight with { MoonFromCamera = attitude };
-        Vector3D point = state.PositionMoonMe + (attitude * new Vector3D(-1e5, 2e4, 1.5e4));
-        Assert.True(model.At(new CameraState(state.PositionMoonMe, attitude)).TryProjectPoint(point, out RenderingPoint seen));
+        Vector3D point = state.PositionBodyFixed + (attitude * new Vector3D(-1e5, 2e4, 1.5e4));
+        Assert.True(model.At(new CameraState(state.PositionBodyFixed, attitude)).TryProjectPoint(point, out RenderingPoint seen));
 
         string[] camera = Lines(writer => CameraTables.WriteColmapCamera(writer, model))[^1].Split(' ');
         string[] lines = Lines(writer => CameraTables.WriteColmapImages(writer, [state], ["frame"]));

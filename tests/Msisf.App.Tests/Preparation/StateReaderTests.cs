@@ -21,8 +21,8 @@ public sealed class StateReaderTests
     public void Read_PlaceWithASunOfItsOwn_PointsToThatSun()
     {
         SpacecraftState state = Read(new CameraPointing { Kind = BoresightKind.Sun });
-        Vector3D towards = Sun - state.PositionMoonMe;
-        Assert.Equal(Sun, state.SunPositionMoonMe);
+        Vector3D towards = Sun - state.PositionBodyFixed;
+        Assert.Equal(Sun, state.SunPositionBodyFixed);
         Assert.InRange(Vector3D.AngleBetween(towards, state.MoonFromCamera * -Vector3D.UnitX), 0.0, 1e-12);
 
         state = Read(new CameraPointing { Up = UpDirection.Sun });
@@ -45,7 +45,7 @@ public sealed class StateReaderTests
             () => throw new InvalidOperationException("terrain"), () => throw new InvalidOperationException("ephemeris"), default);
         PlaceSettings place = new(new SurfacePlace(12.0, 34.0, 1e5, isOverTerrain: false), pointing, [new ModifiedJulianDate(60328.5)])
         {
-            SunPositionMoonMe = Sun,
+            SunPositionBodyFixed = Sun,
         };
         return Assert.Single(new StateReader(() => throw new InvalidOperationException("ephemeris"), scene, host).Read(place, default));
     }

@@ -17,7 +17,7 @@ internal static class Orbit
     public static PinholeCamera CameraOf(Scene scene, int frame)
     {
         SpacecraftState state = scene.State;
-        Vector3D position = state.PositionMoonMe;
+        Vector3D position = state.PositionBodyFixed;
         double distance = position.Length;
         double meanMotion = Math.Sqrt(MoonConstants.GravitationalParameter / distance) / distance;
         Vector3D axis = Vector3D.Cross(position, state.MoonFromCamera * Vector3D.UnitZ);

@@ -52,8 +52,8 @@ internal static class Places
     /// <param name="altitude">m over the mean radius.</param>
     public static SpacecraftState Landing(double altitude) => Tilted(Nadir(LowSun, Above(10.0, 20.0, altitude)), LandingTilt);
 
-    private static SpacecraftState Nadir(double mjd, Vector3D positionMoonMe) =>
-        new(new ModifiedJulianDate(mjd), positionMoonMe, NadirPointing.MoonFromCamera(positionMoonMe));
+    private static SpacecraftState Nadir(double mjd, Vector3D positionBodyFixed) =>
+        new(new ModifiedJulianDate(mjd), positionBodyFixed, NadirPointing.MoonFromCamera(positionBodyFixed));
 
     /// <summary>Turned about the image's right, so that what lies above its middle comes into it.</summary>
     private static SpacecraftState Tilted(SpacecraftState state, double degrees) => state with

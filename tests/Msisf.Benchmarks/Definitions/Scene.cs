@@ -46,17 +46,17 @@ internal sealed record Scene
     /// <summary>Its truth can be drawn: 64 samples of the full model. At 512 px/deg that would take ten minutes.</summary>
     public bool HasTruth { get; init; } = true;
 
-    public PinholeCamera Camera => CameraAt(State.PositionMoonMe, State.MoonFromCamera);
+    public PinholeCamera Camera => CameraAt(State.PositionBodyFixed, State.MoonFromCamera);
 
-    public PinholeCamera CameraAt(Vector3D positionMoonMe, UnitQuaternion moonFromCamera) =>
-        new(positionMoonMe, moonFromCamera, double.DegreesToRadians(FieldOfViewDegrees), Side, Side);
+    public PinholeCamera CameraAt(Vector3D positionBodyFixed, UnitQuaternion moonFromCamera) =>
+        new(positionBodyFixed, moonFromCamera, double.DegreesToRadians(FieldOfViewDegrees), Side, Side);
 
     /// <summary>The eight numbers of <c>--fixed-state</c>.</summary>
     public string FixedState
     {
         get
         {
-            Vector3D r = State.PositionMoonMe;
+            Vector3D r = State.PositionBodyFixed;
             UnitQuaternion q = State.MoonFromCamera;
             return string.Create(
                 CultureInfo.InvariantCulture, $"{{{State.Time.Days:R},{r.X:R},{r.Y:R},{r.Z:R},{q.X:R},{q.Y:R},{q.Z:R},{q.W:R}}}");

@@ -49,7 +49,7 @@ internal sealed class FrontMeasure
     {
         using LdemImage image = LdemImage.Open(_bench.Model(scene.Model));
         using ModelLevels model = ModelLevels.Open(image, cacheFolder: null);
-        SceneLight sun = new(_ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
+        SceneLight sun = new(_ephemeris.SunPositionBodyFixed(scene.State.Time), IsSun: true);
         ImageTruth? truth = scene.HasTruth ? ImageTruth.Draw(scene.Camera, sun, image) : null;
         HitPixels pixels = new(scene.Camera, image);
         List<SettingResult> results = [];

@@ -41,9 +41,10 @@ internal sealed class HitPixels
     public IReadOnlyList<Vector3D?> ByNative(IGlobalGrid drawn)
     {
         NativeRenderOptions options = new() { Reflectance = new EvenReflectance(), KeepGroundTruth = true };
-        SceneLight lamp = new(_camera.PositionMoonMe, IsSun: false);
+        SceneLight lamp = new(_camera.PositionBodyFixed, IsSun: false);
         using NativeFrame frame = new NativeRenderer(drawn).Render(
             _camera, lamp, options, Environment.ProcessorCount, CancellationToken.None);
-        return [.. _pixels.Select(pixel => frame.TryGet(pixel.X, pixel.Y, out SurfaceHit hit, out _) ? hit.PointMoonMe : (Vector3D?)null)];
+        return [.. _pixels.Select(pixel => frame.TryGet(pixel.X, pixel.Y, out SurfaceHit hit, out _) ? hit.PointBodyFixed
+            : (Vector3D?)null)];
     }
 }

@@ -46,7 +46,7 @@ internal sealed class ImageTruth
     {
         NativeRenderer renderer = new(model);
         GreyScale grey = new();
-        SceneLight lamp = new(camera.PositionMoonMe, IsSun: false);
+        SceneLight lamp = new(camera.PositionBodyFixed, IsSun: false);
         double[,] Drawn(SceneLight light, IReflectance law, Func<double, double> value)
         {
             NativeRenderOptions options = new() { Reflectance = law, SubsamplesPerAxis = SubsamplesPerAxis };

@@ -20,7 +20,7 @@ internal static class FurtherFramesChild
     public static FurtherFramesResult Run(FurtherFramesJob job, IEphemeris ephemeris)
     {
         Scene scene = Scenes.Named(job.Scene);
-        SceneLight light = new(ephemeris.SunPositionMoonMe(scene.State.Time), IsSun: true);
+        SceneLight light = new(ephemeris.SunPositionBodyFixed(scene.State.Time), IsSun: true);
         NativeRenderOptions options = new() { Reflectance = new LambertReflectance(PovRayScene.Albedo) };
         using DrawnModel model = DrawnModel.Open(job.Label);
         ITerrainGrid grid = model.LevelFor(scene);

@@ -29,7 +29,7 @@ internal sealed class SampledFramesChild
     {
         _job = job;
         _scene = Scenes.Named(job.Scene);
-        _light = new SceneLight(ephemeris.SunPositionMoonMe(_scene.State.Time), IsSun: true);
+        _light = new SceneLight(ephemeris.SunPositionBodyFixed(_scene.State.Time), IsSun: true);
         _model = model;
     }
 

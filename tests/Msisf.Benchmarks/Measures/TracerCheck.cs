@@ -35,7 +35,7 @@ internal sealed record TracerCheck(int Pixels, int OtherFacets, int OtherLight, 
             }
             else
             {
-                distance = Math.Max(distance, (drawn.PointMoonMe - traced.PointMoonMe).Length);
+                distance = Math.Max(distance, (drawn.PointBodyFixed - traced.PointBodyFixed).Length);
             }
 
             if (IsLit(drawnLight) != IsLit(tracedLight))

@@ -39,7 +39,7 @@ public class TerrainBenchmark
         TileMeshLayout layout = TileMeshLayout.For(new TileId(0, 45), _model.PixelsPerDegree);
         _mesh = builder.Build(layout, builder.ReadRadii(layout));
         using Sun sun = Sun.Open(Environment.CurrentDirectory);
-        _sun = sun.Ephemeris.SunPositionMoonMe(_scene.State.Time);
+        _sun = sun.Ephemeris.SunPositionBodyFixed(_scene.State.Time);
     }
 
     [GlobalCleanup]
@@ -62,7 +62,7 @@ public class TerrainBenchmark
     [Benchmark]
     public double BlockOfVertices()
     {
-        _vertices.Load(_surface, CellBlock.Containing(line: 360, sample: 180), _scene.State.PositionMoonMe);
+        _vertices.Load(_surface, CellBlock.Containing(line: 360, sample: 180), _scene.State.PositionBodyFixed);
         return _vertices.X[0];
     }
 

@@ -29,7 +29,7 @@ internal static class ThesisFrame
         double startUp = (DateTime.UtcNow - self.StartTime.ToUniversalTime()).TotalSeconds;
         Scene scene = Scenes.Named(job.Scene);
         PinholeCamera camera = scene.Camera;
-        Vector3D sun = ephemeris.SunPositionMoonMe(scene.State.Time);
+        Vector3D sun = ephemeris.SunPositionBodyFixed(scene.State.Time);
 
         long start = Stopwatch.GetTimestamp();
         IReadOnlyList<TileId> selected = ThesisSelection.Select(camera);

@@ -25,16 +25,16 @@ internal static class ThesisScene
     /// <summary>Writes the scene.</summary>
     /// <param name="writer">Where to.</param>
     /// <param name="camera">Camera.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME.</param>
+    /// <param name="sunPositionBodyFixed">m, MOON_ME.</param>
     /// <param name="patterns">Pattern files, on POV-Ray's library path or with it.</param>
-    public static void Write(TextWriter writer, PinholeCamera camera, Vector3D sunPositionMoonMe, IEnumerable<string> patterns)
+    public static void Write(TextWriter writer, PinholeCamera camera, Vector3D sunPositionBodyFixed, IEnumerable<string> patterns)
     {
         writer.Write(Surface);
         writer.Write(string.Create(
             CultureInfo.InvariantCulture,
-            $"camera {{ perspective location {Kilometres(camera.PositionMoonMe)} right {Text(camera.Right)} up {Text(camera.Up)} "
+            $"camera {{ perspective location {Kilometres(camera.PositionBodyFixed)} right {Text(camera.Right)} up {Text(camera.Up)} "
                 + $"direction {Text(camera.Direction)} }}\n"));
-        writer.Write($"light_source {{ {Kilometres(sunPositionMoonMe)} color rgb<1, 1, 1> }}\n");
+        writer.Write($"light_source {{ {Kilometres(sunPositionBodyFixed)} color rgb<1, 1, 1> }}\n");
         foreach (string pattern in patterns)
         {
             writer.Write($"#include \"{pattern}\"\n");

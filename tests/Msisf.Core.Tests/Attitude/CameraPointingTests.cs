@@ -37,7 +37,7 @@ public class CameraPointingTests
     [InlineData(0.0, -500.0, false)] // straight down into a hole
     public void IsTargetHidden_OverASphere_IsWhatTheHorizonSays(double longitude, double height, bool isHidden)
     {
-        Vector3D position = new SurfacePlace(0.0, 0.0, 100_000.0, isOverTerrain: true).ToPositionMoonMe(Scene.GroundRadius);
+        Vector3D position = new SurfacePlace(0.0, 0.0, 100_000.0, isOverTerrain: true).ToPositionBodyFixed(Scene.GroundRadius);
         CameraPointing pointing = new()
         {
             Kind = BoresightKind.Place,
@@ -66,8 +66,8 @@ public class CameraPointingTests
 
         Prop.ForAll(Arb.From(Gen.OneOf(far, near)), pair =>
         {
-            Vector3D position = pair.Camera.ToPositionMoonMe(Scene.GroundRadius);
-            Vector3D target = pair.Target.ToPositionMoonMe(Scene.GroundRadius);
+            Vector3D position = pair.Camera.ToPositionBodyFixed(Scene.GroundRadius);
+            Vector3D target = pair.Target.ToPositionBodyFixed(Scene.GroundRadius);
             UnitQuaternion moonFromCamera = Look(pair.Target).MoonFromCamera(position, Time, Scene);
             double range = (target - position).Length;
             Vector3D reached = position + (range * (moonFromCamera * -Vector3D.UnitX));
@@ -88,7 +88,7 @@ public class CameraPointingTests
 
         Prop.ForAll(Arb.From(cases), one =>
         {
-            Vector3D position = one.Camera.ToPositionMoonMe(Scene.GroundRadius);
+            Vector3D position = one.Camera.ToPositionBodyFixed(Scene.GroundRadius);
             CameraPointing level = Look(one.Target);
             UnitQuaternion straight = level.MoonFromCamera(position, Time, Scene);
             UnitQuaternion rolled = (level with { Roll = one.Roll * Math.PI / 180.0 }).MoonFromCamera(position, Time, Scene);
@@ -113,7 +113,7 @@ public class CameraPointingTests
 
         Prop.ForAll(Arb.From(cases), one =>
         {
-            Vector3D position = one.Camera.ToPositionMoonMe(Scene.GroundRadius);
+            Vector3D position = one.Camera.ToPositionBodyFixed(Scene.GroundRadius);
             CameraPointing pointing = new()
             {
                 Kind = BoresightKind.OffNadir,
@@ -139,7 +139,7 @@ public class CameraPointingTests
     [InlineData(45.0, 180.0)]
     public void MoonFromCamera_TargetBelow_IsTheNadirWithNorthUp(double latitude, double longitude)
     {
-        Vector3D position = new SurfacePlace(latitude, longitude, 50_000.0, isOverTerrain: false).ToPositionMoonMe(Scene.GroundRadius);
+        Vector3D position = new SurfacePlace(latitude, longitude, 50_000.0, isOverTerrain: false).ToPositionBodyFixed(Scene.GroundRadius);
         UnitQuaternion expected = NadirPointing.MoonFromCamera(position);
 
         UnitQuaternion found = Look(new SurfacePlace(latitude, longitude, 0.0, isOverTerrain: true)).MoonFromCamera(position, Time, Scene);
@@ -196,12 +196,12 @@ public class CameraPointingTests
     [InlineData(123.0)]
     public void MoonFromCamera_Horizon_IsInTheMiddleOfTheImage(double azimuth)
     {
-        Vector3D position = new SurfacePlace(20.0, 30.0, 50_000.0, isOverTerrain: false).ToPositionMoonMe(Scene.GroundRadius);
+        Vector3D position = new SurfacePlace(20.0, 30.0, 50_000.0, isOverTerrain: false).ToPositionBodyFixed(Scene.GroundRadius);
         CameraPointing pointing = new() { Kind = BoresightKind.Horizon, Azimuth = azimuth * Math.PI / 180.0 };
         PinholeCamera camera = new(position, pointing.MoonFromCamera(position, Time, Scene), 0.5, 100, 100);
 
         // A line touches the sphere where its nearest approach to the centre is the radius.
-        Vector3D forward = camera.ForwardMoonMe;
+        Vector3D forward = camera.ForwardBodyFixed;
         double nearest = Vector3D.Cross(position, forward).Length;
 
         Assert.Equal(MoonConstants.ReferenceRadius, nearest, 1e-8);
@@ -220,7 +220,7 @@ public class CameraPointingTests
     public void MoonFromCamera_AtTheTargetOrTheCentre_Refused()
     {
         SurfacePlace target = new(10.0, 20.0, 0.0, isOverTerrain: false);
-        Vector3D position = target.ToPositionMoonMe(Scene.GroundRadius);
+        Vector3D position = target.ToPositionBodyFixed(Scene.GroundRadius);
 
         Assert.Contains(
             "very point", Assert.Throws<BadInputException>(() => Look(target).MoonFromCamera(position, Time, Scene)).Message,

@@ -90,7 +90,7 @@ public class FramedAttitudeTests
 
         public TdbScale TimeScale => throw new NotSupportedException();
 
-        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>

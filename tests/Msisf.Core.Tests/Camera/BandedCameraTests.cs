@@ -99,7 +99,7 @@ public sealed class BandedCameraTests
             CameraState expected = StateOf(y + 2);
             CameraState state = moved.BandAt(y).Camera.State;
             Assert.Equal(expected.Seconds, state.Seconds, 1e-15);
-            Assert.Equal(0.0, (expected.PositionMoonMe - state.PositionMoonMe).Length, 1e-9);
+            Assert.Equal(0.0, (expected.PositionBodyFixed - state.PositionBodyFixed).Length, 1e-9);
             Assert.Equal(0.0, ((expected.MoonFromCamera * Vector3D.UnitY) - (state.MoonFromCamera * Vector3D.UnitY)).Length, 1e-15);
         }
     }
@@ -109,7 +109,7 @@ public sealed class BandedCameraTests
     {
         ViewFrustum[] bounds = [.. Camera.Bounds(0.5, new PixelRows(3, 6))]; // rows 4 of the second band, 5 and 6 of the third
         Assert.Equal(2, bounds.Length);
-        Assert.Equal([StateOf(4).PositionMoonMe, StateOf(5).PositionMoonMe], bounds.Select(frustum => frustum.CameraMoonMe));
+        Assert.Equal([StateOf(4).PositionBodyFixed, StateOf(5).PositionBodyFixed], bounds.Select(frustum => frustum.CameraBodyFixed));
     }
 
     [Fact]

@@ -37,7 +37,7 @@ public class CameraMatrixTests
             CameraMatrix matrix = CameraMatrix.Of(pixel.Camera);
             Vector3D inCamera = (matrix.Rotation * OnSphere(pixel.LatitudeDegrees, pixel.LongitudeDegrees)) + matrix.Translation;
             double error = PixelError
-                + (matrix.FocalLength * (PointError + (DistanceError * pixel.Camera.PositionMoonMe.Length)) / inCamera.Z);
+                + (matrix.FocalLength * (PointError + (DistanceError * pixel.Camera.PositionBodyFixed.Length)) / inCamera.Z);
 
             Assert.InRange(Row(matrix.IntrinsicRows[0], inCamera) - (pixel.X - 1), -error, error);
             Assert.InRange(Row(matrix.IntrinsicRows[1], inCamera) - (pixel.Y - 1), -error, error);

@@ -45,7 +45,7 @@ public sealed class CameraModelTests
             Assert.Equal(y, point.Y, 1e-9);
         }
 
-        Assert.False(camera.TryProject(-camera.ForwardMoonMe, out _));
+        Assert.False(camera.TryProject(-camera.ForwardBodyFixed, out _));
     }
 
     [Theory]
@@ -104,7 +104,7 @@ public sealed class CameraModelTests
         {
             double down = (y - model.PrincipalY) / model.FocalY;
             double right = (x - model.PrincipalX - (model.Skew * down)) / model.FocalX;
-            Vector3D expected = camera.ForwardMoonMe + (right * camera.UnitRight) - (down * camera.UnitUp);
+            Vector3D expected = camera.ForwardBodyFixed + (right * camera.UnitRight) - (down * camera.UnitUp);
             Assert.Equal(0.0, Vector3D.AngleBetween(expected, camera.RayThrough(x, y).Direction), 1e-15);
         }
     }

@@ -23,7 +23,7 @@ public sealed class CameraMotionTests
         UnitQuaternion expected = new AttitudeTransition(Start, rate).At(seconds);
         Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitY) - (expected * Vector3D.UnitY)).Length, 1e-15);
         Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitX) - (expected * Vector3D.UnitX)).Length, 1e-15);
-        Assert.Equal(new Vector3D(2e6 + seconds, 1.0 + (2.0 * seconds), 2.0 - (3.0 * seconds)), moved.PositionMoonMe);
+        Assert.Equal(new Vector3D(2e6 + seconds, 1.0 + (2.0 * seconds), 2.0 - (3.0 * seconds)), moved.PositionBodyFixed);
     }
 
     [Theory]
@@ -36,7 +36,7 @@ public sealed class CameraMotionTests
         end = UnitQuaternion.FromComponents(sign * end.X, sign * end.Y, sign * end.Z, sign * end.W);
         CameraMotion motion = CameraMotion.Between((new Vector3D(1.0, 2.0, 3.0), Start), (new Vector3D(2.0, 0.0, 3.0), end), 2.0);
 
-        Assert.Equal(new Vector3D(0.5, -1.0, 0.0), motion.VelocityMoonMe);
+        Assert.Equal(new Vector3D(0.5, -1.0, 0.0), motion.VelocityBodyFixed);
         Assert.Equal(0.0, (motion.AngularVelocityCamera - rate).Length, 1e-15);
     }
 

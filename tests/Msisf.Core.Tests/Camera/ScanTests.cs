@@ -75,7 +75,7 @@ public sealed class ScanTests
         for (int x = 1; x <= 9; x++)
         {
             Ray ray = image.RayThrough(x, y);
-            Assert.Equal(state.PositionMoonMe, ray.Origin);
+            Assert.Equal(state.PositionBodyFixed, ray.Origin);
             Assert.InRange(Vector3D.AngleBetween(still.RayThrough(x, rowOfModel).Direction, ray.Direction), 0.0, 1e-14);
         }
     }

@@ -21,7 +21,7 @@ public class BuiltInEphemerisTests
             [Position(10, 0, new(1000.0, 2.0, 3.0)), Position(301, 3, new(0.5, 0.25, 4.0)), Position(3, 0, new(100.0, 10.0, 1.0))],
             angles: default);
 
-        Assert.Equal(new Vector3D(899_500.0, -8_250.0, -2_000.0), ephemeris.SunPositionMoonMe(Time));
+        Assert.Equal(new Vector3D(899_500.0, -8_250.0, -2_000.0), ephemeris.SunPositionBodyFixed(Time));
     }
 
     [Theory]
@@ -31,7 +31,7 @@ public class BuiltInEphemerisTests
     {
         BuiltInEphemeris ephemeris = Make([Position(10, 0, new(sunX, 0.0, 0.0)), Position(301, 0, default)], angles: default);
 
-        Assert.Throws<BadInputException>(() => ephemeris.SunPositionMoonMe(Time, aberration));
+        Assert.Throws<BadInputException>(() => ephemeris.SunPositionBodyFixed(Time, aberration));
     }
 
     [Fact]
@@ -72,7 +72,7 @@ public class BuiltInEphemerisTests
             ],
             angles: default);
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionMoonMe(Time));
+        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionBodyFixed(Time));
 
         Assert.Contains("2010-04-03T00:00:00Z", failure.Message, StringComparison.Ordinal);
         Assert.Contains("2000-01-01T11:58:56Z to 2000-01-11T11:58:55Z", failure.Message, StringComparison.Ordinal);
@@ -87,7 +87,7 @@ public class BuiltInEphemerisTests
             [new StraightSegment(10, new(Distance, 0.0, 0.0), new(10.0, 0.0, 0.0)), new StraightSegment(301, default, new(0.0, 5.0, 0.0))],
             angles: default);
 
-        Vector3D sun = ephemeris.SunPositionMoonMe(AtTdbZero, Aberration.LightTime);
+        Vector3D sun = ephemeris.SunPositionBodyFixed(AtTdbZero, Aberration.LightTime);
 
         Assert.Equal((1000.0 * Distance) - 3_000_000.0, sun.X, 1.0);
         Assert.Equal(0.0, sun.Y, 1.0);
@@ -106,11 +106,11 @@ public class BuiltInEphemerisTests
             ],
             angles: default);
 
-        Vector3D sun = ephemeris.SunPositionMoonMe(Time, Aberration.LightTimeAndStellar);
+        Vector3D sun = ephemeris.SunPositionBodyFixed(Time, Aberration.LightTimeAndStellar);
 
         Assert.Equal(1e7, sun.Y, 1e-4);
         Assert.Equal(1e11 * Math.Sqrt(1.0 - 1e-8), sun.X, 1e-4);
-        Assert.Equal(new Vector3D(1e11, 0.0, 0.0), ephemeris.SunPositionMoonMe(Time, Aberration.LightTime));
+        Assert.Equal(new Vector3D(1e11, 0.0, 0.0), ephemeris.SunPositionBodyFixed(Time, Aberration.LightTime));
     }
 
     [Theory]
@@ -121,10 +121,10 @@ public class BuiltInEphemerisTests
         FixedSegment sun = new(10, 0, new TdbInterval(-60.0, 864000.0), new(1.5e8, 0.0, 0.0));
         BuiltInEphemeris ephemeris = Make([sun, Position(301, 0, default)], angles: default);
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionMoonMe(AtTdbZero, aberration));
+        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionBodyFixed(AtTdbZero, aberration));
 
         Assert.Contains("left the Sun some 500 s earlier", failure.Message, StringComparison.Ordinal);
-        Assert.Equal(1.5e11, ephemeris.SunPositionMoonMe(AtTdbZero).X);
+        Assert.Equal(1.5e11, ephemeris.SunPositionBodyFixed(AtTdbZero).X);
     }
 
     [Fact]
@@ -133,7 +133,7 @@ public class BuiltInEphemerisTests
         BuiltInEphemeris ephemeris = Make(
             [Position(10, 0, default), Position(301, 3, default), Position(3, 301, default)], angles: default);
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionMoonMe(Time));
+        SpiceException failure = Assert.Throws<SpiceException>(() => ephemeris.SunPositionBodyFixed(Time));
 
         Assert.Contains("body 301", failure.Message, StringComparison.Ordinal);
     }

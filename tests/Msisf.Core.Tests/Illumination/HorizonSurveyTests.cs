@@ -34,7 +34,7 @@ public sealed class HorizonSurveyTests
         Random random = new(31);
         Vector3D[] directions = [.. Enumerable.Range(0, TestLength.Of(2, 100)).Select(_ => new SelenographicPoint(
             double.DegreesToRadians(latitude + (0.1 * (random.NextDouble() - 0.5))),
-            double.DegreesToRadians(longitude)).ToDirectionMoonMe())];
+            double.DegreesToRadians(longitude)).ToDirectionBodyFixed())];
         HorizonSurvey survey = new(terrain, tracer, directions, isMoon: true);
         LightSurvey lights = new(survey, new LightConditions([1.5e11 * Vector3D.UnitX], [4e8 * Vector3D.UnitX]), tracer);
         PlaceHorizons horizons = survey.Find(directions, height, threads: 2, advanced: null, CancellationToken.None);
@@ -67,7 +67,7 @@ public sealed class HorizonSurveyTests
         ITerrain terrain = Terrain("nested");
         TerrainTracer tracer = new(terrain);
         Vector3D[] directions = [.. Enumerable.Range(0, 160).Select(
-            place => new SelenographicPoint(-1.56 + (1e-4 * place), 0.05 * place).ToDirectionMoonMe())];
+            place => new SelenographicPoint(-1.56 + (1e-4 * place), 0.05 * place).ToDirectionBodyFixed())];
         HorizonSurvey survey = new(terrain, tracer, directions, isMoon: true);
         PlaceHorizons one = survey.Find(directions, 0.0, threads: 1, advanced: null, CancellationToken.None);
         PlaceHorizons four = survey.Find(directions, 0.0, threads: 4, advanced: null, CancellationToken.None);
@@ -80,7 +80,7 @@ public sealed class HorizonSurveyTests
     {
         PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 600.0, 100, 49.5, 49.5);
         TerrainTracer tracer = new(map);
-        Vector3D[] directions = [new SelenographicPoint(-1.0, 0.5).ToDirectionMoonMe()];
+        Vector3D[] directions = [new SelenographicPoint(-1.0, 0.5).ToDirectionBodyFixed()];
         HorizonSurvey survey = new(map, tracer, directions, isMoon: true);
         BadInputException exception = Assert.Throws<BadInputException>(
             () => survey.Find(directions, 0.0, threads: 1, advanced: null, CancellationToken.None));
@@ -96,7 +96,7 @@ public sealed class HorizonSurveyTests
     {
         FunctionGrid sphere = new(16, (_, _) => 1_737_400.0);
         TerrainTracer tracer = new(sphere);
-        Vector3D[] directions = [new SelenographicPoint(-1.55, 0.3).ToDirectionMoonMe()];
+        Vector3D[] directions = [new SelenographicPoint(-1.55, 0.3).ToDirectionBodyFixed()];
         HorizonSurvey survey = new(sphere, tracer, directions, isMoon: true);
         LightSurvey lights = new(survey, new LightConditions([1.5e11 * Vector3D.UnitX], [4e8 * Vector3D.UnitX]), tracer);
         PlaceHorizons horizons = survey.Find(directions, height, threads: 1, advanced: null, CancellationToken.None);
@@ -112,7 +112,7 @@ public sealed class HorizonSurveyTests
         while (high - low > 1e-8)
         {
             double middle = 0.5 * (low + high);
-            bool isGround = tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(azimuth, middle)), out _);
+            bool isGround = tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(azimuth, middle)), out _);
             (low, high) = isGround ? (middle, high) : (low, middle);
         }
 

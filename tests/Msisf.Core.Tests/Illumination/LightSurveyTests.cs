@@ -28,7 +28,7 @@ public sealed class LightSurveyTests
         _tracer = new TerrainTracer(_terrain);
         _directions = [.. Enumerable.Range(0, TestLength.Of(4, 200)).Select(_ => new SelenographicPoint(
             double.DegreesToRadians(-90.0 + (3.0 * _random.NextDouble())),
-            2.0 * Math.PI * _random.NextDouble()).ToDirectionMoonMe())];
+            2.0 * Math.PI * _random.NextDouble()).ToDirectionBodyFixed())];
         _survey = new HorizonSurvey(_terrain, _tracer, _directions, isMoon: true);
         _horizons = _survey.Find(_directions, 2.0, threads: 2, advanced: null, CancellationToken.None);
     }
@@ -43,7 +43,8 @@ public sealed class LightSurveyTests
             Vector3D[] suns = [.. Suns(frame, TangentsOf(place), 50, 0.02)];
             LightSurvey lights = LightsOf(suns, isPoint: true, isExact: true);
             (PlaceLight light, float[] parts) = lights.At(_directions, _horizons, place);
-            bool[] expected = [.. suns.Select(sun => !_tracer.TryTrace(new Ray(frame.PositionMoonMe, sun - frame.PositionMoonMe), out _))];
+            bool[] expected = [.. suns.Select(
+                sun => !_tracer.TryTrace(new Ray(frame.PositionBodyFixed, sun - frame.PositionBodyFixed), out _))];
             Assert.Equal(expected, parts.Select(part => part > 0.0f));
             Assert.Equal(expected.Count(isLit => isLit), light.LitSteps);
         }
@@ -81,7 +82,7 @@ public sealed class LightSurveyTests
             (_, float[] parts) = LightsOf(suns, isPoint: false, isExact: false).At(_directions, _horizons, place);
             for (int step = 0; step < suns.Length; step++)
             {
-                Vector3D toSun = (suns[step] - frame.PositionMoonMe).Normalized();
+                Vector3D toSun = (suns[step] - frame.PositionBodyFixed).Normalized();
                 Vector3D right = Vector3D.Cross(toSun, frame.Up).Normalized();
                 Vector3D up = Vector3D.Cross(right, toSun);
                 int free = 0;
@@ -90,7 +91,7 @@ public sealed class LightSurveyTests
                     double turn = ray * 2.39996322972865332; // the golden angle: even over the disc
                     double across = radius * Math.Sqrt((ray + 0.5) / 4096.0);
                     Vector3D direction = toSun + (across * Math.Cos(turn) * right) + (across * Math.Sin(turn) * up);
-                    free += _tracer.TryTrace(new Ray(frame.PositionMoonMe, direction), out _) ? 0 : 1;
+                    free += _tracer.TryTrace(new Ray(frame.PositionBodyFixed, direction), out _) ? 0 : 1;
                 }
 
                 Assert.Equal(free / 4096.0, parts[step], 0.02);
@@ -122,9 +123,9 @@ public sealed class LightSurveyTests
 
     private bool IsFree(LocalFrame frame, Vector3D sun, double higher)
     {
-        Vector3D local = frame.ToLocal(sun - frame.PositionMoonMe);
+        Vector3D local = frame.ToLocal(sun - frame.PositionBodyFixed);
         double elevation = Math.Atan2(local.Z, double.Hypot(local.X, local.Y)) + higher;
-        return !_tracer.TryTrace(new Ray(frame.PositionMoonMe, frame.DirectionOf(Math.Atan2(local.X, local.Y), elevation)), out _);
+        return !_tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(Math.Atan2(local.X, local.Y), elevation)), out _);
     }
 
     /// <summary>Places of the Sun in the sky of a place, near the horizon and anywhere where it can stand.</summary>
@@ -141,7 +142,7 @@ public sealed class LightSurveyTests
             if (elevation > -4.0 && elevation < highest - 0.6)
             {
                 count--;
-                yield return frame.PositionMoonMe
+                yield return frame.PositionBodyFixed
                     + (Distance * frame.DirectionOf(2.0 * Math.PI * turns, double.DegreesToRadians(elevation)));
             }
         }

@@ -226,7 +226,8 @@ public class LayerSamplerTests
     [InlineData(-90.0, 0.3, -90, 0)]
     public void SampleRow_PointOnATile_HasItsIndexAmongAllTiles(double latitude, double longitude, int south, int west)
     {
-        Vector3D below = new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        Vector3D below = new SelenographicPoint(
+            double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
         Vector3D axis = Vector3D.Cross(-Vector3D.UnitX, -below);
         UnitQuaternion down = UnitQuaternion.FromAxisAngle(axis, Vector3D.AngleBetween(-Vector3D.UnitX, -below));
         SphereTruth truth = new(new PinholeCamera(2e6 * below, down, 1e-6, 1, 1), Sun, 4);

@@ -47,8 +47,8 @@ public class IlluminationDirectionTests
             Ray ray = camera.RayThrough(x, y);
             Assert.True(ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point));
             Vector3D along = Vector3D.Cross(point, Vector3D.Cross(sun - point, point)).Normalized();
-            Assert.True(camera.TryProject(point + (10.0 * along) - camera.PositionMoonMe, out RenderingPoint towards));
-            Assert.True(camera.TryProject(point - (10.0 * along) - camera.PositionMoonMe, out RenderingPoint from));
+            Assert.True(camera.TryProject(point + (10.0 * along) - camera.PositionBodyFixed, out RenderingPoint towards));
+            Assert.True(camera.TryProject(point - (10.0 * along) - camera.PositionBodyFixed, out RenderingPoint from));
 
             double direction = IlluminationDirection.At(camera, ray.Direction, point, sun)!.Value;
 
@@ -98,7 +98,7 @@ public class IlluminationDirectionTests
             new Vector3D(Radius + 10.0, 0.0, 0.0), UnitQuaternion.FromAxisAngle(Vector3D.UnitY, Math.PI / 2.0), 0.7, 101, 101);
         Vector3D point = Radius * new Vector3D(1.0, 0.0, 5e-5);
 
-        double? direction = IlluminationDirection.At(low, point - low.PositionMoonMe, point, SunDistance * new Vector3D(0.1, 0.0, -1.0));
+        double? direction = IlluminationDirection.At(low, point - low.PositionBodyFixed, point, SunDistance * new Vector3D(0.1, 0.0, -1.0));
 
         Assert.Equal(0.0, double.RadiansToDegrees(direction!.Value), 9);
     }
@@ -108,7 +108,7 @@ public class IlluminationDirectionTests
     {
         Vector3D north = Radius * new Vector3D(Math.Cos(0.1), 0.0, Math.Sin(0.1));
 
-        double? direction = IlluminationDirection.At(Nadir, north - Nadir.PositionMoonMe, north, Nadir.PositionMoonMe);
+        double? direction = IlluminationDirection.At(Nadir, north - Nadir.PositionBodyFixed, north, Nadir.PositionBodyFixed);
 
         Assert.Equal(0.0, double.RadiansToDegrees(direction!.Value), 12);
     }
@@ -127,7 +127,7 @@ public class IlluminationDirectionTests
         Ray ray = camera.RayThrough(76, 8738);
         Assert.True(ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point));
 
-        double? direction = IlluminationDirection.At(camera, ray.Direction, point, camera.PositionMoonMe);
+        double? direction = IlluminationDirection.At(camera, ray.Direction, point, camera.PositionBodyFixed);
 
         Assert.Equal(336.65459325519314, double.RadiansToDegrees(direction!.Value), 12);
     }

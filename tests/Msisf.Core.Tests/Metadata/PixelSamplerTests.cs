@@ -93,7 +93,8 @@ public class PixelSamplerTests
     {
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
 
-        PixelSampler sampler = new(camera, new PixelGrid(101, 101, 1, 1), ReferenceSphere.Lola, new(camera.PositionMoonMe, IsSun: false));
+        PixelSampler sampler = new(camera, new PixelGrid(101, 101, 1, 1), ReferenceSphere.Lola,
+            new(camera.PositionBodyFixed, IsSun: false));
 
         PixelRecord withoutDirection = Assert.Single(sampler.Sample(), record => record.IlluminationDirection is null);
         Assert.Equal((51, 51), (withoutDirection.H, withoutDirection.V));

@@ -40,8 +40,8 @@ public class TerrainPixelsTests
         Assert.Equal(10.0, double.RadiansToDegrees(terrain.Angles.Emission), 12);
         Assert.Equal(40.0, double.RadiansToDegrees(terrain.Angles.Phase), 12);
         Assert.Equal(
-            (point, hit.NormalMoonMe, light, hit.Facet, new TileId(0, 355)),
-            (terrain.PositionMoonMe, terrain.NormalMoonMe, terrain.Light, terrain.Facet, terrain.Tile));
+            (point, hit.NormalBodyFixed, light, hit.Facet, new TileId(0, 355)),
+            (terrain.PositionBodyFixed, terrain.NormalBodyFixed, terrain.Light, terrain.Facet, terrain.Tile));
     }
 
     [Fact]

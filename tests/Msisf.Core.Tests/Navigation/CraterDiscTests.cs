@@ -40,7 +40,7 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                 Assert.Equal(rim.Length, inFront);
                 double scale = Math.Max(camera.Model.FocalX, camera.Model.FocalY);
                 double least = Enumerable.Range(0, 72).Min(i => Vector3D.Dot(
-                    disc.RimAt(Math.PI * i / 36.0) - camera.PositionMoonMe, camera.ForwardMoonMe));
+                    disc.RimAt(Math.PI * i / 36.0) - camera.PositionBodyFixed, camera.ForwardBodyFixed));
                 double size = rim.Max(point => Math.Max(Math.Abs(point.X), Math.Abs(point.Y)));
                 double error = PixelError + (4.0 * scale * PositionError / least) + (1e-14 * size * size / ellipse.SemiMinor);
                 Assert.All(rim, point => Assert.InRange(ellipse.DistanceTo(point.X, point.Y), 0.0, error));
@@ -146,7 +146,7 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         (PinholeCamera plain, _, _) = CameraCases.Make(number, ldem4.Grid, 20_000);
         CameraModel model = plain.Model;
         double wide = plain.FieldOfView * Math.Max(1.0, (double)model.Height / model.Width);
-        return number % 3 == 0 || wide > 1.2 ? plain : new PinholeCamera(plain.PositionMoonMe, plain.MoonFromCamera, new CameraModel(
+        return number % 3 == 0 || wide > 1.2 ? plain : new PinholeCamera(plain.PositionBodyFixed, plain.MoonFromCamera, new CameraModel(
             model.Width, model.Height, (model.FocalX, 1.2 * model.FocalX),
             (0.2 * model.Width, 0.9 * model.Height), number % 2 * 0.07 * model.FocalX));
     }
@@ -159,8 +159,8 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         for (int i = 0; i < 8; i++)
         {
             Vector3D towards = camera.RayThrough(Between(-0.5, 1.5) * camera.Width, Between(-0.5, 1.5) * camera.Height).Direction;
-            double height = camera.PositionMoonMe.Length - 1_737_400.0;
-            Vector3D place = camera.PositionMoonMe + (Between(0.5, 2.0) * height / towards.Length * towards);
+            double height = camera.PositionBodyFixed.Length - 1_737_400.0;
+            Vector3D place = camera.PositionBodyFixed + (Between(0.5, 2.0) * height / towards.Length * towards);
             double diameter = Math.Clamp(height, 1e3, 1e6) * Math.Exp(Between(-4.0, 1.0));
             yield return new Crater(
                 i + 1, $"{i + 1}", null, double.RadiansToDegrees(Math.Atan2(place.Z, double.Hypot(place.X, place.Y))),

@@ -39,7 +39,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             {
                 CraterDisc disc = CraterDisc.Of(crater, TerrainHeight.RadiusBelow(ldem4.Grid, CraterDisc.Of(crater, 1.0).Up));
                 bool isThere = views.ContainsKey(crater.Number) || leftOut.Contains(crater.Number);
-                if (Vector3D.Dot(camera.PositionMoonMe, disc.Up) <= disc.Centre.Length)
+                if (Vector3D.Dot(camera.PositionBodyFixed, disc.Up) <= disc.Centre.Length)
                 {
                     Assert.False(isThere);
                     continue;
@@ -55,7 +55,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                     RenderingPoint rim = default;
                     Assert.True(camera.TryProjectPoint(disc.RimAt(1.0), out rim));
                     Assert.InRange(view.Ellipse.DistanceTo(rim.X, rim.Y), 0.0, 1e-9 * Math.Max(1.0, 100.0 / view.Ellipse.SemiMinor));
-                    double normal = Vector3D.AngleBetween(disc.Up, camera.PositionMoonMe - disc.Centre);
+                    double normal = Vector3D.AngleBetween(disc.Up, camera.PositionBodyFixed - disc.Centre);
                     Assert.Equal(normal, view.Emission, 1e-12);
                 }
             }
@@ -84,7 +84,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     public void Find_Lens_GivesCurveAndEllipseThatFits()
     {
         PinholeCamera pinhole = RenderScenes.Named("far").Camera(ldem4.Grid, Width, Height);
-        CameraState state = new(pinhole.PositionMoonMe, pinhole.MoonFromCamera);
+        CameraState state = new(pinhole.PositionBodyFixed, pinhole.MoonFromCamera);
         foreach (string lens in LensCases.Names)
         {
             FrameCamera camera = LensCases.Of(lens, 0.3, Width, Height).At(state);
@@ -144,12 +144,13 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                         continue;
                     }
 
-                    bool isHidden = Vector3D.Dot(hit.PointMoonMe - view.Disc.Centre, view.Disc.Up) > 0.0 && IsBeside(hit.PointMoonMe, view);
+                    bool isHidden = Vector3D.Dot(hit.PointBodyFixed - view.Disc.Centre, view.Disc.Up) > 0.0
+                        && IsBeside(hit.PointBodyFixed, view);
                     hidden += isHidden ? 1 : 0;
                     if (!isHidden)
                     {
                         shown++;
-                        lit += tracer.IsHidden(hit.PointMoonMe, hit.Facet, light.PositionMoonMe) ? 0.0 : 1.0;
+                        lit += tracer.IsHidden(hit.PointBodyFixed, hit.Facet, light.PositionBodyFixed) ? 0.0 : 1.0;
                         expected[((y - 1) * Width) + x - 1] = view.Crater.Number;
                     }
                 }

@@ -40,12 +40,12 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         PinholeCamera pinhole = scene.Camera(ldem4.Grid, Width, Height);
         CameraModel model = lens.Length > 0 ? LensCases.Of(lens, Math.Tan(0.5 * pinhole.FieldOfView), Width, Height) : pinhole.Model;
         FrameCamera camera = model.At(pinhole.State);
-        double height = camera.PositionMoonMe.Length - 1_737_400.0;
-        Vector3D side = Vector3D.Cross(Vector3D.UnitZ, camera.PositionMoonMe + new Vector3D(3.0, 4.0, 5.0)).Normalized();
+        double height = camera.PositionBodyFixed.Length - 1_737_400.0;
+        Vector3D side = Vector3D.Cross(Vector3D.UnitZ, camera.PositionBodyFixed + new Vector3D(3.0, 4.0, 5.0)).Normalized();
         FrameCamera other = model.At(new CameraState(
-            camera.PositionMoonMe + (aside * Math.Max(height, 3e3) * side), camera.MoonFromCamera * Turn(Vector3D.UnitX, 0.1)));
+            camera.PositionBodyFixed + (aside * Math.Max(height, 3e3) * side), camera.MoonFromCamera * Turn(Vector3D.UnitX, 0.1)));
         SceneLight light = new(scene.Sun, IsSun: true);
-        SceneLight otherLight = new(Turn(camera.PositionMoonMe.Normalized(), 0.4) * scene.Sun, IsSun: true);
+        SceneLight otherLight = new(Turn(camera.PositionBodyFixed.Normalized(), 0.4) * scene.Sun, IsSun: true);
         NativeRenderer renderer = new(ldem4.Grid);
         using NativeFrame frame = renderer.Render(camera, light, Options, threads: 2);
 
@@ -69,7 +69,7 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                     continue;
                 }
 
-                Vector3D seen = (matrix.Rotation * hit.PointMoonMe) + matrix.Translation;
+                Vector3D seen = (matrix.Rotation * hit.PointBodyFixed) + matrix.Translation;
                 (double u, double v) = (x + flow.Right[pixel], y + flow.Down[pixel]);
                 if (seen.Z > 0.0 && lens.Length == 0)
                 {
@@ -79,22 +79,22 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                 }
 
                 FlowClass expected = !(u >= 0.5 && u <= Width + 0.5 && v >= 0.5 && v <= Height + 0.5) ? FlowClass.Outside
-                    : tracer.IsHidden(hit.PointMoonMe, hit.Facet, other.PositionMoonMe) ? FlowClass.Hidden
+                    : tracer.IsHidden(hit.PointBodyFixed, hit.Facet, other.PositionBodyFixed) ? FlowClass.Hidden
                     : FlowClass.Seen;
                 Assert.Equal(expected, (FlowClass)flow.Classes[pixel]);
-                bool isDark = tracer.IsHidden(hit.PointMoonMe, hit.Facet, light.PositionMoonMe);
-                bool isDarkThere = tracer.IsHidden(hit.PointMoonMe, hit.Facet, otherLight.PositionMoonMe);
-                Vector3D source = isDark ? light.PositionMoonMe : otherLight.PositionMoonMe;
+                bool isDark = tracer.IsHidden(hit.PointBodyFixed, hit.Facet, light.PositionBodyFixed);
+                bool isDarkThere = tracer.IsHidden(hit.PointBodyFixed, hit.Facet, otherLight.PositionBodyFixed);
+                Vector3D source = isDark ? light.PositionBodyFixed : otherLight.PositionBodyFixed;
                 FlowLight expectedLight = isDark == isDarkThere ? isDark ? FlowLight.DarkInBoth : FlowLight.LitInBoth
-                    : Vector3D.Dot(hit.NormalMoonMe, source - hit.PointMoonMe) > 0.0 ? FlowLight.ChangedByShadow
+                    : Vector3D.Dot(hit.NormalBodyFixed, source - hit.PointBodyFixed) > 0.0 ? FlowLight.ChangedByShadow
                     : FlowLight.ChangedBySlope;
                 Assert.Equal(expectedLight, (FlowLight)flow.Lights[pixel]);
                 if (expected == FlowClass.Seen)
                 {
                     // And back: what the other camera sees there is seen from this one in the pixel's centre.
                     Assert.True(tracer.TryTrace(other.RayThrough(u, v), out SurfaceHit there));
-                    Assert.True(camera.TryProjectPoint(there.PointMoonMe, out RenderingPoint back));
-                    double scale = camera.Model.FocalX * 1e-6 / (hit.PointMoonMe - camera.PositionMoonMe).Length;
+                    Assert.True(camera.TryProjectPoint(there.PointBodyFixed, out RenderingPoint back));
+                    double scale = camera.Model.FocalX * 1e-6 / (hit.PointBodyFixed - camera.PositionBodyFixed).Length;
                     Assert.Equal(x, back.X, 1e-6 + (1e3 * scale));
                     Assert.Equal(y, back.Y, 1e-6 + (1e3 * scale));
                 }
@@ -113,7 +113,8 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         SceneLight light = new(RenderScenes.Named("nadir-100km").Sun, IsSun: true);
         NativeRenderer renderer = new(ldem4.Grid);
         using NativeFrame frame = renderer.Render(camera, light, Options, threads: 2);
-        FrameCamera right = camera.Model.At(new CameraState(camera.PositionMoonMe + (baseline * camera.UnitRight), camera.MoonFromCamera));
+        FrameCamera right = camera.Model.At(new CameraState(camera.PositionBodyFixed + (baseline * camera.UnitRight),
+            camera.MoonFromCamera));
 
         FlowField flow = new FlowFinder(frame, new FrameRedraw(renderer, camera, margin: 0, Options)).Find(
             new FlowTarget(right, light), threads: 1, CancellationToken.None);
@@ -121,7 +122,7 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         for (int pixel = 0; pixel < Width * Height; pixel++)
         {
             Assert.True(frame.TryGet((pixel % Width) + 1, (pixel / Width) + 1, out SurfaceHit hit, out _));
-            double depth = Vector3D.Dot(hit.PointMoonMe - camera.PositionMoonMe, camera.ForwardMoonMe);
+            double depth = Vector3D.Dot(hit.PointBodyFixed - camera.PositionBodyFixed, camera.ForwardBodyFixed);
             Assert.Equal(depth, camera.Model.FocalX * baseline / -flow.Right[pixel], 1e-6 * depth);
             Assert.Equal(0.0, flow.Down[pixel], 1e-9);
             Assert.NotEqual((byte)FlowLight.ChangedByShadow, flow.Lights[pixel]);

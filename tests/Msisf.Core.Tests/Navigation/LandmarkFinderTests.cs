@@ -39,18 +39,18 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
                 }
 
                 found++;
-                LandmarkView onTerrain = One(new Landmark(1, "1", null, hit.PointMoonMe.Normalized(), null), camera, sun);
-                double scale = camera.Model.FocalX / Vector3D.Dot(hit.PointMoonMe - camera.PositionMoonMe, camera.ForwardMoonMe);
+                LandmarkView onTerrain = One(new Landmark(1, "1", null, hit.PointBodyFixed.Normalized(), null), camera, sun);
+                double scale = camera.Model.FocalX / Vector3D.Dot(hit.PointBodyFixed - camera.PositionBodyFixed, camera.ForwardBodyFixed);
                 Assert.Equal(x, onTerrain.X, 1e-9 + (1e-8 * scale));
                 Assert.Equal(y, onTerrain.Y, 1e-9 + (1e-8 * scale));
                 Assert.Null(onTerrain.HiddenBy);
-                Assert.Equal(!tracer.IsHidden(hit.PointMoonMe, hit.Facet, scene.Sun), onTerrain.IsLit);
-                Assert.Equal(Vector3D.AngleBetween(hit.NormalMoonMe, scene.Sun - hit.PointMoonMe), onTerrain.Incidence!.Value, 1e-9);
-                double range = (hit.PointMoonMe - camera.PositionMoonMe).Length;
+                Assert.Equal(!tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun), onTerrain.IsLit);
+                Assert.Equal(Vector3D.AngleBetween(hit.NormalBodyFixed, scene.Sun - hit.PointBodyFixed), onTerrain.Incidence!.Value, 1e-9);
+                double range = (hit.PointBodyFixed - camera.PositionBodyFixed).Length;
                 Assert.Equal(range, onTerrain.Range, 1e-7 * range);
 
                 // A point below the ground is hidden by the facet that the pixel shows, where it is seen at the same place.
-                Vector3D below = hit.PointMoonMe + (100.0 / range * (hit.PointMoonMe - camera.PositionMoonMe));
+                Vector3D below = hit.PointBodyFixed + (100.0 / range * (hit.PointBodyFixed - camera.PositionBodyFixed));
                 LandmarkView deep = One(
                     new Landmark(1, "1", null, below.Normalized(), below.Length - 1_737_400.0), camera, sun);
                 Assert.Equal(hit.Facet, deep.HiddenBy);
@@ -68,9 +68,9 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
 
         LandmarksOfFrame found = new LandmarkFinder(
         [
-            new Landmark(1, "here", null, camera.PositionMoonMe.Normalized(), null),
-            new Landmark(2, "behind", null, camera.PositionMoonMe.Normalized(), 1e6),
-            new Landmark(3, "antipode", null, -camera.PositionMoonMe.Normalized(), 3e6),
+            new Landmark(1, "here", null, camera.PositionBodyFixed.Normalized(), null),
+            new Landmark(2, "behind", null, camera.PositionBodyFixed.Normalized(), 1e6),
+            new Landmark(3, "antipode", null, -camera.PositionBodyFixed.Normalized(), 3e6),
         ]).Find(camera, new SceneLight(new Vector3D(1.5e11, 0.0, 0.0), IsSun: true), ldem4.Grid);
 
         Assert.Equal(["here", "antipode"], found.Views.Select(view => view.Landmark.Identity));
@@ -87,8 +87,8 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
         {
             PinholeCamera at = RenderScenes.Named("oblique-20km").Camera(ldem4.Grid, Width, Height);
             CameraModel model = lens == "pinhole" ? at.Model : LensCases.Of(lens, 0.4, Width, Height);
-            FrameCamera camera = model.At(new CameraState(at.PositionMoonMe, at.MoonFromCamera));
-            Vector3D point = camera.PositionMoonMe + (30e3 * camera.RayThrough(0.2 * Width, 0.3 * Height).Direction.Normalized());
+            FrameCamera camera = model.At(new CameraState(at.PositionBodyFixed, at.MoonFromCamera));
+            Vector3D point = camera.PositionBodyFixed + (30e3 * camera.RayThrough(0.2 * Width, 0.3 * Height).Direction.Normalized());
 
             PixelDerivatives found = PixelDerivatives.At(camera, point);
 
@@ -98,11 +98,11 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
             {
                 Vector3D along = axes[axis];
                 Vector3D shift = camera.MoonFromCamera * along;
-                Check(by => Seen(model, camera.PositionMoonMe + (by * shift), camera.MoonFromCamera, point), 200.0,
+                Check(by => Seen(model, camera.PositionBodyFixed + (by * shift), camera.MoonFromCamera, point), 200.0,
                     Part(found.XByShift, axis), Part(found.YByShift, axis), lens);
-                Check(by => Seen(model, camera.PositionMoonMe, camera.MoonFromCamera * Turn(along, by), point), 0.01,
+                Check(by => Seen(model, camera.PositionBodyFixed, camera.MoonFromCamera * Turn(along, by), point), 0.01,
                     Part(found.XByTurn, axis), Part(found.YByTurn, axis), lens);
-                Check(by => Seen(model, camera.PositionMoonMe, camera.MoonFromCamera, point + (by * along)), 200.0,
+                Check(by => Seen(model, camera.PositionBodyFixed, camera.MoonFromCamera, point + (by * along)), 200.0,
                     Part(found.XByPoint, axis), Part(found.YByPoint, axis), lens);
                 largest = Math.Max(largest, Math.Abs(Part(found.XByTurn, axis)));
             }

@@ -19,7 +19,7 @@ public class OrbitPropagatorTests
     public void PositionMoonMe_ThesisFrame_IsTheOrbitsOwnPosition()
     {
         OrbitPropagator propagator = new(Elements, Epoch, OrbitFrame.MoonMe, ephemeris: null);
-        Assert.Equal(new KeplerOrbit(Elements).PositionAt(TwoHoursLater.SecondsSince(Epoch)), propagator.PositionMoonMe(TwoHoursLater));
+        Assert.Equal(new KeplerOrbit(Elements).PositionAt(TwoHoursLater.SecondsSince(Epoch)), propagator.PositionBodyFixed(TwoHoursLater));
     }
 
     [Fact]
@@ -27,7 +27,7 @@ public class OrbitPropagatorTests
     {
         OrbitPropagator thesis = new(Elements, Epoch, OrbitFrame.MoonMe, ephemeris: null);
         OrbitPropagator inertial = new(Elements, Epoch, OrbitFrame.MoonMeEpoch, new TurningMoon());
-        Assert.InRange((inertial.PositionMoonMe(Epoch) - thesis.PositionMoonMe(Epoch)).Length, 0.0, RotatedPosition);
+        Assert.InRange((inertial.PositionBodyFixed(Epoch) - thesis.PositionBodyFixed(Epoch)).Length, 0.0, RotatedPosition);
     }
 
     [Fact]
@@ -37,8 +37,8 @@ public class OrbitPropagatorTests
         OrbitPropagator thesis = new(Elements, Epoch, OrbitFrame.MoonMe, ephemeris: null);
         OrbitPropagator inertial = new(Elements, Epoch, OrbitFrame.MoonMeEpoch, new TurningMoon());
 
-        Vector3D expected = thesis.PositionMoonMe(TwoHoursLater);
-        Vector3D actual = inertial.PositionMoonMe(TwoHoursLater);
+        Vector3D expected = thesis.PositionBodyFixed(TwoHoursLater);
+        Vector3D actual = inertial.PositionBodyFixed(TwoHoursLater);
         double west = Math.Atan2(expected.Y, expected.X) - Math.Atan2(actual.Y, actual.X);
         Assert.Equal(13.18 / 12.0, west * 180.0 / Math.PI, 1e-9);
         Assert.Equal(expected.Z, actual.Z, RotatedPosition);
@@ -55,7 +55,7 @@ public class OrbitPropagatorTests
         double longitude = rightAscension - TurningMoon.AngleAt(TwoHoursLater);
         double horizontal = double.Hypot(positionJ2000.X, positionJ2000.Y);
         Vector3D expected = new(horizontal * Math.Cos(longitude), horizontal * Math.Sin(longitude), positionJ2000.Z);
-        Assert.InRange((propagator.PositionMoonMe(TwoHoursLater) - expected).Length, 0.0, RotatedPosition);
+        Assert.InRange((propagator.PositionBodyFixed(TwoHoursLater) - expected).Length, 0.0, RotatedPosition);
     }
 
     [Fact]
@@ -63,7 +63,7 @@ public class OrbitPropagatorTests
     {
         StateVector state = new(new Vector3D(0.0, 1.9e6, 3e5), new Vector3D(-1000.0, 200.0, 1100.0));
         OrbitPropagator propagator = new(StateConversion.ToElements(state), Epoch, OrbitFrame.MoonMeEpoch, new TurningMoon());
-        Assert.InRange((propagator.PositionMoonMe(Epoch) - state.Position).Length, 0.0, RotatedPosition);
+        Assert.InRange((propagator.PositionBodyFixed(Epoch) - state.Position).Length, 0.0, RotatedPosition);
     }
 
     [Fact]
@@ -85,7 +85,7 @@ public class OrbitPropagatorTests
 
         public TdbScale TimeScale => throw new NotSupportedException();
 
-        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));

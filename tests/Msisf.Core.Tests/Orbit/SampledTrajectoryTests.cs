@@ -160,7 +160,7 @@ public sealed class SampledTrajectoryTests
 
         public TdbScale TimeScale => SampleScale.Naif0012;
 
-        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();

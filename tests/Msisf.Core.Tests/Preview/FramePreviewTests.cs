@@ -180,7 +180,7 @@ public sealed class FramePreviewTests
         FramePreview.Of(new PinholeCamera(position, moonFromCamera, Fov, Width, Width), Sun, terrain: null);
 
     private static Vector3D Up(double latitude, double longitude) =>
-        new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
 
     private static void AssertPoint(double latitude, double longitude, SelenographicPoint point, double tolerance = AngleTolerance)
     {

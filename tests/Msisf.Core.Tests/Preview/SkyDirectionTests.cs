@@ -53,5 +53,5 @@ public sealed class SkyDirectionTests
     }
 
     private static Vector3D Point(double latitude, double longitude) => MoonConstants.ReferenceRadius
-        * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
 }

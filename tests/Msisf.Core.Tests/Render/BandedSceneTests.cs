@@ -75,16 +75,16 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
             for (int x = 1; x <= Width; x++)
             {
                 Ray ray = scene.Camera.RayThrough(x, y);
-                Assert.Equal(still.PositionMoonMe, ray.Origin);
+                Assert.Equal(still.PositionBodyFixed, ray.Origin);
                 Assert.InRange(Vector3D.AngleBetween(still.RayThrough(x, y).Direction, ray.Direction), 0.0, 1e-15);
                 bool isHit = tracer.TryTrace(ray, out SurfaceHit expected);
                 Assert.Equal(isHit, drawn.TryGet(x, y, out SurfaceHit hit, out PixelIllumination seen));
                 Assert.Equal(isHit, traced.TryGet(x, y, out SurfaceHit tracedHit, out PixelIllumination tracedLight));
                 Assert.Equal(expected, tracedHit);
                 Assert.Equal(expected.Facet, hit.Facet);
-                Assert.InRange((hit.PointMoonMe - expected.PointMoonMe).Length, 0.0, SamePoint);
-                bool isDark = isHit && isSun && tracer.IsHidden(expected.PointMoonMe, expected.Facet, light.PositionMoonMe);
-                PixelIllumination lit = isHit ? PixelIllumination.At(expected.PointMoonMe, isDark ? 0.0 : 1.0, light) : default;
+                Assert.InRange((hit.PointBodyFixed - expected.PointBodyFixed).Length, 0.0, SamePoint);
+                bool isDark = isHit && isSun && tracer.IsHidden(expected.PointBodyFixed, expected.Facet, light.PositionBodyFixed);
+                PixelIllumination lit = isHit ? PixelIllumination.At(expected.PointBodyFixed, isDark ? 0.0 : 1.0, light) : default;
                 Assert.Equal(lit, seen);
                 Assert.Equal(lit, tracedLight);
                 hits += isHit ? 1 : 0;
@@ -133,7 +133,7 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
                 Ray ray = camera.RayThrough(0.5 + (((i % (Part * Width)) + 0.5) / Part), y);
                 bool isSeen = ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point);
                 seen += isSeen ? 1 : 0;
-                lit += isSeen && Vector3D.Dot(point, scene.Light.At(camera, y).PositionMoonMe - point) > 0.0 ? 1 : 0;
+                lit += isSeen && Vector3D.Dot(point, scene.Light.At(camera, y).PositionBodyFixed - point) > 0.0 ? 1 : 0;
             }
 
             Assert.InRange(seen, 1, (Part * Part * Width * Height) - 1);
@@ -189,15 +189,15 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
             RenderScenes.RenderSceneCase scene = RenderScenes.Named(name);
             PinholeCamera still = scene.Camera(terrain, Width, Height);
             _model = lens is null ? still.Model : LensCases.Of(lens, Math.Tan(0.5 * still.FieldOfView), Width, Height);
-            Vector3D up = still.PositionMoonMe.Normalized();
-            CameraMotion motion = Motion with { VelocityMoonMe = Motion.VelocityMoonMe + (4000.0 * up) }; // never into the ground
+            Vector3D up = still.PositionBodyFixed.Normalized();
+            CameraMotion motion = Motion with { VelocityBodyFixed = Motion.VelocityBodyFixed + (4000.0 * up) }; // never into the ground
             _states = [.. Enumerable.Range(0, Height).Select(row =>
             {
                 double seconds = row / 2 * LinePeriod;
                 UnitQuaternion turn = UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, 0.1 * seconds);
-                return motion.Moved(still.State, seconds) with { SunPositionMoonMe = turn * scene.Sun };
+                return motion.Moved(still.State, seconds) with { SunPositionBodyFixed = turn * scene.Sun };
             })];
-            Light = new SceneLight(isSun ? scene.Sun : still.PositionMoonMe, isSun);
+            Light = new SceneLight(isSun ? scene.Sun : still.PositionBodyFixed, isSun);
             Camera = BandedCamera.Of(_model, _states);
         }
 
@@ -208,6 +208,6 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
         /// <summary>The camera and the light of a row, as those of a whole image.</summary>
         public (FrameCamera Camera, SceneLight Light) StillOf(int y) => (
             _model.At(_states[y - 1]),
-            Light with { PositionMoonMe = Light.IsSun ? _states[y - 1].SunPositionMoonMe!.Value : _states[y - 1].PositionMoonMe });
+            Light with { PositionBodyFixed = Light.IsSun ? _states[y - 1].SunPositionBodyFixed!.Value : _states[y - 1].PositionBodyFixed });
     }
 }

@@ -131,7 +131,7 @@ public sealed class NativeRendererAdaptiveTests(RuggedTerrain rugged) : IClassFi
             CompareWithTruth(camera, sun, options);
         }
 
-        CompareWithTruth(camera, new SceneLight(camera.PositionMoonMe, IsSun: false), Options);
+        CompareWithTruth(camera, new SceneLight(camera.PositionBodyFixed, IsSun: false), Options);
     }
 
     [Theory]

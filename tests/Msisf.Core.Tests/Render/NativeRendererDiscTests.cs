@@ -51,13 +51,13 @@ public sealed class NativeRendererDiscTests
 
                 double visible = 0.0;
                 double irradiance = 0.0;
-                foreach (Vector3D point in disc.PointsMoonMe)
+                foreach (Vector3D point in disc.PointsBodyFixed)
                 {
                     // Of a facet that turns away from the point the tracer says hidden too.
-                    if (!tracer.IsHidden(hit.PointMoonMe, hit.Facet, point))
+                    if (!tracer.IsHidden(hit.PointBodyFixed, hit.Facet, point))
                     {
                         visible += 1.0 / SunDisc.Points;
-                        irradiance += Math.Cos(Vector3D.AngleBetween(hit.NormalMoonMe, point - hit.PointMoonMe)) / SunDisc.Points;
+                        irradiance += Math.Cos(Vector3D.AngleBetween(hit.NormalBodyFixed, point - hit.PointBodyFixed)) / SunDisc.Points;
                     }
                 }
 

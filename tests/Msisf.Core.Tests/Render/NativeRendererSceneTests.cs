@@ -73,7 +73,7 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
                 hits += isSurface ? 1 : 0;
                 lit += expectedLight.State == IlluminationState.Lit ? 1 : 0;
                 bool isSame = isDrawn == isSurface && hit.Facet == expected.Facet && light == expectedLight
-                    && (hit.PointMoonMe - expected.PointMoonMe).Length <= SamePoint;
+                    && (hit.PointBodyFixed - expected.PointBodyFixed).Length <= SamePoint;
                 if (!isSame)
                 {
                     wrong.Add($"{scene.Name} ({x}, {y}): {hit} {light}; traced {expected} {expectedLight}");
@@ -95,12 +95,12 @@ public sealed class NativeRendererSceneTests(ITestOutputHelper output)
     private static PinholeCamera Narrowed(PinholeCamera camera, TerrainTracer tracer, int cellsAcross, int pixelsPerDegree)
     {
         double cell = MoonConstants.ReferenceRadius * Math.PI / 180.0 / pixelsPerDegree;
-        Ray axis = new(camera.PositionMoonMe, camera.ForwardMoonMe);
+        Ray axis = new(camera.PositionBodyFixed, camera.ForwardBodyFixed);
         double distance = tracer.TryTrace(axis, out SurfaceHit seen)
             ? seen.RayParameter
             : Math.Sqrt(
-                Math.Max(0.0, camera.PositionMoonMe.LengthSquared - (MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius)));
+                Math.Max(0.0, camera.PositionBodyFixed.LengthSquared - (MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius)));
         double fieldOfView = Math.Min(camera.FieldOfView, 2.0 * Math.Atan(cellsAcross / 2.0 * cell / distance));
-        return new PinholeCamera(camera.PositionMoonMe, camera.MoonFromCamera, fieldOfView, camera.Width, camera.Height);
+        return new PinholeCamera(camera.PositionBodyFixed, camera.MoonFromCamera, fieldOfView, camera.Width, camera.Height);
     }
 }

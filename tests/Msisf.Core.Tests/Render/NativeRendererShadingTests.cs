@@ -43,7 +43,8 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
                     && light.State == IlluminationState.Lit
                     ? RadianceFactor(
                         law,
-                        PhotometricAngles.At(hit.PointMoonMe, hit.NormalMoonMe, frame.Camera.PositionMoonMe, frame.Light.PositionMoonMe))
+                        PhotometricAngles.At(hit.PointBodyFixed, hit.NormalBodyFixed, frame.Camera.PositionBodyFixed,
+                            frame.Light.PositionBodyFixed))
                     : 0.0;
                 Assert.True(
                     Math.Abs(frame.RadianceFactors[pixel] - expected) <= SameRadiance,
@@ -72,13 +73,13 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             }
 
             smooth.TryGet(x, y, out SurfaceHit smoothHit, out PixelIllumination smoothLight);
-            Assert.Equal((hit.Facet, hit.PointMoonMe, light), (smoothHit.Facet, smoothHit.PointMoonMe, smoothLight));
+            Assert.Equal((hit.Facet, hit.PointBodyFixed, light), (smoothHit.Facet, smoothHit.PointBodyFixed, smoothLight));
             changed += facets.RadianceFactors[pixel] != smooth.RadianceFactors[pixel] ? 1 : 0;
             if (light.State != IlluminationState.Lit)
             {
                 Assert.Equal(0.0, smooth.RadianceFactors[pixel]);
-                bool turnsAway = Vector3D.Dot(hit.NormalMoonMe, facets.Light.PositionMoonMe - hit.PointMoonMe) < 0.0;
-                bool smoothFaces = Vector3D.Dot(smoothHit.NormalMoonMe, facets.Light.PositionMoonMe - hit.PointMoonMe) > 0.0;
+                bool turnsAway = Vector3D.Dot(hit.NormalBodyFixed, facets.Light.PositionBodyFixed - hit.PointBodyFixed) < 0.0;
+                bool smoothFaces = Vector3D.Dot(smoothHit.NormalBodyFixed, facets.Light.PositionBodyFixed - hit.PointBodyFixed) > 0.0;
                 keptDark += turnsAway && smoothFaces ? 1 : 0;
             }
         }
@@ -102,8 +103,9 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             if (smooth.TryGet(x, y, out SurfaceHit hit, out _))
             {
                 facets.TryGet(x, y, out SurfaceHit facetHit, out _);
-                Assert.True(Vector3D.Dot(hit.NormalMoonMe, smooth.Camera.PositionMoonMe - hit.PointMoonMe) > 0.0, $"({x}, {y}): {hit}");
-                bool isFacetsOwn = hit.NormalMoonMe == facetHit.NormalMoonMe;
+                Assert.True(Vector3D.Dot(hit.NormalBodyFixed, smooth.Camera.PositionBodyFixed - hit.PointBodyFixed) > 0.0,
+                    $"({x}, {y}): {hit}");
+                bool isFacetsOwn = hit.NormalBodyFixed == facetHit.NormalBodyFixed;
                 Assert.True(!isFacetsOwn || smooth.RadianceFactors[pixel] == facets.RadianceFactors[pixel], $"({x}, {y}): {hit}");
                 facetsOwn += isFacetsOwn && smooth.RadianceFactors[pixel] > 0.0 ? 1 : 0;
             }

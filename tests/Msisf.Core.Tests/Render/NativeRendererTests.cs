@@ -43,7 +43,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     {
         (PinholeCamera big, SceneLight bigSun) = Scene("wide-angle", 300, 200);
         (PinholeCamera small, SceneLight smallSun) = Scene("limb-backlit", 7, 65);
-        SceneLight lamp = new(big.PositionMoonMe, IsSun: false);
+        SceneLight lamp = new(big.PositionBodyFixed, IsSun: false);
         FrameValues expectedLamp = FrameValues.Of(new NativeRenderer(rugged.Grid), big, lamp, Options, threads: 2);
         FrameValues expectedBig = FrameValues.Of(new NativeRenderer(rugged.Grid), big, bigSun, Options, threads: 2);
         FrameValues expectedSmall = FrameValues.Of(new NativeRenderer(rugged.Grid), small, smallSun, Options, threads: 2);
@@ -99,13 +99,14 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     {
         (PinholeCamera camera, _) = Scene(name, 100, 100);
 
-        using NativeFrame frame = _renderer.Render(camera, new SceneLight(camera.PositionMoonMe, IsSun: false), Options, threads: 2);
+        using NativeFrame frame = _renderer.Render(camera, new SceneLight(camera.PositionBodyFixed, IsSun: false), Options, threads: 2);
 
         int surface = 0;
         ForEachPixel(camera, (x, y, pixel) =>
         {
             bool isSurface = frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light);
-            double cosine = isSurface ? Vector3D.Dot(hit.NormalMoonMe, (camera.PositionMoonMe - hit.PointMoonMe).Normalized()) : 0.0;
+            double cosine = isSurface ? Vector3D.Dot(hit.NormalBodyFixed, (camera.PositionBodyFixed - hit.PointBodyFixed).Normalized())
+                : 0.0;
             Assert.Equal(isSurface ? new PixelIllumination(IlluminationState.Lit, 1.0) : default, light);
             Assert.Equal(0.64 * cosine, frame.RadianceFactors[pixel], 1e-12);
             surface += isSurface ? 1 : 0;
@@ -121,7 +122,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     {
         (PinholeCamera camera, SceneLight sun) = Scene("grazing-sun", 90, 60);
         PinholeCamera fine = new(
-            camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
+            camera.PositionBodyFixed, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
         using NativeFrame single = _renderer.Render(fine, sun, Options, threads: 2);
 
         using NativeFrame frame = _renderer.Render(camera, sun, Options with { SubsamplesPerAxis = across }, threads: 2);
@@ -172,7 +173,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     {
         (PinholeCamera camera, SceneLight sun) = Scene(name, 64, 96);
         PinholeCamera fine = new(
-            camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
+            camera.PositionBodyFixed, camera.MoonFromCamera, camera.FieldOfView, across * camera.Width, across * camera.Height);
         using NativeFrame single = _renderer.Render(fine, sun, options, threads: 2);
 
         using NativeFrame frame = _renderer.Render(camera, sun, options with { SubsamplesPerAxis = across }, threads: 2);

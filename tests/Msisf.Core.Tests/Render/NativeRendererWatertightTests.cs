@@ -41,7 +41,7 @@ public sealed class NativeRendererWatertightTests(ITestOutputHelper output)
         for (int number = 0; number < views; number++)
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, sizes.Next(MinPixels, MaxPixels + 1));
-            SceneLight lamp = new(camera.PositionMoonMe, IsSun: false);
+            SceneLight lamp = new(camera.PositionBodyFixed, IsSun: false);
             using NativeFrame frame = renderer.Render(camera, lamp, Options, threads: 1);
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {

@@ -52,12 +52,12 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
                     : Aimed(terrain.Surface.Seams, view, isAtEdge, random);
                 bool isHit = tracer.TryTrace(ray, out SurfaceHit hit);
                 (FacetId Facet, Vector3D Point, double T)? expected = all.FirstHit(ray.Origin, ray.Direction);
-                bool isSame = expected is null == !isHit && (!isHit || (expected!.Value.Point - hit.PointMoonMe).Length <= 1e-6);
+                bool isSame = expected is null == !isHit && (!isHit || (expected!.Value.Point - hit.PointBodyFixed).Length <= 1e-6);
                 if (isHit && isSame && !isAtEdge)
                 {
-                    bool isHidden = tracer.IsHidden(hit.PointMoonMe, hit.Facet, view.Sun);
-                    bool isLit = Vector3D.Dot(hit.NormalMoonMe, view.Sun - hit.PointMoonMe) > 0.0
-                        && !all.IsShadowed(hit.Facet, hit.PointMoonMe, view.Sun);
+                    bool isHidden = tracer.IsHidden(hit.PointBodyFixed, hit.Facet, view.Sun);
+                    bool isLit = Vector3D.Dot(hit.NormalBodyFixed, view.Sun - hit.PointBodyFixed) > 0.0
+                        && !all.IsShadowed(hit.Facet, hit.PointBodyFixed, view.Sun);
                     isSame = isHidden == !isLit;
                     shadowed += isHidden ? 1 : 0;
                     hits++;
@@ -96,7 +96,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
                 bool isDrawn = drawn.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light);
                 parts.Add(hit.Facet.Part);
                 if (isDrawn != isSurface || hit.Facet != expected.Facet || light != expectedLight
-                    || !((hit.PointMoonMe - expected.PointMoonMe).Length <= 1e-6))
+                    || !((hit.PointBodyFixed - expected.PointBodyFixed).Length <= 1e-6))
                 {
                     wrong.Add($"{view.Name} ({x}, {y}): {hit} {light}; traced {expected} {expectedLight}");
                 }
@@ -179,7 +179,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
             if (isSurface && hit.Facet.Part == terrain.PartCount && light.VisibleFraction == 1.0)
             {
                 seams++;
-                Assert.InRange(Vector3D.Dot(hit.NormalMoonMe, hit.PointMoonMe.Normalized()), 0.3, 1.0);
+                Assert.InRange(Vector3D.Dot(hit.NormalBodyFixed, hit.PointBodyFixed.Normalized()), 0.3, 1.0);
                 lit += drawn.RadianceFactors[pixel] is > 0.0 and <= 0.64 ? 1 : 0; // a smooth normal may turn away from the Sun
             }
         }
@@ -199,7 +199,7 @@ public sealed class NestedSceneTests(ITestOutputHelper output)
         Vector3D origin = 1.05 * target;
         return isAtEdge || random.Next(2) == 0 // past an edge of a crest, a ray from the side may go on to the ground behind
             ? new Ray(origin, target - origin)
-            : new Ray(view.Camera.PositionMoonMe, target - view.Camera.PositionMoonMe);
+            : new Ray(view.Camera.PositionBodyFixed, target - view.Camera.PositionBodyFixed);
     }
 
     /// <summary>A corner of a facet of the seams, or the middle of a side; now and then a pole.</summary>

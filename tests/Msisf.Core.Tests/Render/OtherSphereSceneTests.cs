@@ -64,9 +64,9 @@ public sealed class OtherSphereSceneTests
                 }
 
                 Vector3D point = ray.Origin + (facet.T * ray.Direction);
-                Assert.Equal(0.0, (hit.PointMoonMe - point).Length, SamePoint);
+                Assert.Equal(0.0, (hit.PointBodyFixed - point).Length, SamePoint);
                 Assert.Equal(traced.Facet, hit.Facet);
-                Assert.Equal(judge.IsShadowed(facet.Facet, point, sun.PositionMoonMe), light.State != IlluminationState.Lit);
+                Assert.Equal(judge.IsShadowed(facet.Facet, point, sun.PositionBodyFixed), light.State != IlluminationState.Lit);
                 hits++;
                 lit += light.State == IlluminationState.Lit ? 1 : 0;
             }

@@ -54,9 +54,9 @@ public sealed class PolarMapSceneTests
                 Ray ray = scene.Camera.RayThrough(random.Next(1, 201), random.Next(1, 201));
                 bool isHit = tracer.TryTrace(ray, out SurfaceHit hit);
                 (FacetId Facet, Vector3D Point, double T)? expected = facets.FirstHit(ray.Origin, ray.Direction);
-                bool isSame = expected is null == !isHit && (!isHit || (expected!.Value.Point - hit.PointMoonMe).Length <= 1e-7);
-                bool isHidden = isHit && tracer.IsHidden(hit.PointMoonMe, hit.Facet, scene.Sun);
-                isSame &= !isHit || facets.IsShadowed(hit.Facet, hit.PointMoonMe, scene.Sun) == isHidden;
+                bool isSame = expected is null == !isHit && (!isHit || (expected!.Value.Point - hit.PointBodyFixed).Length <= 1e-7);
+                bool isHidden = isHit && tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun);
+                isSame &= !isHit || facets.IsShadowed(hit.Facet, hit.PointBodyFixed, scene.Sun) == isHidden;
                 hits += isHit ? 1 : 0;
                 lit += isHit && !isHidden ? 1 : 0;
                 if (!isSame)
@@ -86,7 +86,7 @@ public sealed class PolarMapSceneTests
             for (int number = 0; number < 300; number++)
             {
                 (int line, int sample) = (random.Next(2, grid.Lines - 3), random.Next(2, grid.Lines - 3));
-                if (!vertices.FacesAround(line, sample, scene.Camera.PositionMoonMe))
+                if (!vertices.FacesAround(line, sample, scene.Camera.PositionBodyFixed))
                 {
                     continue; // a ray at a crest may pass above it, with nothing behind
                 }
@@ -96,7 +96,7 @@ public sealed class PolarMapSceneTests
                 Vector3D next = vertices[line + (number % 2), sample + ((number >> 1) % 2)];
                 Vector3D aim = target + ((number % 3) * 0.5 * (next - target));
                 Assert.True(
-                    tracer.TryTrace(new Ray(scene.Camera.PositionMoonMe, aim - scene.Camera.PositionMoonMe), out _),
+                    tracer.TryTrace(new Ray(scene.Camera.PositionBodyFixed, aim - scene.Camera.PositionBodyFixed), out _),
                     $"{scene.Name}: a ray at line {line}, sample {sample} falls through.");
             }
         }
@@ -125,7 +125,7 @@ public sealed class PolarMapSceneTests
                 bool isSurface = traced.TryGet(x, y, out SurfaceHit expected, out PixelIllumination expectedLight);
                 bool isDrawn = drawn.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light);
                 if (isDrawn != isSurface || hit.Facet != expected.Facet || light != expectedLight
-                    || !((hit.PointMoonMe - expected.PointMoonMe).Length <= 1e-7))
+                    || !((hit.PointBodyFixed - expected.PointBodyFixed).Length <= 1e-7))
                 {
                     wrong.Add($"{scene.Name} ({x}, {y}): {hit} {light}; traced {expected} {expectedLight}");
                 }

@@ -43,7 +43,7 @@ public sealed class ScannedSceneTests
         Vector3D sun = SunAt(0.0);
         SceneLight light = new(sun, IsSun: true);
         ScanPath path = new ScanPath(seconds => motion.Moved(start, seconds)).Of(scan, jitter, 0.0);
-        ICamera camera = scan.CameraOf(model, [.. path.States.Select(state => state with { SunPositionMoonMe = SunAt(state.Seconds) })]);
+        ICamera camera = scan.CameraOf(model, [.. path.States.Select(state => state with { SunPositionBodyFixed = SunAt(state.Seconds) })]);
         NativeRenderOptions options = new() { KeepGroundTruth = true, Reflectance = new LambertReflectance(0.6) };
         using NativeFrame drawn = new NativeRenderer(terrain).Render(camera, light, options, threads: 2);
 
@@ -64,10 +64,10 @@ public sealed class ScannedSceneTests
                 if (isHit)
                 {
                     Assert.Equal(expected.Facet, hit.Facet);
-                    Assert.InRange((hit.PointMoonMe - expected.PointMoonMe).Length, 0.0, SamePoint);
-                    bool isDark = tracer.IsHidden(expected.PointMoonMe, expected.Facet, SunAt(seconds));
-                    SceneLight there = light with { PositionMoonMe = SunAt(seconds) };
-                    Assert.Equal(PixelIllumination.At(hit.PointMoonMe, isDark ? 0.0 : 1.0, there), seen);
+                    Assert.InRange((hit.PointBodyFixed - expected.PointBodyFixed).Length, 0.0, SamePoint);
+                    bool isDark = tracer.IsHidden(expected.PointBodyFixed, expected.Facet, SunAt(seconds));
+                    SceneLight there = light with { PositionBodyFixed = SunAt(seconds) };
+                    Assert.Equal(PixelIllumination.At(hit.PointBodyFixed, isDark ? 0.0 : 1.0, there), seen);
                     hits++;
                     dark += isDark ? 1 : 0;
                 }
@@ -90,7 +90,7 @@ public sealed class ScannedSceneTests
         NativeRenderer renderer = new(terrain);
         using NativeFrame frame = renderer.Render(model.At(state), light, options, threads: 2);
         ICamera camera = new Scan(ScanKind.RollingShutter, 12, 1.0).CameraOf(
-            model, [.. Enumerable.Range(0, 12).Select(row => state with { Seconds = row, SunPositionMoonMe = SunAt(0.0) })]);
+            model, [.. Enumerable.Range(0, 12).Select(row => state with { Seconds = row, SunPositionBodyFixed = SunAt(0.0) })]);
         Assert.Equal(12, camera.Bands.Count);
         using NativeFrame scanned = renderer.Render(camera, light, options, threads: 2);
 
@@ -107,7 +107,7 @@ public sealed class ScannedSceneTests
         CameraMotion motion = new(new Vector3D(1500.0, 550.0, -300.0), new Vector3D(0.05, 0.08, -0.04));
         Scan scan = new(ScanKind.PushFrame, 11, 0.1);
         ScanPath path = new ScanPath(seconds => motion.Moved(start, seconds)).Of(scan, null, 0.0);
-        ICamera camera = scan.CameraOf(model, [.. path.States.Select(state => state with { SunPositionMoonMe = SunAt(state.Seconds) })]);
+        ICamera camera = scan.CameraOf(model, [.. path.States.Select(state => state with { SunPositionBodyFixed = SunAt(state.Seconds) })]);
         NativeRenderOptions options = new() { KeepGroundTruth = true, Reflectance = new LambertReflectance(0.6) };
         SceneLight light = new(SunAt(0.0), IsSun: true);
         NativeRenderer renderer = new(terrain);

@@ -39,15 +39,15 @@ public class TracedFrameTruthTests
 
         Assert.Equal(Slope, hit);
         Assert.Equal(new PixelIllumination(expected, expected == IlluminationState.Lit ? 1.0 : 0.0), light);
-        Assert.Equal(sun.PositionMoonMe, truth.Light.PositionMoonMe);
+        Assert.Equal(sun.PositionBodyFixed, truth.Light.PositionBodyFixed);
     }
 
     [Fact]
     public void TryGet_LampAtTheCamera_LightsAllThatIsSeen()
     {
-        SurfaceHit turnedAway = Slope with { NormalMoonMe = -Slope.NormalMoonMe };
+        SurfaceHit turnedAway = Slope with { NormalBodyFixed = -Slope.NormalBodyFixed };
         TracedFrameTruth truth = new(
-            Camera, new SceneLight(Camera.PositionMoonMe, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
+            Camera, new SceneLight(Camera.PositionBodyFixed, IsSun: false), new FakeTracer(turnedAway, isHidden: true));
 
         Assert.True(truth.TryGet(2, 2, out _, out PixelIllumination light));
 
@@ -75,7 +75,7 @@ public class TracedFrameTruthTests
         truth.TryGet(3, 1, out _, out _);
 
         Assert.Equal(Camera.RayThrough(3, 1), tracer.Traced);
-        Assert.Equal((Slope.PointMoonMe, Slope.Facet, truth.Light.PositionMoonMe), tracer.Asked);
+        Assert.Equal((Slope.PointBodyFixed, Slope.Facet, truth.Light.PositionBodyFixed), tracer.Asked);
     }
 
     private sealed class FakeTracer(SurfaceHit? seen, bool isHidden) : ITerrainTracer
@@ -91,10 +91,10 @@ public class TracedFrameTruthTests
             return seen is not null;
         }
 
-        public bool IsHidden(Vector3D pointMoonMe, FacetId facet, Vector3D lightMoonMe)
+        public bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed)
         {
-            Asked = (pointMoonMe, facet, lightMoonMe);
-            return isHidden || Vector3D.Dot(seen!.Value.NormalMoonMe, lightMoonMe - pointMoonMe) <= 0.0;
+            Asked = (pointBodyFixed, facet, lightBodyFixed);
+            return isHidden || Vector3D.Dot(seen!.Value.NormalBodyFixed, lightBodyFixed - pointBodyFixed) <= 0.0;
         }
     }
 }

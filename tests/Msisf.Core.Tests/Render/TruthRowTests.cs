@@ -78,7 +78,7 @@ public sealed class TruthRowTests(RuggedTerrain rugged) : IClassFixture<RuggedTe
             (int column, SurfaceHit hit, PixelIllumination light) = At(row, i);
             int whole = expected[i] + firstColumn;
             Assert.Equal((expected[i], whole, 0.5 * whole), (column, hit.Facet.Line, hit.RayParameter));
-            Assert.Equal((whole, 0.1 * whole), (hit.PointMoonMe.X, light.VisibleFraction));
+            Assert.Equal((whole, 0.1 * whole), (hit.PointBodyFixed.X, light.VisibleFraction));
         }
     }
 

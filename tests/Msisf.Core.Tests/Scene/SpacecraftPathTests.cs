@@ -22,7 +22,7 @@ public sealed class SpacecraftPathTests
 
         CameraState camera = path.At(1000.0);
 
-        Assert.InRange((camera.PositionMoonMe - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, 1e-8);
+        Assert.InRange((camera.PositionBodyFixed - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, 1e-8);
         Assert.InRange(((camera.MoonFromCamera * -Vector3D.UnitX) - -Vector3D.UnitX).Length, 0.0, 1e-15);
     }
 
@@ -35,7 +35,7 @@ public sealed class SpacecraftPathTests
         SpacecraftState state = path.At(time);
 
         // TAI - UTC is 32 s in January 2000, TT - TAI 32.184 s; TDB is TT within 2 ms.
-        Assert.Equal(2e6 + 64.184, state.PositionMoonMe.Length, 0.002);
+        Assert.Equal(2e6 + 64.184, state.PositionBodyFixed.Length, 0.002);
         Assert.Equal(time, state.Time);
     }
 
@@ -55,7 +55,7 @@ public sealed class SpacecraftPathTests
     {
         public TdbCover Cover { get; } = TdbCover.Union([new TdbInterval(50.0, 2000.0)]);
 
-        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionMoonMe);
+        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionBodyFixed);
     }
 
     private sealed class Turning : IEphemeris
@@ -64,7 +64,7 @@ public sealed class SpacecraftPathTests
 
         public TdbScale TimeScale => Scale;
 
-        public Vector3D SunPositionMoonMe(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
         public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();

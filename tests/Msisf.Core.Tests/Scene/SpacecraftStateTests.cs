@@ -13,7 +13,7 @@ public class SpacecraftStateTests
         SpacecraftState state = SpacecraftState.FromNumbers([55289.5, 1e6, 2e6, 3e6, 0.6, 0.0, 0.0, -0.8]);
 
         Assert.Equal(55289.5, state.Time.Days);
-        Assert.Equal(new Vector3D(1e6, 2e6, 3e6), state.PositionMoonMe);
+        Assert.Equal(new Vector3D(1e6, 2e6, 3e6), state.PositionBodyFixed);
         Assert.Equal(
             (0.6, 0.0, 0.0, -0.8),
             (state.MoonFromCamera.X, state.MoonFromCamera.Y, state.MoonFromCamera.Z, state.MoonFromCamera.W));

@@ -29,7 +29,7 @@ internal sealed class BruteForceMap
                 double y = (map.IsSouth ? map.LineOffset - line : line - map.LineOffset) * map.MetresPerPixel;
                 double latitude = (0.5 * Math.PI) - (2.0 * Math.Atan(Math.Sqrt((x * x) + (y * y)) / 2.0 / 1_737_400.0));
                 double longitude = Math.Atan2(x, y);
-                Vector3D direction = new SelenographicPoint(map.IsSouth ? -latitude : latitude, longitude).ToDirectionMoonMe();
+                Vector3D direction = new SelenographicPoint(map.IsSouth ? -latitude : latitude, longitude).ToDirectionBodyFixed();
                 Vector3D v = steps * radii[sample] * direction;
                 _vertices[line, sample] = new Vector3D(Math.Round(v.X) / steps, Math.Round(v.Y) / steps, Math.Round(v.Z) / steps);
             }

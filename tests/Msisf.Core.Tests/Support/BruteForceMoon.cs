@@ -103,7 +103,7 @@ internal sealed class BruteForceMoon
             for (int sample = 0; sample < _samples; sample++)
             {
                 double longitude = (sample + 0.5) / grid.PixelsPerDegree * Math.PI / 180.0;
-                Vector3D v = (pole ? mean : radii[sample]) * new SelenographicPoint(latitude, longitude).ToDirectionMoonMe();
+                Vector3D v = (pole ? mean : radii[sample]) * new SelenographicPoint(latitude, longitude).ToDirectionBodyFixed();
                 vertices[(row * _samples) + sample] = pole
                     ? new Vector3D(0.0, 0.0, Rounded(v.Z))
                     : new Vector3D(Rounded(v.X), Rounded(v.Y), Rounded(v.Z));

@@ -39,7 +39,7 @@ internal sealed class LatticeVertices
             Span<double> radius = stackalloc double[1];
             int column = sample % Samples;
             _grid.ReadRadii(line, column, radius);
-            return LatticePoint.Nearest(radius[0], _directions.Latitude(line), _directions.Longitude(column)).PositionMoonMe;
+            return LatticePoint.Nearest(radius[0], _directions.Latitude(line), _directions.Longitude(column)).PositionBodyFixed;
         }
     }
 
@@ -71,6 +71,6 @@ internal sealed class LatticeVertices
             sum += radius;
         }
 
-        return LatticePoint.Nearest(sum / Samples, SineCosine.OfDegrees(latitudeDegrees, 1), SineCosine.OfDegrees(0, 1)).PositionMoonMe;
+        return LatticePoint.Nearest(sum / Samples, SineCosine.OfDegrees(latitudeDegrees, 1), SineCosine.OfDegrees(0, 1)).PositionBodyFixed;
     }
 }

@@ -13,8 +13,8 @@ internal sealed class MeshSoup
     {
         foreach (TileMesh mesh in meshes)
         {
-            Vector3D centre = mesh.Origin.PositionMoonMe;
-            Vector3D[] vertices = [.. Enumerable.Range(0, mesh.VertexCount).Select(vertex => mesh.Vertex(vertex).PositionMoonMe)];
+            Vector3D centre = mesh.Origin.PositionBodyFixed;
+            Vector3D[] vertices = [.. Enumerable.Range(0, mesh.VertexCount).Select(vertex => mesh.Vertex(vertex).PositionBodyFixed)];
             _meshes.Add((centre, vertices.Max(vertex => (vertex - centre).Length), [.. mesh.Faces.Select(vertex => vertices[vertex])]));
         }
     }

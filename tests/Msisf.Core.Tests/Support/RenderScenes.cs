@@ -64,7 +64,7 @@ internal static class RenderScenes
 
         private Vector3D Up => Math.Abs(Latitude) == 90.0
             ? new Vector3D(0.0, 0.0, Math.Sign(Latitude))
-            : new SelenographicPoint(Radians(Latitude), Radians(Longitude)).ToDirectionMoonMe();
+            : new SelenographicPoint(Radians(Latitude), Radians(Longitude)).ToDirectionBodyFixed();
 
         private Vector3D East => new(-Math.Sin(Radians(Longitude)), Math.Cos(Radians(Longitude)), 0.0);
 

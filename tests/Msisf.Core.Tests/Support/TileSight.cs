@@ -33,7 +33,7 @@ internal static class TileSight
     {
         (Vector3D a, Vector3D b, Vector3D c) = moon.Corners(row, column, half);
         Vector3D middle = (a + b + c) / 3.0;
-        if (a == b || b == c || c == a || Vector3D.Dot(moon.Normal(new(row, column, half)), middle - camera.PositionMoonMe) >= 0.0)
+        if (a == b || b == c || c == a || Vector3D.Dot(moon.Normal(new(row, column, half)), middle - camera.PositionBodyFixed) >= 0.0)
         {
             return false;
         }
@@ -47,11 +47,11 @@ internal static class TileSight
 
     private static bool IsPointSeen(BruteForceMoon moon, PinholeCamera camera, Vector3D point, (int Row, int Column, int Half) facet)
     {
-        Vector3D toPoint = point - camera.PositionMoonMe;
-        double depth = Vector3D.Dot(toPoint, camera.ForwardMoonMe) / camera.Direction.Length;
+        Vector3D toPoint = point - camera.PositionBodyFixed;
+        double depth = Vector3D.Dot(toPoint, camera.ForwardBodyFixed) / camera.Direction.Length;
         return depth > 0.0
             && Math.Abs(Vector3D.Dot(toPoint, camera.Right)) / camera.Right.LengthSquared <= 0.5 * depth
             && Math.Abs(Vector3D.Dot(toPoint, camera.Up)) <= 0.5 * depth
-            && moon.FirstHit(camera.PositionMoonMe, toPoint)?.Facet == new BruteForceMoon.FacetId(facet.Row, facet.Column, facet.Half);
+            && moon.FirstHit(camera.PositionBodyFixed, toPoint)?.Facet == new BruteForceMoon.FacetId(facet.Row, facet.Column, facet.Half);
     }
 }

@@ -41,7 +41,8 @@ public sealed class BlockVerticesTests
                         int sample = (cells.FirstSample + j) % surface.Parts[0].Mesh.Samples;
                         SineCosine latitude =
                             line < 0 ? new(1.0, 0.0) : line == surface.Parts[0].Mesh.Lines ? new(-1.0, 0.0) : directions.Latitude(line);
-                        Vector3D expected = LatticePoint.Nearest(radii[j], latitude, directions.Longitude(sample)).PositionMoonMe - Camera;
+                        Vector3D expected =
+                            LatticePoint.Nearest(radii[j], latitude, directions.Longitude(sample)).PositionBodyFixed - Camera;
                         Assert.Equal(expected, vertices[i, j]);
                     }
                 }

@@ -25,5 +25,5 @@ public class LatticePointTests
 
     [Fact]
     public void PositionMoonMe_OneStep_Is2ToMinus7Metres() =>
-        Assert.Equal(new Vector3D(0.0078125, -1.0, 2.0), new LatticePoint(1, -128, 256).PositionMoonMe);
+        Assert.Equal(new Vector3D(0.0078125, -1.0, 2.0), new LatticePoint(1, -128, 256).PositionBodyFixed);
 }

@@ -32,7 +32,7 @@ public sealed class SurfaceModelTests
             }
         }
 
-        Vector3D[] vertices = [.. mesh.Faces.Select(vertex => mesh.Vertex(vertex).PositionMoonMe)];
+        Vector3D[] vertices = [.. mesh.Faces.Select(vertex => mesh.Vertex(vertex).PositionBodyFixed)];
         Assert.Equal(vertices.Chunk(3).Select(corner => (corner[0], corner[1], corner[2])), facets);
     }
 }

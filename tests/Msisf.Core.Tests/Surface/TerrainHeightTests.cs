@@ -76,14 +76,14 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
         SelenographicPoint point = new(5.375 * Math.PI / 180.0, 201.375 * Math.PI / 180.0);
 
         Assert.Equal(1_747_904.0, radius[0]);
-        Assert.Equal(1_747_904.0, TerrainHeight.RadiusBelow(ldem4.Grid, 2e6 * point.ToDirectionMoonMe()), 1e-6);
+        Assert.Equal(1_747_904.0, TerrainHeight.RadiusBelow(ldem4.Grid, 2e6 * point.ToDirectionBodyFixed()), 1e-6);
     }
 
     [RequiresFact(Part.Ldem4)]
     public void RequireAbove_JustOverAndUnderTheGround_TellsThemApart()
     {
         // in the deepest crater, 8.9 km under the reference
-        Vector3D direction = new SelenographicPoint(-1.2282, 3.2747).ToDirectionMoonMe();
+        Vector3D direction = new SelenographicPoint(-1.2282, 3.2747).ToDirectionBodyFixed();
         double ground = TerrainHeight.RadiusBelow(ldem4.Grid, direction);
         TerrainHeight.RequireAbove(ldem4.Grid, (ground + 1.0) * direction);
 

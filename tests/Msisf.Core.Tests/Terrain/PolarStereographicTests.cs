@@ -16,7 +16,7 @@ public sealed class PolarStereographicTests
     {
         PolarStereographic map = new(isSouth, 20.0, 15199.5, 15199.5);
         Vector3D direction = new SelenographicPoint(
-            double.DegreesToRadians(isSouth ? -80.0 : 80.0), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+            double.DegreesToRadians(isSouth ? -80.0 : 80.0), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
         (double foundLine, double foundSample) = map.PixelOf(1_740_000.0 * direction);
         Assert.Equal(line, foundLine, 0.05); // 2 R tan(5 degrees) = 304,006 m
         Assert.Equal(sample, foundSample, 0.05);

@@ -18,7 +18,7 @@ public class SurfacePlaceTests
     public void ToPositionMoonMe_KnownPlaces_ByHand(
         double latitude, double longitude, double height, bool isOverTerrain, double x, double y, double z)
     {
-        Vector3D found = new SurfacePlace(latitude, longitude, height, isOverTerrain).ToPositionMoonMe(_ => 1.7e6);
+        Vector3D found = new SurfacePlace(latitude, longitude, height, isOverTerrain).ToPositionBodyFixed(_ => 1.7e6);
         Assert.InRange((found - new Vector3D(x, y, z)).Length, 0.0, 1e-7);
     }
 

@@ -32,7 +32,7 @@ public class Section53Tests
 
     [Fact]
     public void Direction_PrintedScene_StandsFortyDegreesOffNadir() =>
-        Assert.Equal(40.0, double.RadiansToDegrees(Vector3D.AngleBetween(-Camera.PositionMoonMe, Camera.ForwardMoonMe)), 12);
+        Assert.Equal(40.0, double.RadiansToDegrees(Vector3D.AngleBetween(-Camera.PositionBodyFixed, Camera.ForwardBodyFixed)), 12);
 
     private static void AssertPrinted(Vector3D printed, Vector3D actual)
     {

@@ -74,7 +74,7 @@ public class Section92Tests
         Vector3D local = point + (1000.0 * (toSun - (Vector3D.Dot(toSun, zenith) * zenith)));
 
         // x and y: steps 5 to 7 literally, with 50 digits (tests/reference/illumination.py).
-        Assert.True(Camera.TryProject(local - Camera.PositionMoonMe, out RenderingPoint projected));
+        Assert.True(Camera.TryProject(local - Camera.PositionBodyFixed, out RenderingPoint projected));
         Assert.InRange(double.Hypot(projected.X - x, projected.Y - y), 0.0, 1e-12);
     }
 

@@ -50,7 +50,8 @@ public class PartMeshTests
             Assert.InRange(mesh.Offsets.Max(Math.Abs), 0, TileMesh.OffsetLimit - 1);
             Assert.All(
                 Enumerable.Range(mesh.Layout.VertexCount, edges),
-                foot => Assert.InRange(mesh.Vertex(foot).PositionMoonMe.Length, mesh.SkirtFootRadius - 0.01, mesh.SkirtFootRadius + 0.01));
+                foot => Assert.InRange(mesh.Vertex(foot).PositionBodyFixed.Length, mesh.SkirtFootRadius - 0.01,
+                    mesh.SkirtFootRadius + 0.01));
             Assert.True(mesh.SkirtFootRadius < ((IGlobalGrid)grid).RadiusLimits.Min);
         }
     }
@@ -60,7 +61,7 @@ public class PartMeshTests
     {
         LevelMeshBuilders builders = Builders(FunctionGrid.OfHeights(4, (_, _) => 0.0));
         TileMesh mesh = Build(builders, SurfacePart.Whole(new TileId(0, 15), 1));
-        Vector3D middle = mesh.Origin.PositionMoonMe;
+        Vector3D middle = mesh.Origin.PositionBodyFixed;
         for (int face = mesh.Layout.FaceCount; face < mesh.FaceCount; face++)
         {
             (Vector3D a, Vector3D b, Vector3D c) = (Corner(mesh, face, 0), Corner(mesh, face, 1), Corner(mesh, face, 2));
@@ -131,7 +132,7 @@ public class PartMeshTests
         return builders.Of(part.Level).Build(layout, builders.Of(part.Level).ReadRadii(layout));
     }
 
-    private static Vector3D Corner(TileMesh mesh, int face, int corner) => mesh.Vertex(mesh.Faces[(3 * face) + corner]).PositionMoonMe;
+    private static Vector3D Corner(TileMesh mesh, int face, int corner) => mesh.Vertex(mesh.Faces[(3 * face) + corner]).PositionBodyFixed;
 
     private static Ray RayOf(PinholeCamera camera, int pixel) => camera.RayThrough((pixel % camera.Width) + 1, (pixel / camera.Width) + 1);
 

@@ -55,8 +55,8 @@ public class TileMeshBuilderTests
                 double latitude = 90.0 - ((layout.FirstLine + (vertex / layout.Samples) + 0.5) / 4.0);
                 double longitude = (layout.FirstSample + (vertex % layout.Samples) + 0.5) / 4.0;
                 Vector3D expected = mesh.Radii[vertex]
-                    * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
-                Vector3D error = mesh.Vertex(vertex).PositionMoonMe - expected;
+                    * new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
+                Vector3D error = mesh.Vertex(vertex).PositionBodyFixed - expected;
 
                 // Half a step, and a few ulps of 1.7e6 m for this plain computation.
                 Assert.InRange(Math.Max(Math.Abs(error.X), Math.Max(Math.Abs(error.Y), Math.Abs(error.Z))), 0.0, (0.5 / 128) + 2e-9);

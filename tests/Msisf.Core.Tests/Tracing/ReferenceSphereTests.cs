@@ -93,9 +93,9 @@ public class ReferenceSphereTests
             parts =>
             {
                 ((double a, double b), (double c, double d)) = parts;
-                Vector3D zenith = new SelenographicPoint(Math.PI * (a - 0.5), 6.28 * b).ToDirectionMoonMe();
+                Vector3D zenith = new SelenographicPoint(Math.PI * (a - 0.5), 6.28 * b).ToDirectionBodyFixed();
                 Vector3D origin = (Radius + Math.Pow(10.0, 7.0 * c)) * zenith;
-                Ray ray = new(origin, new SelenographicPoint(3.0 * (d - 0.5), 6.28 * a).ToDirectionMoonMe());
+                Ray ray = new(origin, new SelenographicPoint(3.0 * (d - 0.5), 6.28 * a).ToDirectionBodyFixed());
                 if (!ReferenceSphere.Lola.TryFirstHit(ray, out Vector3D point))
                 {
                     return true;

@@ -41,7 +41,7 @@ public sealed class TerrainTracerSceneTests
                 (int x, int y) = (random.Next(1, 1025), random.Next(1, 1025));
                 Ray ray = camera.RayThrough(x, y);
                 bool isHit = tracer.TryTrace(ray, out SurfaceHit hit);
-                bool isHidden = isHit && tracer.IsHidden(hit.PointMoonMe, hit.Facet, scene.Sun);
+                bool isHidden = isHit && tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun);
                 string? difference = DifferenceOf(facets, ray, isHit, hit, isHidden, scene.Sun);
                 if (difference is not null)
                 {
@@ -71,13 +71,13 @@ public sealed class TerrainTracerSceneTests
             return $"no hit, {facet} by brute force";
         }
 
-        double distance = (hit.PointMoonMe - point).Length;
+        double distance = (hit.PointBodyFixed - point).Length;
         if (!(distance <= 1e-7))
         {
             return $"hits {hit.Facet}, {facet} by brute force, {distance} m apart";
         }
 
-        bool isShadowed = facets.IsShadowed(hit.Facet, hit.PointMoonMe, sun);
+        bool isShadowed = facets.IsShadowed(hit.Facet, hit.PointBodyFixed, sun);
         return isShadowed == isHidden ? null : $"hidden: {isHidden}, by brute force {isShadowed}";
     }
 }

@@ -88,9 +88,9 @@ public sealed class TerrainTracerTests
             double angle = random.NextDouble() * 2.0 * Math.PI;
             Vector3D up = new Vector3D(fromAxis * Math.Cos(angle), fromAxis * Math.Sin(angle), z * Radius).Normalized();
             Assert.True(tracer.TryTrace(new Ray(1.9e6 * up, -up), out SurfaceHit hit));
-            Assert.InRange(hit.PointMoonMe.Length, Radius - sagitta - 0.01, Radius + 0.01);
+            Assert.InRange(hit.PointBodyFixed.Length, Radius - sagitta - 0.01, Radius + 0.01);
             Assert.InRange(hit.RayParameter, 1.9e6 - Radius - 0.01, 1.9e6 - Radius + sagitta + 0.01);
-            Assert.Equal(0.0, Vector3D.AngleBetween(hit.NormalMoonMe, up), pixelsPerDegree == 1 ? 0.02 : 0.5);
+            Assert.Equal(0.0, Vector3D.AngleBetween(hit.NormalBodyFixed, up), pixelsPerDegree == 1 ? 0.02 : 0.5);
         }
     }
 
@@ -104,7 +104,7 @@ public sealed class TerrainTracerTests
         TerrainTracer tracer = new(FunctionGrid.OfHeights(64, (_, _) => 0.0));
         for (double longitude = 0.0; longitude < 6.3; longitude += 0.7)
         {
-            Vector3D up = new SelenographicPoint(latitudeDegrees * Math.PI / 180.0, longitude).ToDirectionMoonMe();
+            Vector3D up = new SelenographicPoint(latitudeDegrees * Math.PI / 180.0, longitude).ToDirectionBodyFixed();
             Vector3D east = new(-Math.Sin(longitude), Math.Cos(longitude), 0.0);
             Assert.False(tracer.TryTrace(new Ray(((Radius + 0.02) * up) - (1e6 * east), east), out _));
             Assert.True(tracer.TryTrace(new Ray(((Radius - 60.0) * up) - (1e6 * east), east), out _));
@@ -119,8 +119,8 @@ public sealed class TerrainTracerTests
         TerrainTracer tracer = new(grid);
         Assert.True(tracer.TryTrace(new Ray(new Vector3D(1.8e6, 1000.0, 2000.0), -Vector3D.UnitX), out SurfaceHit ground));
 
-        Assert.False(tracer.TryTrace(new Ray(ground.PointMoonMe, ground.NormalMoonMe), out _));
-        Assert.False(tracer.TryFirstHit(new Ray(ground.PointMoonMe, ground.PointMoonMe), out Vector3D point));
+        Assert.False(tracer.TryTrace(new Ray(ground.PointBodyFixed, ground.NormalBodyFixed), out _));
+        Assert.False(tracer.TryFirstHit(new Ray(ground.PointBodyFixed, ground.PointBodyFixed), out Vector3D point));
         Assert.Equal(default, point);
     }
 
@@ -134,13 +134,13 @@ public sealed class TerrainTracerTests
     public void IsHidden_BehindATower_BelowItsTopOnly(double sunElevationDegrees, bool expected)
     {
         TerrainTracer tracer = new(FunctionGrid.OfHeights(1, (line, sample) => line == 89 && sample == 20 ? 10_000.0 : 0.0));
-        Vector3D up = new SelenographicPoint(0.5 * Math.PI / 180.0, 23.5 * Math.PI / 180.0).ToDirectionMoonMe();
+        Vector3D up = new SelenographicPoint(0.5 * Math.PI / 180.0, 23.5 * Math.PI / 180.0).ToDirectionBodyFixed();
         Assert.True(tracer.TryTrace(new Ray(1.8e6 * up, -up), out SurfaceHit ground));
         Vector3D west = new(Math.Sin(23.5 * Math.PI / 180.0), -Math.Cos(23.5 * Math.PI / 180.0), 0.0);
         double elevation = sunElevationDegrees * Math.PI / 180.0;
         Vector3D sun = 1.5e11 * ((Math.Sin(elevation) * up) + (Math.Cos(elevation) * west));
 
-        Assert.Equal(expected, tracer.IsHidden(ground.PointMoonMe, ground.Facet, sun));
+        Assert.Equal(expected, tracer.IsHidden(ground.PointBodyFixed, ground.Facet, sun));
     }
 
     [Fact]
@@ -149,8 +149,8 @@ public sealed class TerrainTracerTests
         TerrainTracer tracer = new(FunctionGrid.OfHeights(4, (_, _) => 0.0));
         Assert.True(tracer.TryTrace(new Ray(new Vector3D(1.8e6, 1000.0, 2000.0), -Vector3D.UnitX), out SurfaceHit ground));
 
-        Assert.True(tracer.IsHidden(ground.PointMoonMe, ground.Facet, -1e9 * ground.NormalMoonMe));
-        Assert.False(tracer.IsHidden(ground.PointMoonMe, ground.Facet, 1e9 * ground.NormalMoonMe));
+        Assert.True(tracer.IsHidden(ground.PointBodyFixed, ground.Facet, -1e9 * ground.NormalBodyFixed));
+        Assert.False(tracer.IsHidden(ground.PointBodyFixed, ground.Facet, 1e9 * ground.NormalBodyFixed));
     }
 
     [Fact]
@@ -164,7 +164,7 @@ public sealed class TerrainTracerTests
             return Radius;
         });
         TerrainTracer tracer = new(grid);
-        Vector3D up = new SelenographicPoint(0.0, 40.0 * Math.PI / 180.0).ToDirectionMoonMe();
+        Vector3D up = new SelenographicPoint(0.0, 40.0 * Math.PI / 180.0).ToDirectionBodyFixed();
 
         Assert.True(tracer.TryTrace(new Ray(1.85e6 * up, -up), out _));
         Assert.Equal(0, farAway);

@@ -64,8 +64,8 @@ public sealed class EngineAgreementTests
 
             // A second and a day's last 0.6 microseconds pass between the two: the Sun turns by 2.66e-6 of its distance (2.4e-6 to 2.7e-6
             // at its declination).
-            Vector3D sunBefore = cspice.Engine.SunPositionMoonMe(new ModifiedJulianDate(before));
-            Vector3D sunAfter = cspice.Engine.SunPositionMoonMe(new ModifiedJulianDate(day));
+            Vector3D sunBefore = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(before));
+            Vector3D sunAfter = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(day));
             double turned = Vector3D.AngleBetween(sunBefore, sunAfter);
             Assert.InRange(turned, 2.4e-6, 2.8e-6);
         }
@@ -105,8 +105,8 @@ public sealed class EngineAgreementTests
         ModifiedJulianDate time = new(mjd);
         foreach (Aberration aberration in Enum.GetValues<Aberration>())
         {
-            Vector3D sun = cspice.SunPositionMoonMe(time, aberration);
-            Assert.InRange((builtIn.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
+            Vector3D sun = cspice.SunPositionBodyFixed(time, aberration);
+            Assert.InRange((builtIn.SunPositionBodyFixed(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
         }
 
         AssertClose(cspice.MoonMeFromJ2000(time), builtIn.MoonMeFromJ2000(time));

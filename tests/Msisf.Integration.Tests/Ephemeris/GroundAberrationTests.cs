@@ -35,9 +35,9 @@ public sealed class GroundAberrationTests
         Vector3D expected = Seen(opened.Engine, trajectory, aberration);
 
         Vector3D forward = camera.MoonFromCamera * -Vector3D.UnitX;
-        double along = -Vector3D.Dot(camera.PositionMoonMe, forward);
-        double miss = (camera.PositionMoonMe + (along * forward)).Length;
-        Vector3D actual = camera.PositionMoonMe + ((along - Math.Sqrt((Radius * Radius) - (miss * miss))) * forward);
+        double along = -Vector3D.Dot(camera.PositionBodyFixed, forward);
+        double miss = (camera.PositionBodyFixed + (along * forward)).Length;
+        Vector3D actual = camera.PositionBodyFixed + ((along - Math.Sqrt((Radius * Radius) - (miss * miss))) * forward);
 
         // First order in v/c: 1e-8 of the distance; and the way that the rounding of 1.5e11 m allows.
         Assert.InRange((actual - expected).Length, 0.0, 1e-3 + (1.1e-8 * height));
@@ -88,7 +88,7 @@ public sealed class GroundAberrationTests
     /// <summary>Somewhat off the nadir, so that the light's way is not the height.</summary>
     private sealed class Slanting : IAttitudeSource
     {
-        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionMoonMe)
-            * UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, 0.5 * Radius / point.PositionMoonMe.Length);
+        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionBodyFixed)
+            * UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, 0.5 * Radius / point.PositionBodyFixed.Length);
     }
 }

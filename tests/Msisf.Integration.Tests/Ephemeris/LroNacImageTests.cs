@@ -73,7 +73,7 @@ public sealed class LroNacImageTests
         {
             ModifiedJulianDate utc = opened.Engine.TimeScale.ToUtc(time);
             Vector3D actual = opened.Engine.MoonMeFromJ2000(utc).Transposed
-                * opened.Engine.SunPositionMoonMe(utc, Aberration.LightTimeAndStellar);
+                * opened.Engine.SunPositionBodyFixed(utc, Aberration.LightTimeAndStellar);
             AssertClose(1000.0 * Vector(sun.GetProperty("positions")[index]), actual);
         }
     }
@@ -105,7 +105,7 @@ public sealed class LroNacImageTests
             RotationMatrix moonFromJ2000 = opened.Engine.MoonMeFromJ2000(times[line]);
             StateVector state = trajectory.StateJ2000(times[line]);
             TrajectoryPoint point = new(times[line], opened.Engine.TimeScale.ToUtc(times[line]), state, moonFromJ2000);
-            FrameCamera camera = model.At(new CameraState(point.PositionMoonMe, attitude.MoonFromCamera(point)));
+            FrameCamera camera = model.At(new CameraState(point.PositionBodyFixed, attitude.MoonFromCamera(point)));
             double[] q = Numbers(pointing.GetProperty("quaternions")[line]);
             UnitQuaternion j2000FromSensor = UnitQuaternion.FromComponents(-q[1], -q[2], -q[3], q[0], isRounded: true);
             foreach (double sample in (double[])[0.5, 1.5, 1000.25, 2547.5, 2548.0, 4000.75, 5063.5])
@@ -113,7 +113,7 @@ public sealed class LroNacImageTests
                 // CSM: the centre of the first sample is at 0.5; here at 1.
                 double y = (sample - 0.5 - center + 0.5) / perMillimetre;
                 Vector3D look = moonFromJ2000 * (j2000FromSensor * new Vector3D(0.0, y / (1.0 + (k * y * y)), focal));
-                Vector3D target = point.PositionMoonMe + (50_000.0 / look.Length * look);
+                Vector3D target = point.PositionBodyFixed + (50_000.0 / look.Length * look);
                 Assert.True(camera.TryProjectPoint(target, out RenderingPoint seen));
                 Assert.Equal(sample + 0.5, seen.X, LineOfSight);
                 Assert.Equal(1.0, seen.Y, LineOfSight);

@@ -117,7 +117,7 @@ public sealed partial class OtherProgramsTests : IDisposable
         foreach ((double[] n, SpacecraftState state) in lines.Zip(found))
         {
             Assert.InRange(Math.Abs(state.Time.SecondsSince(new ModifiedJulianDate(n[0]))), 0.0, seconds);
-            Assert.InRange((state.PositionMoonMe - new Vector3D(n[1], n[2], n[3])).Length, 0.0, metres);
+            Assert.InRange((state.PositionBodyFixed - new Vector3D(n[1], n[2], n[3])).Length, 0.0, metres);
             Vector3D[] axes = [Vector3D.UnitX, Vector3D.UnitY, Vector3D.UnitZ];
             Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(
                 ((state.MoonFromCamera * axes[i]) - new Vector3D(n[4 + i], n[7 + i], n[10 + i])).Length, 0.0, rotation));

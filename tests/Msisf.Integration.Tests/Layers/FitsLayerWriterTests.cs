@@ -87,7 +87,7 @@ public sealed class FitsLayerWriterTests : IDisposable
         Assert.Equal(55289.0, Number(said["MJD-OBS"]));
         Assert.Equal(LayerFrame.Metadata.Camera.MoonFromCamera.X, Number(said["CAMQX"]));
         Assert.Equal(LayerFrame.Metadata.Camera.MoonFromCamera.W, Number(said["CAMQ0"]));
-        Assert.Equal(LayerFrame.Metadata.Camera.PositionMoonMe.Y, Number(said["CAMPOSY"]));
+        Assert.Equal(LayerFrame.Metadata.Camera.PositionBodyFixed.Y, Number(said["CAMPOSY"]));
         Assert.Equal(LayerFrame.Metadata.FlightAltitude, Number(said["CAMALT"]));
         Assert.Equal(LayerFrame.Metadata.HeightOverTerrain, Number(said["CAMTERR"]));
         Assert.Equal(-1.04e11, Number(said["SUNPOSY"]));

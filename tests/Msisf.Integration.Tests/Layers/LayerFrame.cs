@@ -21,11 +21,11 @@ internal static class LayerFrame
 
     public static FrameMetadata Metadata { get; } = ExampleFrame.OfSize(Width, Height) with
     {
-        SunPositionMoonMe = new Vector3D(1.07e11, -1.04e11, 4e9),
+        SunPositionBodyFixed = new Vector3D(1.07e11, -1.04e11, 4e9),
         CommandLine = $"--output-dir 'Mond \u00e4' {string.Concat(Enumerable.Repeat("--a 'quoted' & long ", 30))}end",
     };
 
-    public static SphereTruth Truth { get; } = new(Metadata.Camera, Metadata.SunPositionMoonMe, 16);
+    public static SphereTruth Truth { get; } = new(Metadata.Camera, Metadata.SunPositionBodyFixed, 16);
 
     public static byte[] Fits(
         string layers = "all", LayerPrecision precision = LayerPrecision.Real64, LayerCompression compression = LayerCompression.None)

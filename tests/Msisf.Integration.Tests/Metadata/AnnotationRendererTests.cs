@@ -74,7 +74,7 @@ public class AnnotationRendererTests
         FrameMetadata frame = ExampleFrame.OfSize(101, 101) with
         {
             Camera = nadir,
-            SunPositionMoonMe = 1.5e11 * new Vector3D(0.5, sunRight, sunUp),
+            SunPositionBodyFixed = 1.5e11 * new Vector3D(0.5, sunRight, sunUp),
         };
 
         PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
@@ -88,7 +88,7 @@ public class AnnotationRendererTests
     public void Write_UndefinedDirection_HasADotAndNoLine()
     {
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
-        FrameMetadata frame = ExampleFrame.OfSize(101, 101) with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) };
+        FrameMetadata frame = ExampleFrame.OfSize(101, 101) with { Camera = nadir, SunPositionBodyFixed = new Vector3D(1e11, 0.0, 0.0) };
 
         PngPixels image = Annotate(frame, ExampleFrame.Sampler(frame, spacing: 51));
 

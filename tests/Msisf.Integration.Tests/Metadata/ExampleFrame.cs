@@ -37,11 +37,11 @@ internal static class ExampleFrame
             frame.Camera,
             new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
             ReferenceSphere.Lola,
-            new SceneLight(frame.SunPositionMoonMe, IsSun: true));
+            new SceneLight(frame.SunPositionBodyFixed, IsSun: true));
 
     /// <summary>Terrain that happens to be the sphere, with each state of light.</summary>
     public static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
         new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
-        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionMoonMe),
+        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionBodyFixed),
         pixelsPerDegree: 4);
 }

@@ -33,7 +33,7 @@ public sealed class MetadataXmlTests : IDisposable
         FrameMetadata frame = ExampleFrame.OfSize(1, 1);
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 1, 1);
 
-        AssertValid(frame with { Camera = nadir, SunPositionMoonMe = new Vector3D(1e11, 0.0, 0.0) }, spacing: 1);
+        AssertValid(frame with { Camera = nadir, SunPositionBodyFixed = new Vector3D(1e11, 0.0, 0.0) }, spacing: 1);
     }
 
     [RequiresTheory(Part.Xmllint)]

@@ -30,7 +30,7 @@ public sealed class OrbitFrameTests
             EphemerisChoice.BuiltIn, [Path.Combine(TestParts.Kernels, "msisf.tm")], TestParts.RepositoryRoot, CSpicePath: null));
         OrbitPropagator orbit = new(Elements, Epoch, frame, ephemeris.Engine);
 
-        Vector3D position = orbit.PositionMoonMe(new ModifiedJulianDate(55289.0 + (seconds / 86400.0)));
+        Vector3D position = orbit.PositionBodyFixed(new ModifiedJulianDate(55289.0 + (seconds / 86400.0)));
 
         Assert.InRange((position - new Vector3D(x, y, z)).Length, 0.0, PositionTolerance);
     }

@@ -122,7 +122,7 @@ public sealed class DryRunTests(ITestOutputHelper output) : IDisposable
 
     private static string State(double height, double latitude, double longitude, double offNadir, double azimuth)
     {
-        Vector3D up = new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionMoonMe();
+        Vector3D up = new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
         Vector3D position = (MoonConstants.ReferenceRadius + height) * up;
         UnitQuaternion nadir = NadirPointing.MoonFromCamera(position);
         Vector3D east = nadir * Vector3D.UnitY;

@@ -39,7 +39,7 @@ public sealed class ImageTests : IDisposable
 
         PngPixels image = Render(position, moonFromCamera, "--ignore-sun");
 
-        AssertSameMask(name, image, position, moonFromCamera, lightMoonMe: position);
+        AssertSameMask(name, image, position, moonFromCamera, lightBodyFixed: position);
     }
 
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
@@ -74,7 +74,7 @@ public sealed class ImageTests : IDisposable
     }
 
     private static void AssertSameMask(
-        string name, PngPixels image, Vector3D position, UnitQuaternion moonFromCamera, Vector3D lightMoonMe)
+        string name, PngPixels image, Vector3D position, UnitQuaternion moonFromCamera, Vector3D lightBodyFixed)
     {
         using LdemImage grid = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
         BruteForceMoon moon = new(grid);
@@ -82,7 +82,7 @@ public sealed class ImageTests : IDisposable
         bool[,] expected = new bool[Side, Side];
         for (int pixel = 0; pixel < Side * Side; pixel++)
         {
-            expected[pixel % Side, pixel / Side] = IsLit(moon, camera.RayThrough((pixel % Side) + 1, (pixel / Side) + 1), lightMoonMe);
+            expected[pixel % Side, pixel / Side] = IsLit(moon, camera.RayThrough((pixel % Side) + 1, (pixel / Side) + 1), lightBodyFixed);
         }
 
         (int X, int Y)[] different =
@@ -94,13 +94,13 @@ public sealed class ImageTests : IDisposable
         ];
         Assert.All(different, pixel => Assert.True(
             PointsWithinOnePixel(pixel.X + 1, pixel.Y + 1).Any(point =>
-                IsLit(moon, camera.RayThrough(point.X, point.Y), lightMoonMe) != expected[pixel.X, pixel.Y]),
+                IsLit(moon, camera.RayThrough(point.X, point.Y), lightBodyFixed) != expected[pixel.X, pixel.Y]),
             $"{name}: pixel ({pixel.X}, {pixel.Y}) is wrong and lies at no border"));
         Assert.True(different.Length <= BorderPixels * Side * Side, $"{name}: {different.Length} pixels differ");
         Assert.Contains(true, expected.Cast<bool>());
     }
 
-    private static bool IsLit(BruteForceMoon moon, Ray ray, Vector3D lightMoonMe)
+    private static bool IsLit(BruteForceMoon moon, Ray ray, Vector3D lightBodyFixed)
     {
         if (moon.FirstHit(ray.Origin, ray.Direction) is not (BruteForceMoon.FacetId facet, double t))
         {
@@ -108,8 +108,8 @@ public sealed class ImageTests : IDisposable
         }
 
         Vector3D point = ray.Origin + (t * ray.Direction);
-        return Vector3D.Dot(moon.Normal(facet), lightMoonMe - point) > 0.0
-            && (lightMoonMe == ray.Origin || !moon.IsShadowed(facet, point, lightMoonMe));
+        return Vector3D.Dot(moon.Normal(facet), lightBodyFixed - point) > 0.0
+            && (lightBodyFixed == ray.Origin || !moon.IsShadowed(facet, point, lightBodyFixed));
     }
 
     private static IEnumerable<(double X, double Y)> PointsWithinOnePixel(int x, int y) =>

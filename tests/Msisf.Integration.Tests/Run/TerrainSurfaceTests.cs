@@ -104,7 +104,7 @@ public sealed class TerrainSurfaceTests : IDisposable
     private static void AssertLiesOnTheRay(XElement pixel)
     {
         Vector3D point = VectorIn(pixel, "Position");
-        Vector3D fromCamera = point - Section92.PositionMoonMe;
+        Vector3D fromCamera = point - Section92.PositionBodyFixed;
         Assert.True(Section92.TryProject(fromCamera, out RenderingPoint projected));
         Assert.InRange(projected.X - H(pixel), -PixelTolerance, PixelTolerance);
         Assert.InRange(projected.Y - V(pixel), -PixelTolerance, PixelTolerance);
@@ -142,8 +142,8 @@ public sealed class TerrainSurfaceTests : IDisposable
     {
         Vector3D point = VectorIn(pixel, "Position");
         AssertAngle(sun - point, normal, "IncidenceAngle");
-        AssertAngle(Section92.PositionMoonMe - point, normal, "EmissionAngle");
-        AssertAngle(sun - point, Section92.PositionMoonMe - point, "PhaseAngle");
+        AssertAngle(Section92.PositionBodyFixed - point, normal, "EmissionAngle");
+        AssertAngle(sun - point, Section92.PositionBodyFixed - point, "PhaseAngle");
 
         // By the law of cosines: not the formula of the program.
         void AssertAngle(Vector3D u, Vector3D v, string name)
@@ -154,7 +154,7 @@ public sealed class TerrainSurfaceTests : IDisposable
     }
 
     private static PinholeCamera Small(PinholeCamera camera) =>
-        new(camera.PositionMoonMe, camera.MoonFromCamera, camera.FieldOfView, 64, 64);
+        new(camera.PositionBodyFixed, camera.MoonFromCamera, camera.FieldOfView, 64, 64);
 
     private static int H(XElement pixel) => (int)pixel.Attribute("h")!;
 
@@ -176,7 +176,7 @@ public sealed class TerrainSurfaceTests : IDisposable
 
     private XElement Render(PinholeCamera camera, params string[] more)
     {
-        (Vector3D position, UnitQuaternion q) = (camera.PositionMoonMe, camera.MoonFromCamera);
+        (Vector3D position, UnitQuaternion q) = (camera.PositionBodyFixed, camera.MoonFromCamera);
         string state = string.Create(
             CultureInfo.InvariantCulture, $"{{55289,{position.X:R},{position.Y:R},{position.Z:R},{q.X:R},{q.Y:R},{q.Z:R},{q.W:R}}}");
         string side = camera.Width.ToString(CultureInfo.InvariantCulture);

@@ -60,9 +60,9 @@ public sealed class PatternPovRayTests : IDisposable
 
     private static Vector3D BesideFirstCorner(TileMesh mesh, int face, double inside)
     {
-        Vector3D a = mesh.Vertex(mesh.Faces[3 * face]).PositionMoonMe;
-        Vector3D b = mesh.Vertex(mesh.Faces[(3 * face) + 1]).PositionMoonMe;
-        Vector3D c = mesh.Vertex(mesh.Faces[(3 * face) + 2]).PositionMoonMe;
+        Vector3D a = mesh.Vertex(mesh.Faces[3 * face]).PositionBodyFixed;
+        Vector3D b = mesh.Vertex(mesh.Faces[(3 * face) + 1]).PositionBodyFixed;
+        Vector3D c = mesh.Vertex(mesh.Faces[(3 * face) + 2]).PositionBodyFixed;
         return (a + (inside * (b - a)) + (inside * (c - a))) / 1000.0;
     }
 }

@@ -43,6 +43,6 @@ public sealed class FacetJudgeTests
 
         Assert.True(judge.IsWrong(Grazing, null));
         Assert.True(judge.IsWrong(Grazing, hit with { Facet = new FacetId(54, 495, FacetHalf.SouthWest) }));
-        Assert.True(judge.IsWrong(Grazing, hit with { PointMoonMe = new Vector3D(double.NaN, 0.0, 0.0) }));
+        Assert.True(judge.IsWrong(Grazing, hit with { PointBodyFixed = new Vector3D(double.NaN, 0.0, 0.0) }));
     }
 }

@@ -64,7 +64,7 @@ internal sealed class AimedCameras(CaseRandom random)
     {
         double latitude = double.DegreesToRadians(TileId.SizeDegrees * (random.Below(TileId.Rows + 1) - (TileId.Rows / 2)));
         double longitude = double.DegreesToRadians(TileId.SizeDegrees * random.Below(TileId.Columns));
-        return new SelenographicPoint(latitude, longitude).ToDirectionMoonMe();
+        return new SelenographicPoint(latitude, longitude).ToDirectionBodyFixed();
     }
 
     private UnitQuaternion Aimed(PixelFrame frame, double fov, Vector3D direction)

@@ -38,7 +38,7 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
             string? failure = FailureOf(camera);
             allowed.Note(
                 failure is not null,
-                () => $"camera {camera.PositionMoonMe} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
+                () => $"camera {camera.PositionBodyFixed} FOV {camera.FieldOfView:R} rad {camera.Width} x {camera.Height} px: {failure}");
         }
 
         CaseCount refused = new();
@@ -94,7 +94,7 @@ internal sealed class BorderCases(TerrainUnderTest terrain)
                 .TryGet(1, camera.Height, out PixelRecord record);
             bool isFinite = ray.Direction.IsFinite
                 && (!isOnSphere || onSphere.IsFinite)
-                && (!isOnTerrain || (hit.PointMoonMe.IsFinite && hit.NormalMoonMe.IsFinite && double.IsFinite(hit.RayParameter)))
+                && (!isOnTerrain || (hit.PointBodyFixed.IsFinite && hit.NormalBodyFixed.IsFinite && double.IsFinite(hit.RayParameter)))
                 && (!isRecord || double.IsFinite(record.Point.Latitude + record.Point.Longitude + (record.IlluminationDirection ?? 0.0)));
             return isFinite ? null : $"not finite: {ray.Direction}, {onSphere}, {hit}, {record}";
         }

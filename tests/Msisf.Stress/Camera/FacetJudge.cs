@@ -46,7 +46,7 @@ public sealed class FacetJudge
         PreciseVector direction = PreciseVector.From(ray.Direction);
         double doubt = ray.Origin.Length > FarOrigin ? MovedOrigin : 0.0;
         PreciseFacet? named = hit is null ? null : _terrain.PreciseFacetOf(hit.Value.Facet);
-        if (named is not null && !(hit!.Value.PointMoonMe.IsFinite && named.Value.Inside(origin, direction) >= -doubt))
+        if (named is not null && !(hit!.Value.PointBodyFixed.IsFinite && named.Value.Inside(origin, direction) >= -doubt))
         {
             return true;
         }

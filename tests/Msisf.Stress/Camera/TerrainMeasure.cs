@@ -115,7 +115,7 @@ internal sealed class TerrainMeasure(TerrainUnderTest terrain) : IMeasure<Terrai
         PreciseVector direction = camera.DirectionThrough(input.Frame.X, input.Frame.Y);
         PreciseFacet facet = terrain.PreciseFacetOf(hit.Facet);
         PreciseVector exact = camera.Position + (facet.ParameterOn(camera.Position, direction) * direction);
-        double error = (PreciseVector.From(hit.PointMoonMe) - exact).Length.High;
+        double error = (PreciseVector.From(hit.PointBodyFixed) - exact).Length.High;
         double cosine = facet.Cosine(direction);
         _ratio.Note(error / HitBounds.OnFacet(ray.Origin, cosine), input.ToString);
         if (cosine > HitBounds.PlainCosine)

@@ -73,8 +73,8 @@ public sealed class EphemerisStress : IStressTest
 
     private static double SunDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time, Aberration aberration)
     {
-        Vector3D sun = cspice.SunPositionMoonMe(time, aberration);
-        return (builtIn.SunPositionMoonMe(time, aberration) - sun).Length / sun.Length;
+        Vector3D sun = cspice.SunPositionBodyFixed(time, aberration);
+        return (builtIn.SunPositionBodyFixed(time, aberration) - sun).Length / sun.Length;
     }
 
     private static double FrameDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time)

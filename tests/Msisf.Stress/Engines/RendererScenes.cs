@@ -30,7 +30,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IGlobalGrid grid, I
     public RendererImages Draw(int number, CaseRandom random)
     {
         (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, pixels);
-        Vector3D position = camera.PositionMoonMe;
+        Vector3D position = camera.PositionBodyFixed;
         UnitQuaternion attitude = camera.MoonFromCamera;
         string[] scene =
         [
@@ -54,7 +54,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IGlobalGrid grid, I
         while (true)
         {
             double mjd = random.Between(FirstTime, LastTime);
-            Vector3D sun = ephemeris.SunPositionMoonMe(new ModifiedJulianDate(mjd));
+            Vector3D sun = ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(mjd));
             if (Vector3D.Dot(sun.Normalized(), position.Normalized()) >= MinSunCosine)
             {
                 return mjd;

@@ -134,7 +134,7 @@ public sealed class PropagationStress : IStressTest
             (PreciseVector position, PreciseVector velocity) = orbit.StateAt(time);
             string Input() => FormattableString.Invariant($"{OrbitText.Of(elements)}, MJD {epoch.Days:R} to {date.Days:R}");
             OrbitPropagator propagator = new(elements, epoch, OrbitFrame.MoonMe, ephemeris: null);
-            double distance = PreciseVector.Distance(PreciseVector.From(propagator.PositionMoonMe(date)), position);
+            double distance = PreciseVector.Distance(PreciseVector.From(propagator.PositionBodyFixed(date)), position);
             double timeUnits = (SecondsADay * (Ulp.Of(epoch.Days) + Ulp.Of(date.Days))) + Ulp.Of(time.High);
             double ofTime = timeUnits / 2.0 * velocity.Length.High;
             PositionOfDates.Note(distance / (ofTime + Allowed(orbit, position, velocity)), Input);

@@ -37,8 +37,8 @@ internal sealed class TraceBlock
         _mesh = builder.Build(layout, builder.ReadRadii(layout));
         _productId = grid.ProductId;
         _verticesKm = [.. Enumerable.Range(0, layout.VertexCount).Select(
-            vertex => _mesh.Vertex(vertex).PositionMoonMe / MetresPerKilometre)];
-        _originKm = _mesh.Origin.PositionMoonMe / MetresPerKilometre;
+            vertex => _mesh.Vertex(vertex).PositionBodyFixed / MetresPerKilometre)];
+        _originKm = _mesh.Origin.PositionBodyFixed / MetresPerKilometre;
     }
 
     /// <summary>A block of a tile: at the corner farthest from the tile's origin, or anywhere.</summary>

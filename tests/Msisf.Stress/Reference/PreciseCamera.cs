@@ -13,17 +13,17 @@ public sealed class PreciseCamera
     private readonly PreciseVector _right;
     private readonly PreciseVector _up;
 
-    /// <param name="positionMoonMe">m.</param>
+    /// <param name="positionBodyFixed">m.</param>
     /// <param name="moonFromCamera">qx, qy, qz, q0 of about length 1.</param>
     /// <param name="fieldOfView">rad, horizontal.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
     public PreciseCamera(
-        Vector3D positionMoonMe, (double X, double Y, double Z, double W) moonFromCamera, double fieldOfView, int width, int height)
+        Vector3D positionBodyFixed, (double X, double Y, double Z, double W) moonFromCamera, double fieldOfView, int width, int height)
     {
         _width = width;
         _height = height;
-        Position = PreciseVector.From(positionMoonMe);
+        Position = PreciseVector.From(positionBodyFixed);
         (DoubleWord sine, DoubleWord cosine) = PreciseMath.SinCos(fieldOfView / 2.0);
         DoubleWord aspect = (DoubleWord)width / height;
         _direction = aspect * 0.5 * cosine / sine * Rotated(moonFromCamera, new PreciseVector(-1.0, 0.0, 0.0));

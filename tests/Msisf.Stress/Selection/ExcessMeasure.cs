@@ -85,7 +85,7 @@ internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, i
         _blind += seen == 0 && kept.Count > 0 ? 1 : 0;
         if (seen > 0)
         {
-            double altitude = Math.Abs(camera.PositionMoonMe.Length - MoonConstants.ReferenceRadius);
+            double altitude = Math.Abs(camera.PositionBodyFixed.Length - MoonConstants.ReferenceRadius);
             _cameras.Add(
                 ((double)kept.Count / seen, altitude, $"CameraCases {firstCamera + number} ({kind}): {kept.Count} kept, {seen} seen"));
         }

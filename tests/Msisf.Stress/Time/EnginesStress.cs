@@ -30,7 +30,7 @@ public sealed class EnginesStress : IStressTest
         int times = length == StressLength.Full ? 200_000 : 2_000;
         using BuiltInKernels kernels = ProjectKernels.Open();
         using OpenedEphemeris cspice = ProjectKernels.OpenCSpice();
-        _ = cspice.Engine.SunPositionMoonMe(new ModifiedJulianDate(Start)); // loads the kernels for the calls of deltet_c
+        _ = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(Start)); // loads the kernels for the calls of deltet_c
         Found found = new(kernels.Ephemeris, cspice.Engine);
         CaseRandom random = new(seed, part: 0);
         double[] leapSeconds = [.. StressTable.Rows("leap_seconds.csv").Select(row => row[0])];
@@ -74,8 +74,8 @@ public sealed class EnginesStress : IStressTest
 
         public void NoteOutside(ModifiedJulianDate time)
         {
-            string? builtInError = Refusals.Of(() => builtIn.SunPositionMoonMe(time));
-            string? cspiceError = Refusals.Of(() => cspice.SunPositionMoonMe(time));
+            string? builtInError = Refusals.Of(() => builtIn.SunPositionBodyFixed(time));
+            string? cspiceError = Refusals.Of(() => cspice.SunPositionBodyFixed(time));
             Errors.Note(builtInError is null || builtInError != cspiceError, () => MjdText.Of(time.Days));
         }
     }

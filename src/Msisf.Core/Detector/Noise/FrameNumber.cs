@@ -15,7 +15,7 @@ public static class FrameNumber
     /// <param name="camera">Its position and orientation count.</param>
     public static ulong Of(ModifiedJulianDate time, ICamera camera)
     {
-        Vector3D position = camera.PositionMoonMe;
+        Vector3D position = camera.PositionBodyFixed;
         UnitQuaternion orientation = camera.MoonFromCamera;
         ulong hash = 0;
         foreach (double number in (ReadOnlySpan<double>)[

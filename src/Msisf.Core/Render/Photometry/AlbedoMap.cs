@@ -70,7 +70,7 @@ public sealed class AlbedoMap
     {
         Vector3D At(double right, double down) => new SelenographicPoint(
             Math.Clamp(extent.North - (down * extent.Height), -Math.PI / 2.0, Math.PI / 2.0),
-            extent.West + (right * extent.Width)).ToDirectionMoonMe();
+            extent.West + (right * extent.Width)).ToDirectionBodyFixed();
         if (extent.Width > Math.PI)
         {
             return extent.North - extent.Height > 0.0 ? (new Vector3D(0.0, 0.0, 1.0), Math.Sin(extent.North - extent.Height) - CapSlack)

@@ -73,12 +73,12 @@ internal sealed class FootprintLanes
         ref Vector512<double> x = ref Lanes(points.X, first);
         ref Vector512<double> y = ref Lanes(points.Y, first);
         ref Vector512<double> z = ref Lanes(points.Z, first);
-        Vector3D eye = camera.PositionMoonMe;
+        Vector3D eye = camera.PositionBodyFixed;
         FindLengths(eye, ref x, ref y, ref z, ref places, count);
         LaneMath.InverseSqrt(_buffer.AsSpan(PerAxis, count));
         LaneMath.InverseSqrt(_buffer.AsSpan(PerRadius, count));
         LaneMath.InverseSqrt(_buffer.AsSpan(PerRange, count));
-        FindWays(eye, camera.ForwardMoonMe, tangent, ref x, ref y, ref z, ref places, count);
+        FindWays(eye, camera.ForwardBodyFixed, tangent, ref x, ref y, ref z, ref places, count);
         LaneMath.InverseSqrt(_buffer.AsSpan(PerGround, count));
         FindAngles(ref Unsafe.Add(ref places, CosLongitude), ref Unsafe.Add(ref places, SinLongitude), count);
         FindAngles(ref Unsafe.Add(ref places, CosLatitude), ref Unsafe.Add(ref places, SinLatitude), count);

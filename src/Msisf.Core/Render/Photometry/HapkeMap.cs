@@ -80,9 +80,9 @@ public sealed class HapkeMap
     }
 
     /// <summary>Linear between the four grid points round a place.</summary>
-    private void Read(Vector3D pointMoonMe, int lane, Span<double> parameters)
+    private void Read(Vector3D pointBodyFixed, int lane, Span<double> parameters)
     {
-        SelenographicPoint place = SelenographicPoint.Below(pointMoonMe);
+        SelenographicPoint place = SelenographicPoint.Below(pointBodyFixed);
         double line = Math.Clamp((_north - double.RadiansToDegrees(place.Latitude)) / _step, 0.0, _height - 1.0);
         double sample = (double.RadiansToDegrees(place.Longitude) - _west) / _step;
         int upper = Math.Min((int)line, Math.Max(_height - 2, 0));

@@ -36,7 +36,7 @@ internal sealed class SunlitPoints
     /// <summary>Weight of each pixel's radiance factor in its mean.</summary>
     public double[] Weights { get; private set; } = [];
 
-    /// <summary>Coordinate of each surface point, m, MOON_ME.</summary>
+    /// <summary>Coordinate of each surface point, m, body-fixed.</summary>
     public double[] X { get; private set; } = [];
 
     /// <inheritdoc cref="X"/>
@@ -45,7 +45,7 @@ internal sealed class SunlitPoints
     /// <inheritdoc cref="X"/>
     public double[] Z { get; private set; } = [];
 
-    /// <summary>Component of each unit normal, MOON_ME.</summary>
+    /// <summary>Component of each unit normal, body-fixed.</summary>
     public double[] NormalX { get; private set; } = [];
 
     /// <inheritdoc cref="NormalX"/>
@@ -96,13 +96,13 @@ internal sealed class SunlitPoints
 
     /// <summary>Adds a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Add(int column, double weight, Vector3D pointMoonMe, Vector3D normalMoonMe, double cosIncidence)
+    public void Add(int column, double weight, Vector3D pointBodyFixed, Vector3D normalBodyFixed, double cosIncidence)
     {
         int i = Count++;
         Columns[i] = column;
         Weights[i] = weight;
-        (X[i], Y[i], Z[i]) = (pointMoonMe.X, pointMoonMe.Y, pointMoonMe.Z);
-        (NormalX[i], NormalY[i], NormalZ[i]) = (normalMoonMe.X, normalMoonMe.Y, normalMoonMe.Z);
+        (X[i], Y[i], Z[i]) = (pointBodyFixed.X, pointBodyFixed.Y, pointBodyFixed.Z);
+        (NormalX[i], NormalY[i], NormalZ[i]) = (normalBodyFixed.X, normalBodyFixed.Y, normalBodyFixed.Z);
         CosIncidence[i] = cosIncidence;
     }
 
@@ -139,18 +139,18 @@ internal sealed class SunlitPoints
     }
 
     /// <summary>Computes emission and phase angles of all pixels.</summary>
-    /// <param name="lightMoonMe">Position of the Sun or lamp, m.</param>
-    /// <param name="cameraMoonMe">Position of the camera, m.</param>
-    public void FindAngles(Vector3D lightMoonMe, Vector3D cameraMoonMe)
+    /// <param name="lightBodyFixed">Position of the Sun or lamp, m.</param>
+    /// <param name="cameraBodyFixed">Position of the camera, m.</param>
+    public void FindAngles(Vector3D lightBodyFixed, Vector3D cameraBodyFixed)
     {
         Span<Vector512<double>> perLengths = stackalloc Vector512<double>[2 * Block];
         for (int first = 0; first < Count; first += Block * Vector512<double>.Count)
         {
             int vectors = Math.Min(Block, (Count - first + Vector512<double>.Count - 1) / Vector512<double>.Count);
-            SquareLengths(lightMoonMe, first, perLengths[..vectors]);
-            SquareLengths(cameraMoonMe, first, perLengths.Slice(vectors, vectors));
+            SquareLengths(lightBodyFixed, first, perLengths[..vectors]);
+            SquareLengths(cameraBodyFixed, first, perLengths.Slice(vectors, vectors));
             LaneMath.InverseSqrt(perLengths[..(2 * vectors)]);
-            FindAngles(lightMoonMe, cameraMoonMe, first, perLengths[..vectors], perLengths.Slice(vectors, vectors));
+            FindAngles(lightBodyFixed, cameraBodyFixed, first, perLengths[..vectors], perLengths.Slice(vectors, vectors));
         }
     }
 

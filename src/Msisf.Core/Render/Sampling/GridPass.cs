@@ -60,7 +60,7 @@ internal sealed class GridPass(PartPass pass)
         int bins = Math.Clamp((int)Math.Sqrt((double)camera.Width * camera.Height), 1, 2048);
         GridFrame grid = new(
             surface, frame.Blocks, new ImageView(camera, 0.0, 0.0, perAxis: across),
-            lights.FindCasters(frame.Blocks.Select(visible => visible.Block), light, bins, threads, cancellation), light.PositionMoonMe,
+            lights.FindCasters(frame.Blocks.Select(visible => visible.Block), light, bins, threads, cancellation), light.PositionBodyFixed,
             options, radianceFactors);
         SampledFrame sampled = new(frame, light, lights, options, radianceFactors, threads, cancellation);
         PartPass.EnsureRoom(_others, threads);

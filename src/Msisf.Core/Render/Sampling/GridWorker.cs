@@ -16,11 +16,11 @@ namespace Msisf.Core.Render.Sampling;
 /// <param name="Blocks">The blocks that the frame may show.</param>
 /// <param name="Samples">The projection to the samples.</param>
 /// <param name="Light">The light on pieces of facets.</param>
-/// <param name="SunMoonMe">The Sun's centre, m, MOON_ME.</param>
+/// <param name="SunBodyFixed">The Sun's centre, m, body-fixed.</param>
 /// <param name="Options">The settings.</param>
 /// <param name="RadianceFactors">Receives the brightness of the pixels.</param>
 internal sealed record GridFrame(
-    SurfaceModel Surface, IReadOnlyList<VisibleBlock> Blocks, ImageView Samples, SureLight Light, Vector3D SunMoonMe,
+    SurfaceModel Surface, IReadOnlyList<VisibleBlock> Blocks, ImageView Samples, SureLight Light, Vector3D SunBodyFixed,
     NativeRenderOptions Options, double[] RadianceFactors);
 
 /// <summary>
@@ -91,7 +91,7 @@ internal sealed class GridWorker
         Vector3D a = origin + block.At(index);
         Vector3D b = origin + block.At(index + FacetCorners.Second(half));
         Vector3D c = origin + block.At(index + FacetCorners.Third(half));
-        Vector3D toSun = _frame.SunMoonMe - ((1.0 / 3.0) * (a + b + c));
+        Vector3D toSun = _frame.SunBodyFixed - ((1.0 / 3.0) * (a + b + c));
         double distance = Math.Sqrt(toSun.LengthSquared);
         double cosine = Vector3D.Dot(normal, toSun) / (Math.Sqrt(normal.LengthSquared) * distance);
         double reach = MaxLength * distance;
@@ -227,7 +227,7 @@ internal sealed class GridWorker
         Vector256<double> x = Vector256.Create(view.FirstRay.X) + (columns * view.RayPerColumn.X) + (rows * view.RayPerRow.X);
         Vector256<double> y = Vector256.Create(view.FirstRay.Y) + (columns * view.RayPerColumn.Y) + (rows * view.RayPerRow.Y);
         Vector256<double> z = Vector256.Create(view.FirstRay.Z) + (columns * view.RayPerColumn.Z) + (rows * view.RayPerRow.Z);
-        Vector3D camera = view.Camera.PositionMoonMe;
+        Vector3D camera = view.Camera.PositionBodyFixed;
         Vector3D normal = record.Normal;
         Vector256<double> perRay = (normal.X * x) + (normal.Y * y) + (normal.Z * z);
         double height = record.Offset - Vector3D.Dot(normal, camera - view.Anchor);

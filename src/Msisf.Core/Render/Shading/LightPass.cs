@@ -69,12 +69,12 @@ internal sealed class LightPass
     /// </summary>
     public SureLight FindCasters(
         IEnumerable<CellBlock> blocks, SceneLight light, int bins, int threads, CancellationToken cancellation) =>
-        _shadows.FindCasters(blocks, light.PositionMoonMe, bins, threads, cancellation);
+        _shadows.FindCasters(blocks, light.PositionBodyFixed, bins, threads, cancellation);
 
-    /// <summary>The smooth normal at a point, as it is used for shading; length 1, MOON_ME, or the facet's normal.</summary>
+    /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
-    /// <param name="cameraMoonMe">The camera's position, m, MOON_ME.</param>
-    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe) => _shader.SmoothNormal(hit, cameraMoonMe);
+    /// <param name="cameraBodyFixed">The camera's position, m, body-fixed.</param>
+    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraBodyFixed) => _shader.SmoothNormal(hit, cameraBodyFixed);
 
     private static bool HasDisc(SceneLight light, NativeRenderOptions options) => light.IsSun && options.Sun == SunModel.Disc;
 
@@ -84,8 +84,8 @@ internal sealed class LightPass
     {
         if (HasDisc(light, options))
         {
-            SunDisc disc = new(light.PositionMoonMe);
-            SunwardPoints facing = new(points, light.PositionMoonMe, sunlight.CosIncidence, disc.MinCosine);
+            SunDisc disc = new(light.PositionBodyFixed);
+            SunwardPoints facing = new(points, light.PositionBodyFixed, sunlight.CosIncidence, disc.MinCosine);
             _penumbras.Run(facing, disc, sunlight.HiddenPoints, threads, cancellation);
             _discShader.Run(points, disc, sunlight, threads, cancellation);
             return;
@@ -97,7 +97,7 @@ internal sealed class LightPass
             _shader.Prepare(points.Width * points.Height);
         }
 
-        SunwardPoints sunward = new(points, light.PositionMoonMe, sunlight.CosIncidence)
+        SunwardPoints sunward = new(points, light.PositionBodyFixed, sunlight.CosIncidence)
         {
             RowRead = reflectsFirst
                 ? (row, pixels, cosines) => _shader.Reflect(points, light, options, row, pixels, cosines)
@@ -105,7 +105,7 @@ internal sealed class LightPass
         };
         if (light.IsSun)
         {
-            _shadows.Run(sunward, light.PositionMoonMe, sunlight.Hidden, threads, cancellation);
+            _shadows.Run(sunward, light.PositionBodyFixed, sunlight.Hidden, threads, cancellation);
         }
         else
         {

@@ -94,11 +94,11 @@ internal sealed class RowReflection(SurfaceModel surface)
             if (normals == NormalModel.Smooth)
             {
                 FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
-                Vector3D smooth = Smooth(facet, normal, point, visible.View.Camera.PositionMoonMe);
+                Vector3D smooth = Smooth(facet, normal, point, visible.View.Camera.PositionBodyFixed);
                 if (smooth != normal)
                 {
                     // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-                    Vector3D toLight = light.PositionMoonMe - point;
+                    Vector3D toLight = light.PositionBodyFixed - point;
                     normal = smooth;
                     cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
                 }
@@ -115,9 +115,9 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// reflectance laws are undefined there.
     /// </summary>
     /// <param name="facet">The facet.</param>
-    /// <param name="facetNormal">Its own normal, length 1, MOON_ME.</param>
-    /// <param name="point">The point on it, m, MOON_ME.</param>
-    /// <param name="camera">The camera's position, m, MOON_ME.</param>
+    /// <param name="facetNormal">Its own normal, length 1, body-fixed.</param>
+    /// <param name="point">The point on it, m, body-fixed.</param>
+    /// <param name="camera">The camera's position, m, body-fixed.</param>
     public Vector3D Smooth(FacetId facet, Vector3D facetNormal, Vector3D point, Vector3D camera)
     {
         Vector3D normal = _normals.At(facet, facetNormal, point);
@@ -131,7 +131,7 @@ internal sealed class RowReflection(SurfaceModel surface)
     public void FindFactors(FrameCamera camera, SceneLight light, NativeRenderOptions options)
     {
         int count = Points.Count;
-        Points.FindAngles(light.PositionMoonMe, camera.PositionMoonMe);
+        Points.FindAngles(light.PositionBodyFixed, camera.PositionBodyFixed);
         if (options.Hapke is { } places)
         {
             places.FindFactors(Points, options.Albedo?.Reference);

@@ -137,13 +137,13 @@ internal sealed class RowShader
         }, cancellation);
     }
 
-    /// <summary>The smooth normal at a point, as it is used for shading; length 1, MOON_ME, or the facet's normal.</summary>
+    /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
-    /// <param name="cameraMoonMe">The camera's position, m, MOON_ME.</param>
-    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraMoonMe)
+    /// <param name="cameraBodyFixed">The camera's position, m, body-fixed.</param>
+    public Vector3D SmoothNormal(SurfaceHit hit, Vector3D cameraBodyFixed)
     {
         RowReflection scratch = Take();
-        Vector3D normal = scratch.Smooth(hit.Facet, hit.NormalMoonMe, hit.PointMoonMe, cameraMoonMe);
+        Vector3D normal = scratch.Smooth(hit.Facet, hit.NormalBodyFixed, hit.PointBodyFixed, cameraBodyFixed);
         _idle.Add(scratch);
         return normal;
     }

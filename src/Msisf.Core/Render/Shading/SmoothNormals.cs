@@ -33,10 +33,10 @@ internal sealed class SmoothNormals
 
     /// <summary>The interpolated normal at a point of a facet.</summary>
     /// <param name="facet">The facet.</param>
-    /// <param name="facetNormalMoonMe">The facet's own normal, MOON_ME, outward, of any length.</param>
-    /// <param name="pointMoonMe">The point on the facet, m, MOON_ME.</param>
-    /// <returns>The normal, MOON_ME, outward, length 1.</returns>
-    public Vector3D At(FacetId facet, Vector3D facetNormalMoonMe, Vector3D pointMoonMe)
+    /// <param name="facetNormalBodyFixed">The facet's own normal, body-fixed, outward, of any length.</param>
+    /// <param name="pointBodyFixed">The point on the facet, m, body-fixed.</param>
+    /// <returns>The normal, body-fixed, outward, length 1.</returns>
+    public Vector3D At(FacetId facet, Vector3D facetNormalBodyFixed, Vector3D pointBodyFixed)
     {
         if (facet != _facet)
         {
@@ -46,9 +46,9 @@ internal sealed class SmoothNormals
         ref readonly Corner a = ref _corners[0];
         ref readonly Corner b = ref _corners[1];
         ref readonly Corner c = ref _corners[2];
-        double weightA = Weight(facetNormalMoonMe, b.Position, c.Position, pointMoonMe);
-        double weightB = Weight(facetNormalMoonMe, c.Position, a.Position, pointMoonMe);
-        double weightC = Weight(facetNormalMoonMe, a.Position, b.Position, pointMoonMe);
+        double weightA = Weight(facetNormalBodyFixed, b.Position, c.Position, pointBodyFixed);
+        double weightB = Weight(facetNormalBodyFixed, c.Position, a.Position, pointBodyFixed);
+        double weightC = Weight(facetNormalBodyFixed, a.Position, b.Position, pointBodyFixed);
         return ((weightA * a.Normal) + (weightB * b.Normal) + (weightC * c.Normal)).Normalized();
     }
 

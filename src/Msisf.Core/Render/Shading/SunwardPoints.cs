@@ -27,13 +27,13 @@ internal sealed class SunwardPoints : IReceiverRows
 
     /// <summary>Makes the receivers of a frame.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
-    /// <param name="sunMoonMe">The position of the Sun or of the lamp, m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">The position of the Sun or of the lamp, m, body-fixed.</param>
     /// <param name="cosIncidence">One value for each pixel, row by row, set when a row is read; -1 where there is no surface.</param>
     /// <param name="minCosine">Only points with a greater cosine are read: 0, or slightly less for the Sun's disc.</param>
-    public SunwardPoints(ISurfaceRows visible, Vector3D sunMoonMe, double[] cosIncidence, double minCosine = 0.0)
+    public SunwardPoints(ISurfaceRows visible, Vector3D sunBodyFixed, double[] cosIncidence, double minCosine = 0.0)
     {
         _visible = visible;
-        _sun = sunMoonMe;
+        _sun = sunBodyFixed;
         _cosIncidence = cosIncidence;
         _minCosine = minCosine;
     }
@@ -116,9 +116,9 @@ internal sealed class SunwardPoints : IReceiverRows
     }
 
     /// <summary>Cosine of the incidence angle at one point, as a plain formula; <see cref="FindCosines"/> gives the same bits.</summary>
-    internal static double CosIncidence(Vector3D normal, Vector3D pointMoonMe, Vector3D sunMoonMe)
+    internal static double CosIncidence(Vector3D normal, Vector3D pointBodyFixed, Vector3D sunBodyFixed)
     {
-        Vector3D toSun = sunMoonMe - pointMoonMe;
+        Vector3D toSun = sunBodyFixed - pointBodyFixed;
 
         // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
         return Math.Min(Vector3D.Dot(normal, toSun) / Math.Sqrt(toSun.LengthSquared), 1.0);

@@ -17,9 +17,9 @@ internal sealed class BlockReceivers : IReceiverBounds
     /// <summary>Finds the bounds.</summary>
     /// <param name="surface">The surface.</param>
     /// <param name="blocks">The blocks; their bounds are known.</param>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="solidRadius">Radius of the night zone, m.</param>
-    public BlockReceivers(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunMoonMe, double solidRadius)
+    public BlockReceivers(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, double solidRadius)
     {
         List<TerrainNode> nodes = [];
         Vector3D sum = default;
@@ -30,7 +30,7 @@ internal sealed class BlockReceivers : IReceiverBounds
             sum += nodes[^1].Cap.Centre;
         }
 
-        Frame = new LightFrame(sunMoonMe, sum);
+        Frame = new LightFrame(sunBodyFixed, sum);
         List<LightBounds> bounds = [.. nodes.Select(node => LightBounds.Of(Frame, node)).Where(node => !IsNight(node.Box, node.MinDepth))];
         Box = bounds.Aggregate(LightBox.Empty, (box, node) => LightBox.Union(box, node.Box));
         _depths.Lay(Box, Size, Size);

@@ -123,7 +123,7 @@ internal sealed class CasterScan
     {
         _vertices.Load(_surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
-        frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        frame.FromBodyFixed(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
     }
 
     /// <summary>Sets the strip to eight cells and tells whether a receiver may be behind them.</summary>

@@ -29,11 +29,11 @@ internal sealed class CasterSearch
 
     /// <summary>Throws if the Sun is not outside the terrain, where light space is undefined.</summary>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
-    public void Check(Vector3D sunMoonMe)
+    public void Check(Vector3D sunBodyFixed)
     {
-        if (!(sunMoonMe.Length > _maxRadius))
+        if (!(sunBodyFixed.Length > _maxRadius))
         {
-            throw new BadInputException($"The Sun is at {sunMoonMe} m, inside the Moon; give a position outside it.");
+            throw new BadInputException($"The Sun is at {sunBodyFixed} m, inside the Moon; give a position outside it.");
         }
     }
 

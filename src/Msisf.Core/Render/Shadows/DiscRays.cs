@@ -32,7 +32,7 @@ internal sealed class DiscRays
     {
         for (int i = 0; i < SunDisc.Points; i++)
         {
-            Vector3D offset = disc.PointsMoonMe[i] - disc.CentreMoonMe;
+            Vector3D offset = disc.PointsBodyFixed[i] - disc.CentreBodyFixed;
             _a[i] = Vector3D.Dot(offset, frame.AxisU) / frame.SunDistance;
             _b[i] = Vector3D.Dot(offset, frame.AxisV) / frame.SunDistance;
         }

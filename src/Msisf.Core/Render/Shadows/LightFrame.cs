@@ -19,42 +19,42 @@ namespace Msisf.Core.Render.Shadows;
 internal sealed class LightFrame
 {
     /// <summary>Makes the light space of a position of the Sun.</summary>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
-    /// <param name="towardsMoonMe">MOON_ME; its part across the Sun's direction gives the first axis; any vector is valid.</param>
-    public LightFrame(Vector3D sunMoonMe, Vector3D towardsMoonMe)
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
+    /// <param name="towardsBodyFixed">MOON_ME; its part across the Sun's direction gives the first axis; any vector is valid.</param>
+    public LightFrame(Vector3D sunBodyFixed, Vector3D towardsBodyFixed)
     {
-        SunDistance = sunMoonMe.Length;
-        AxisW = -sunMoonMe / SunDistance;
-        AxisU = Across(AxisW, towardsMoonMe);
+        SunDistance = sunBodyFixed.Length;
+        AxisW = -sunBodyFixed / SunDistance;
+        AxisU = Across(AxisW, towardsBodyFixed);
         AxisV = Vector3D.Cross(AxisW, AxisU);
     }
 
     /// <summary>Distance D of the Sun's centre from the Moon's centre, m.</summary>
     public double SunDistance { get; }
 
-    /// <summary>Unit vector across the Sun's direction, MOON_ME; U, V and W are right-handed.</summary>
+    /// <summary>Unit vector across the Sun's direction, body-fixed; U, V and W are right-handed.</summary>
     public Vector3D AxisU { get; }
 
     /// <inheritdoc cref="AxisU"/>
     public Vector3D AxisV { get; }
 
-    /// <summary>Unit vector away from the Sun, MOON_ME.</summary>
+    /// <summary>Unit vector away from the Sun, body-fixed.</summary>
     public Vector3D AxisW { get; }
 
     /// <summary>Converts a point from MOON_ME to light space, m.</summary>
-    /// <param name="pointMoonMe">The point, m, MOON_ME.</param>
-    public Vector3D FromMoonMe(Vector3D pointMoonMe)
+    /// <param name="pointBodyFixed">The point, m, body-fixed.</param>
+    public Vector3D FromBodyFixed(Vector3D pointBodyFixed)
     {
-        double w = Vector3D.Dot(pointMoonMe, AxisW);
+        double w = Vector3D.Dot(pointBodyFixed, AxisW);
         double scale = SunDistance / (SunDistance + w);
-        return new Vector3D(scale * Vector3D.Dot(pointMoonMe, AxisU), scale * Vector3D.Dot(pointMoonMe, AxisV), scale * w);
+        return new Vector3D(scale * Vector3D.Dot(pointBodyFixed, AxisU), scale * Vector3D.Dot(pointBodyFixed, AxisV), scale * w);
     }
 
-    /// <summary>Converts points in place from MOON_ME to light space, with the same bits as <see cref="FromMoonMe(Vector3D)"/>.</summary>
-    /// <param name="x">m, MOON_ME x; becomes u. The length is a multiple of 8.</param>
-    /// <param name="y">m, MOON_ME y; becomes v.</param>
-    /// <param name="z">m, MOON_ME z; becomes w.</param>
-    public void FromMoonMe(Span<double> x, Span<double> y, Span<double> z)
+    /// <summary>Converts points in place to light space, with the same bits as <see cref="FromBodyFixed(Vector3D)"/>.</summary>
+    /// <param name="x">m, body-fixed x; becomes u. The length is a multiple of 8.</param>
+    /// <param name="y">m, body-fixed y; becomes v.</param>
+    /// <param name="z">m, body-fixed z; becomes w.</param>
+    public void FromBodyFixed(Span<double> x, Span<double> y, Span<double> z)
     {
         Debug.Assert(x.Length % Vector512<double>.Count == 0 && y.Length == x.Length
             && z.Length == x.Length, "Points are not in whole vectors.");
@@ -95,6 +95,6 @@ internal sealed class LightFrame
 }
 
 /// <summary>The Sun as a light source that casts shadows.</summary>
-/// <param name="PositionMoonMe">The Sun's centre, m, MOON_ME.</param>
+/// <param name="PositionBodyFixed">The Sun's centre, m, body-fixed.</param>
 /// <param name="Slope">Radius of the Sun's disc over its distance from the Moon's centre; 0 for a point source.</param>
-internal readonly record struct LightSource(Vector3D PositionMoonMe, double Slope);
+internal readonly record struct LightSource(Vector3D PositionBodyFixed, double Slope);

@@ -61,14 +61,14 @@ internal sealed class PenumbraPass
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Run(IReceiverRows receivers, SunDisc disc, ulong[] hidden, int threads, CancellationToken cancellation)
     {
-        _search.Check(disc.CentreMoonMe);
+        _search.Check(disc.CentreBodyFixed);
         Array.Clear(hidden, 0, receivers.Rows * receivers.Width);
         while (_scans.Count < threads)
         {
             _scans.Add(new PenumbraScan(_surface));
         }
 
-        LightSource sun = new(disc.CentreMoonMe, disc.Slope);
+        LightSource sun = new(disc.CentreBodyFixed, disc.Slope);
         NightZone night = new(_search.SolidRadius, sun.Slope);
         ReceiverJob job = new(receivers, night, pixel => hidden[pixel] = SunDisc.All, threads, cancellation);
         PlacedReceivers placed = _receivers.Read(job, sun);

@@ -33,7 +33,7 @@ internal sealed class PenumbraScan
     {
         _vertices.Load(_surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
-        grid.Frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        grid.Frame.FromBodyFixed(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
         double deepest = grid.Bins.Max();
         LightBox reach = grid.Box.Widened(slope * Math.Max(0.0, deepest - MinDepth(length)));
         for (int line = 0; line + 1 < _vertices.Lines; line++)

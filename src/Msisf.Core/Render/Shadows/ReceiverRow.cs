@@ -59,7 +59,7 @@ internal sealed class ReceiverRow
         Pad();
     }
 
-    /// <summary>Sum of the points, m, MOON_ME; to be called before <see cref="ToLight"/>.</summary>
+    /// <summary>Sum of the points, m, body-fixed; to be called before <see cref="ToLight"/>.</summary>
     public Vector3D Sum()
     {
         Vector3D sum = default;
@@ -75,7 +75,7 @@ internal sealed class ReceiverRow
     public void ToLight(LightFrame frame)
     {
         int padded = Padded(Count);
-        frame.FromMoonMe(U.AsSpan(0, padded), V.AsSpan(0, padded), W.AsSpan(0, padded));
+        frame.FromBodyFixed(U.AsSpan(0, padded), V.AsSpan(0, padded), W.AsSpan(0, padded));
     }
 
     /// <summary>Bounds of the points in light space, m; to be called after <see cref="ToLight"/>.</summary>

@@ -114,7 +114,7 @@ internal sealed class ReceiverSort
             count += _scouts[scout].Count;
         }
 
-        LightFrame frame = new(sun.PositionMoonMe, sum);
+        LightFrame frame = new(sun.PositionBodyFixed, sum);
         LightBox box = LightBox.Empty;
         for (int scout = 0; scout < scouts; scout++)
         {

@@ -45,17 +45,17 @@ internal sealed class ShadowPass
 
     /// <summary>Marks the receivers that are in shadow.</summary>
     /// <param name="receivers">The points whose facet faces the Sun.</param>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="hidden">One value for each pixel, row by row: 1 if terrain hides the Sun, 0 if not or if there is no receiver.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
-    public void Run(IReceiverRows receivers, Vector3D sunMoonMe, byte[] hidden, int threads, CancellationToken cancellation)
+    public void Run(IReceiverRows receivers, Vector3D sunBodyFixed, byte[] hidden, int threads, CancellationToken cancellation)
     {
-        Start(sunMoonMe, threads);
+        Start(sunBodyFixed, threads);
         Array.Clear(hidden, 0, receivers.Rows * receivers.Width);
 
-        LightSource sun = new(sunMoonMe, Slope: 0.0);
+        LightSource sun = new(sunBodyFixed, Slope: 0.0);
         NightZone night = new(_search.SolidRadius, sun.Slope);
         ReceiverJob job = new(receivers, night, pixel => hidden[pixel] = 1, threads, cancellation);
         PlacedReceivers placed = _receivers.Read(job, sun);
@@ -74,16 +74,16 @@ internal sealed class ShadowPass
 
     /// <summary>Prepares to tell the light of pieces of facets, without looking at their points one by one.</summary>
     /// <param name="blocks">The blocks in which the facets lie.</param>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="bins">Number of bins along each edge of the grid of casters.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
     /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Valid until the next call.</returns>
     public SureLight FindCasters(
-        IEnumerable<CellBlock> blocks, Vector3D sunMoonMe, int bins, int threads, CancellationToken cancellation)
+        IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, int bins, int threads, CancellationToken cancellation)
     {
-        Start(sunMoonMe, threads);
-        BlockReceivers receivers = new(_surface, blocks, sunMoonMe, _search.SolidRadius);
+        Start(sunBodyFixed, threads);
+        BlockReceivers receivers = new(_surface, blocks, sunBodyFixed, _search.SolidRadius);
         _casters.Lay(receivers.Box, bins);
         IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope: 0.0, threads, cancellation);
         WorkerTeam.Run(threads, found.Count, (worker, item) => _scans[worker].Find(found[item], receivers, _casters), cancellation);
@@ -91,9 +91,9 @@ internal sealed class ShadowPass
         return new SureLight(receivers.Frame, _search.SolidRadius, _casters);
     }
 
-    private void Start(Vector3D sunMoonMe, int threads)
+    private void Start(Vector3D sunBodyFixed, int threads)
     {
-        _search.Check(sunMoonMe);
+        _search.Check(sunBodyFixed);
         while (_scans.Count < threads)
         {
             _scans.Add(new CasterScan(_surface));

@@ -36,21 +36,22 @@ internal sealed class SunDisc
     private readonly Vector3D[] _pointsMoonMe;
 
     /// <summary>Places the points for a position of the Sun.</summary>
-    /// <param name="sunMoonMe">The Sun's centre, m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <exception cref="BadInputException">The Moon's centre is inside the Sun.</exception>
-    public SunDisc(Vector3D sunMoonMe)
+    public SunDisc(Vector3D sunBodyFixed)
     {
-        CentreMoonMe = sunMoonMe;
-        double distance = sunMoonMe.Length;
+        CentreBodyFixed = sunBodyFixed;
+        double distance = sunBodyFixed.Length;
         if (!(distance > SunRadius))
         {
-            throw new BadInputException($"The Sun is at {sunMoonMe} m, so that the Moon is inside the Sun; give a position farther away.");
+            throw new BadInputException(
+                $"The Sun is at {sunBodyFixed} m, so that the Moon is inside the Sun; give a position farther away.");
         }
 
         // The angular radius of a sphere's outline is asin(R / D); a disc at the distance of its centre has this radius.
         double radius = distance * SunRadius / Math.Sqrt((distance - SunRadius) * (distance + SunRadius));
         Slope = radius / distance;
-        LightFrame axes = new(sunMoonMe, Vector3D.UnitZ);
+        LightFrame axes = new(sunBodyFixed, Vector3D.UnitZ);
         List<(double Turn, double FromCentre)> points = [];
         foreach ((int count, double offset) in Rings.Zip(Turns))
         {
@@ -61,31 +62,31 @@ internal sealed class SunDisc
         _pointsMoonMe = [.. points.OrderBy(point => point.Turn).Select(point =>
         {
             (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * point.Turn);
-            return sunMoonMe + (point.FromCentre * ((cosine * axes.AxisU) + (sine * axes.AxisV)));
+            return sunBodyFixed + (point.FromCentre * ((cosine * axes.AxisU) + (sine * axes.AxisV)));
         })];
     }
 
-    /// <summary>The centre of the disc, m, MOON_ME.</summary>
-    public Vector3D CentreMoonMe { get; }
+    /// <summary>The centre of the disc, m, body-fixed.</summary>
+    public Vector3D CentreBodyFixed { get; }
 
     /// <summary>The disc's radius over its distance from the Moon's centre: the tangent of its angular radius there.</summary>
     public double Slope { get; }
 
-    /// <summary>The points, m, MOON_ME; the first one belongs to the lowest bit of a mask.</summary>
-    public ReadOnlySpan<Vector3D> PointsMoonMe => _pointsMoonMe;
+    /// <summary>The points, m, body-fixed; the first one belongs to the lowest bit of a mask.</summary>
+    public ReadOnlySpan<Vector3D> PointsBodyFixed => _pointsMoonMe;
 
     /// <summary>The light of the disc on a point of a facet.</summary>
-    /// <param name="pointMoonMe">The point, m, MOON_ME.</param>
-    /// <param name="normalMoonMe">Outward normal, MOON_ME, length 1.</param>
+    /// <param name="pointBodyFixed">The point, m, body-fixed.</param>
+    /// <param name="normalBodyFixed">Outward normal, body-fixed, length 1.</param>
     /// <param name="hidden">Mask of the points of the disc that terrain hides (<see cref="PenumbraPass"/>).</param>
-    public DiscLight LightAt(Vector3D pointMoonMe, Vector3D normalMoonMe, ulong hidden)
+    public DiscLight LightAt(Vector3D pointBodyFixed, Vector3D normalBodyFixed, ulong hidden)
     {
         int visible = 0;
         double sum = 0.0;
         for (ulong left = ~hidden; left != 0; left &= left - 1)
         {
-            Vector3D toSun = _pointsMoonMe[BitOperations.TrailingZeroCount(left)] - pointMoonMe;
-            double cosine = Vector3D.Dot(normalMoonMe, toSun) / Math.Sqrt(toSun.LengthSquared); // 1e11 m: its square does not overflow
+            Vector3D toSun = _pointsMoonMe[BitOperations.TrailingZeroCount(left)] - pointBodyFixed;
+            double cosine = Vector3D.Dot(normalBodyFixed, toSun) / Math.Sqrt(toSun.LengthSquared); // 1e11 m: its square does not overflow
             if (cosine > 0.0)
             {
                 visible++;

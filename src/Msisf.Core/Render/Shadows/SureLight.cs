@@ -30,7 +30,7 @@ internal sealed class SureLight(LightFrame frame, double solidRadius, CasterDept
     public const double Margin = 1e-3;
 
     /// <summary>The light on a piece.</summary>
-    /// <param name="x">m, MOON_ME x of four points; the piece lies within their convex hull.</param>
+    /// <param name="x">m, body-fixed x of four points; the piece lies within their convex hull.</param>
     /// <param name="y">Their y.</param>
     /// <param name="z">Their z.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -44,7 +44,7 @@ internal sealed class TerrainSections
     {
         _vertices.Load(surface, block, default);
         int length = _vertices.Lines * BlockVertices.Stride;
-        frame.FromMoonMe(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
+        frame.FromBodyFixed(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
         for (int i = 0; i < length; i++)
         {
             _planes[i] = _grid.PlaneAt(_vertices.Z[i]);

@@ -33,7 +33,7 @@ internal sealed class BlockCuller
 
     /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
     public List<VisibleBlock> Find(ViewFrustum frustum, int threads, CancellationToken cancellation) => _search.Find(
-        new InImage(frustum, new MoonHorizon(frustum.CameraMoonMe, _surface.SolidRadius(_limits.Min)), _limits), threads, cancellation);
+        new InImage(frustum, new MoonHorizon(frustum.CameraBodyFixed, _surface.SolidRadius(_limits.Min)), _limits), threads, cancellation);
 
     private readonly struct InImage(ViewFrustum frustum, MoonHorizon horizon, (double Min, double Max) limits)
         : IBlockTester<VisibleBlock>

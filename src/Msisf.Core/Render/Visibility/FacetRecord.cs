@@ -5,7 +5,7 @@ using Msisf.Core.Surface.Sources;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>A facet that is, or was during drawing, the nearest one at some pixel.</summary>
-/// <param name="Normal">Outward normal, MOON_ME, m2; its length is twice the facet's area.</param>
+/// <param name="Normal">Outward normal, body-fixed, m2; its length is twice the facet's area.</param>
 /// <param name="Offset">m3: dot product of the normal and any point of the facet, relative to <see cref="ImageView.Anchor"/>.</param>
 /// <param name="Line">Line of the facet's cell.</param>
 /// <param name="PartSampleAndHalf">Model, sample of the facet's cell, and half (<see cref="Place"/>).</param>

@@ -41,7 +41,7 @@ internal struct HomogeneousEdges
         Vector512.MaxNative(_ab.At(columns, rows), Vector512.MaxNative(_bc.At(columns, rows), _ca.At(columns, rows)));
 
     /// <summary>A facet's corner.</summary>
-    /// <param name="FromCamera">Position relative to the camera, m, MOON_ME.</param>
+    /// <param name="FromCamera">Position relative to the camera, m, body-fixed.</param>
     /// <param name="X">Image column, px.</param>
     /// <param name="Y">Image row, px.</param>
     /// <param name="IsProjected">Whether the column and row are valid.</param>

@@ -44,12 +44,12 @@ internal sealed class ImageView
         Camera = camera;
         OffsetX = offsetX;
         OffsetY = offsetY;
-        Vector3D position = camera.PositionMoonMe;
+        Vector3D position = camera.PositionBodyFixed;
         Origin = new Vector3D(OnLattice(position.X), OnLattice(position.Y), OnLattice(position.Z));
         Remainder = position - Origin;
         Anchor = position.Length < FarDistance ? Origin : default;
 
-        Forward = camera.ForwardMoonMe;
+        Forward = camera.ForwardBodyFixed;
         CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * perAxis * Math.Max(camera.Width, camera.Height));
         if (!camera.Model.IsThesis)
         {
@@ -65,7 +65,7 @@ internal sealed class ImageView
             return;
         }
 
-        Distance = Vector3D.Dot(camera.Direction, camera.ForwardMoonMe);
+        Distance = Vector3D.Dot(camera.Direction, camera.ForwardBodyFixed);
         double aspect = (double)camera.Width / camera.Height;
         PixelsPerTangent = perAxis * camera.Height * Distance;
         Across = (PixelsPerTangent / aspect) * camera.Right;

@@ -15,16 +15,16 @@ internal sealed class MoonHorizon
     private readonly bool _isOutside;
     private readonly SineCosine _limb;
 
-    /// <param name="positionMoonMe">Camera position, m, MOON_ME.</param>
+    /// <param name="positionBodyFixed">Camera position, m, body-fixed.</param>
     /// <param name="innerRadius">m: minimum radius of the surface; 0 if it is not closed, so that nothing of it hides by itself.</param>
-    public MoonHorizon(Vector3D positionMoonMe, double innerRadius)
+    public MoonHorizon(Vector3D positionBodyFixed, double innerRadius)
     {
         _innerRadius = innerRadius;
-        _distance = positionMoonMe.Length;
+        _distance = positionBodyFixed.Length;
         _isOutside = _distance > innerRadius;
         if (_isOutside)
         {
-            _toCamera = positionMoonMe / _distance;
+            _toCamera = positionBodyFixed / _distance;
             _limb = AngleOfCosine(innerRadius / _distance);
         }
     }

@@ -23,7 +23,7 @@ internal sealed class ProjectedBlock
     private readonly double[] _bottoms = new double[Rows * Vector512<double>.Count];
     private Vector3D _originFromAnchor;
 
-    /// <summary>Positions of the vertices in m, MOON_ME, relative to <see cref="ImageView.Origin"/>, not to the camera.</summary>
+    /// <summary>Positions of the vertices in m, body-fixed, relative to <see cref="ImageView.Origin"/>, not to the camera.</summary>
     public BlockVertices Vertices { get; } = new();
 
     /// <summary>Image columns of the vertices, px; line by line with <see cref="Stride"/> elements each.</summary>
@@ -90,7 +90,7 @@ internal sealed class ProjectedBlock
             FacetRecord.Place(Vertices.Block.Part, Vertices.Cells.FirstSample + index - (line * Stride), half));
     }
 
-    /// <summary>Position of a vertex in m, MOON_ME, relative to <see cref="ImageView.Origin"/>.</summary>
+    /// <summary>Position of a vertex in m, body-fixed, relative to <see cref="ImageView.Origin"/>.</summary>
     public Vector3D At(int index) => new(Vertices.X[index], Vertices.Y[index], Vertices.Z[index]);
 
     /// <summary>Reads the vertices of a block.</summary>

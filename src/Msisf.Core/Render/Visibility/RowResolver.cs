@@ -42,7 +42,7 @@ internal sealed class RowResolver
     public SurfaceHit Resolve(int column, int row, double inverseDepth, in FacetRecord record)
     {
         Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
-        Vector3D position = _view.Camera.PositionMoonMe - _view.Anchor;
+        Vector3D position = _view.Camera.PositionBodyFixed - _view.Anchor;
         double parameter = 1.0 / (inverseDepth * _view.Distance);
         Vector3D near = Stable.PointAlong(position, parameter, direction);
         double correction = (record.Offset - Vector3D.Dot(record.Normal, near)) / Vector3D.Dot(record.Normal, direction);
@@ -153,7 +153,7 @@ internal sealed class RowResolver
     private void Locate(SurfaceRow pixels, Vector3D middle, Vector3D right, Vector3D? vertical, bool withNormals)
     {
         Vector3D anchor = _view.Anchor;
-        Vector3D position = _view.Camera.PositionMoonMe - anchor;
+        Vector3D position = _view.Camera.PositionBodyFixed - anchor;
         bool hasVertical = vertical is not null;
         Vector3D other = vertical ?? default;
         Vector512<double> distance = Vector512.Create(_view.Distance);

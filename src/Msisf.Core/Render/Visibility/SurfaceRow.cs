@@ -23,7 +23,7 @@ internal sealed class SurfaceRow
     /// <summary>Ray parameter t of each pixel's point: camera + t direction.</summary>
     public double[] Parameters { get; private set; } = [];
 
-    /// <summary>Coordinate of each pixel's surface point, m, MOON_ME.</summary>
+    /// <summary>Coordinate of each pixel's surface point, m, body-fixed.</summary>
     public double[] X { get; private set; } = [];
 
     /// <inheritdoc cref="X"/>
@@ -32,7 +32,7 @@ internal sealed class SurfaceRow
     /// <inheritdoc cref="X"/>
     public double[] Z { get; private set; } = [];
 
-    /// <summary>Component of each facet's outward unit normal, MOON_ME.</summary>
+    /// <summary>Component of each facet's outward unit normal, body-fixed.</summary>
     public double[] NormalX { get; private set; } = [];
 
     /// <inheritdoc cref="NormalX"/>

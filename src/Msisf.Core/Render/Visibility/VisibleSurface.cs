@@ -95,7 +95,7 @@ internal sealed class VisibleSurface : ISurfaceRows
         Span<double> planeX = row.PlaneX.AsSpan(1, Width);
         Span<double> planeY = row.PlaneY.AsSpan(1, Width);
         Span<double> planeZ = row.PlaneZ.AsSpan(1, Width);
-        Vector3D camera = View.Camera.PositionMoonMe - View.Anchor;
+        Vector3D camera = View.Camera.PositionBodyFixed - View.Anchor;
         facets.Fill(FacetRow.NoSurface);
         ReadOnlySpan<long> bits = MemoryMarshal.Cast<double, long>(inverses); // 0 without surface
         int last = Band.NotRecorded;

@@ -14,7 +14,7 @@ internal static class ModelReach
 
     /// <summary>rad: lower bound of the angle, seen from the Moon's centre, from a direction to the nearest cell of a model.</summary>
     /// <param name="part">The model.</param>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     public static double AngleTo(GridPatch part, Vector3D direction)
     {
         BoundsTree tree = part.Bounds;

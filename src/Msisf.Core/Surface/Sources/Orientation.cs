@@ -15,7 +15,7 @@ internal static class Orientation
     /// Sign of det(a, b, c): above 0 if they are counter-clockwise as seen from outside, 0 if the plane through two of them and the Moon's
     /// centre holds the third.
     /// </summary>
-    /// <param name="a">m, MOON_ME, on a lattice.</param>
+    /// <param name="a">m, body-fixed, on a lattice.</param>
     /// <param name="b">The same.</param>
     /// <param name="c">The same.</param>
     public static int Of(Vector3D a, Vector3D b, Vector3D c)

@@ -71,7 +71,7 @@ internal sealed class OutlineField
     public static double PieceOf(double cell) => cell / PartsOfCell;
 
     /// <summary>m: distance of a direction from the nearest outline; null if that is farther than the reach and some more.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     /// <param name="more">m.</param>
     public double? DistanceOf(Vector3D direction, double more)
     {
@@ -80,7 +80,7 @@ internal sealed class OutlineField
     }
 
     /// <summary>m: the height that a place gets.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     /// <param name="within">m: the nearest outline is not farther away than this, which saves time.</param>
     public double At(Vector3D direction, double within = double.PositiveInfinity)
     {
@@ -102,7 +102,7 @@ internal sealed class OutlineField
 }
 
 /// <summary>How much higher a model is than the ground of a coarser one, at a sample of its outline.</summary>
-/// <param name="Place">The sample's place on the reference sphere, m, MOON_ME.</param>
+/// <param name="Place">The sample's place on the reference sphere, m, body-fixed.</param>
 /// <param name="Height">m: the finer model's height less that of the coarser one.</param>
 /// <param name="Length">m of the outline for which the sample stands.</param>
 internal readonly record struct OutlineDifference(Vector3D Place, double Height, double Length);

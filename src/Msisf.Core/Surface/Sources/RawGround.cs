@@ -18,12 +18,12 @@ internal sealed class RawGround
     public ITerrainGrid Grid => _mesh.Grid;
 
     /// <summary>m: distance from the Moon's centre to the facet in a direction; null where the model has none.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     public double? RadiusAt(Vector3D direction) =>
         _mesh.Grid.MayHaveGaps && !HasData(direction, Around) ? null : TerrainHeight.RadiusOn(_mesh, direction);
 
     /// <summary>Whether a model has data in a direction, and some samples around it.</summary>
-    /// <param name="direction">Unit vector, MOON_ME.</param>
+    /// <param name="direction">Unit vector, body-fixed.</param>
     /// <param name="margin">Samples around the cell.</param>
     public bool HasData(Vector3D direction, int margin)
     {

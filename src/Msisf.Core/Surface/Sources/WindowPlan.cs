@@ -102,7 +102,7 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
 
     /// <summary>The level that a pixel would need on the highest ground, right below the camera.</summary>
     private int LevelBelow(FrameCamera camera, int subsamplesPerAxis) => LevelOf(
-        (camera.PositionMoonMe.Length - detail.RadiusLimits.Max) * (camera.Footprint.Tangent / subsamplesPerAxis));
+        (camera.PositionBodyFixed.Length - detail.RadiusLimits.Max) * (camera.Footprint.Tangent / subsamplesPerAxis));
 
     private static int WidestIn(ITerrainGrid model) => (int)Math.Floor(Math.Log2(0.5 * model.Projection.Resolution.MetresPerPixel));
 

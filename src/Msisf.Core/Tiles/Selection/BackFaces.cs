@@ -9,7 +9,7 @@ namespace Msisf.Core.Tiles.Selection;
 /// </summary>
 /// <param name="table">Bounds from the viewpoint.</param>
 /// <param name="summary">Bounds of the terrain.</param>
-/// <param name="viewpoint">m, MOON_ME.</param>
+/// <param name="viewpoint">m, body-fixed.</param>
 /// <param name="patch">Buffer for reading terrain; not the one that a walk uses.</param>
 internal sealed class BackFaces(BoundsTable table, ElevationSummary summary, Vector3D viewpoint, TerrainPatch patch)
 {
@@ -88,7 +88,7 @@ internal sealed class BackFaces(BoundsTable table, ElevationSummary summary, Vec
     }
 }
 
-/// <summary>A triangle of the mesh, counter-clockwise from outside; corners in m, MOON_ME.</summary>
+/// <summary>A triangle of the mesh, counter-clockwise from outside; corners in m, body-fixed.</summary>
 internal readonly record struct Facet(Vector3D A, Vector3D B, Vector3D C)
 {
     /// <summary>The two facets of a cell of a patch.</summary>

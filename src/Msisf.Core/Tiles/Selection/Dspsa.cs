@@ -18,17 +18,18 @@ public static class Dspsa
 
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
+    /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="grid">The model.</param>
     /// <param name="summary">Summary of the same model.</param>
     /// <exception cref="BadInputException">
     /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
     /// </exception>
-    public static TileSelection Select(ICamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
+    public static TileSelection Select(ICamera camera, Vector3D? sunPositionBodyFixed, IGlobalGrid grid, ElevationSummary summary)
     {
-        Check(camera, sunPositionMoonMe, grid, summary);
+        Check(camera, sunPositionBodyFixed, grid, summary);
         TileSelection[] ofBands = [.. camera.Bounds(AntialiasingPixels).Zip(camera.Bands, (bounds, band) => new DspsaRun(
-            bounds, sunPositionMoonMe is null ? null : band.Camera.State.SunPositionMoonMe ?? sunPositionMoonMe, grid, summary).Select())];
+            bounds, sunPositionBodyFixed is null ? null : band.Camera.State.SunPositionBodyFixed ?? sunPositionBodyFixed,
+            grid, summary).Select())];
         return ofBands is [TileSelection only]
             ? only
             : new TileSelection(ofBands.SelectMany(band => band.All).GroupBy(choice => choice.Tile).Select(
@@ -36,15 +37,15 @@ public static class Dspsa
     }
 
     /// <summary>Refuses input for which no selection is possible.</summary>
-    internal static void Check(ICamera camera, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary)
+    internal static void Check(ICamera camera, Vector3D? sunPositionBodyFixed, IGlobalGrid grid, ElevationSummary summary)
     {
         summary.CheckFits(grid);
         foreach (CameraBand band in camera.Bands)
         {
-            TerrainHeight.RequireAbove(grid, band.Camera.PositionMoonMe);
+            TerrainHeight.RequireAbove(grid, band.Camera.PositionBodyFixed);
         }
 
-        if (sunPositionMoonMe is Vector3D sun && !(sun.IsFinite && sun.Length > summary.MaxRadius))
+        if (sunPositionBodyFixed is Vector3D sun && !(sun.IsFinite && sun.Length > summary.MaxRadius))
         {
             throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");
         }

@@ -24,15 +24,15 @@ internal sealed class DspsaRun
     private readonly bool[] _seen = new bool[TileId.Count];
 
     /// <param name="frame">View frustum of the image, from a camera above the surface.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null for a light at the camera.</param>
+    /// <param name="sunPositionBodyFixed">m, body-fixed; null for a light at the camera.</param>
     /// <param name="grid">The model.</param>
     /// <param name="summary">Of the same model.</param>
     /// <param name="slack">rad: ground that is hidden by less than this angle counts as seen.</param>
     public DspsaRun(
-        ViewFrustum frame, Vector3D? sunPositionMoonMe, IGlobalGrid grid, ElevationSummary summary, double slack = 0.0)
+        ViewFrustum frame, Vector3D? sunPositionBodyFixed, IGlobalGrid grid, ElevationSummary summary, double slack = 0.0)
     {
-        (_summary, _tiles, _frame, _sunPosition) = (summary, summary.Levels[0], frame, sunPositionMoonMe);
-        View = new PolarView(frame.CameraMoonMe);
+        (_summary, _tiles, _frame, _sunPosition) = (summary, summary.Levels[0], frame, sunPositionBodyFixed);
+        View = new PolarView(frame.CameraBodyFixed);
 
         // There are two patches, because a walk still reads its own while a visitor loads another.
         FacetMesh mesh = new(grid);

@@ -33,7 +33,7 @@ internal sealed class OccluderVisitor : ISightVisitor
     public OccluderVisitor(ElevationSummary summary, ViewFrustum frame, BoundsTable table, TerrainPatch patch, IReadOnlyList<TileId> dark)
     {
         (_summary, _table) = (summary, table);
-        _facets = new BackFaces(table, summary, frame.CameraMoonMe, patch);
+        _facets = new BackFaces(table, summary, frame.CameraBodyFixed, patch);
 
         // Beyond the limb of a sphere as high as the highest terrain, facets are assumed to be turned away.
         _limb = PolarView.Arc(Math.Min(1.0, summary.MaxRadius / table.View.Distance));

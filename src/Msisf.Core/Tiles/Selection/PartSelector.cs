@@ -48,17 +48,17 @@ public sealed class PartSelector
 
     /// <summary>Selects the parts.</summary>
     /// <param name="camera">The camera, above the surface.</param>
-    /// <param name="sunPositionMoonMe">m, MOON_ME; null if the light is at the camera, where it casts no visible shadow.</param>
+    /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="rows">The rows of the image that matter; null for all.</param>
     /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
-    public PartSelection Select(FrameCamera camera, Vector3D? sunPositionMoonMe, PixelRows? rows = null)
+    public PartSelection Select(FrameCamera camera, Vector3D? sunPositionBodyFixed, PixelRows? rows = null)
     {
-        Dspsa.Check(camera, sunPositionMoonMe, _grid, _summary);
+        Dspsa.Check(camera, sunPositionBodyFixed, _grid, _summary);
 
         // Where all visible ground is drawn from the model itself, the selection is exact and needs no margin.
         bool isExact = CoarsestLevelInSight(camera.Footprint) == 0;
         ViewFrustum frame = new(camera, Dspsa.AntialiasingPixels + (isExact ? 0.0 : _rule.MarginPixels), rows);
-        DspsaRun run = new(frame, sunPositionMoonMe, _grid, _summary, isExact ? 0.0 : _rule.SlackPixels * camera.Footprint.Tangent);
+        DspsaRun run = new(frame, sunPositionBodyFixed, _grid, _summary, isExact ? 0.0 : _rule.SlackPixels * camera.Footprint.Tangent);
         TileSelection tiles = run.Select();
         PartDivision division = new(
             run,
@@ -73,7 +73,7 @@ public sealed class PartSelector
     /// <summary>The coarsest level that is allowed for any visible ground.</summary>
     internal int CoarsestLevelInSight(PixelFootprint footprint)
     {
-        double distance = footprint.PositionMoonMe.Length;
+        double distance = footprint.PositionBodyFixed.Length;
         double min = _summary.MinRadius;
         double toHorizon = Math.Sqrt(Math.Max(0.0, (distance - min) * (distance + min)));
         double behind = Math.Sqrt((_summary.MaxRadius - min) * (_summary.MaxRadius + min));

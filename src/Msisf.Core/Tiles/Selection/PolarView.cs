@@ -25,17 +25,17 @@ internal sealed class PolarView
     private readonly Vector3D _east;
     private readonly Vector3D _north;
 
-    /// <param name="viewpointMoonMe">m, MOON_ME; not the centre.</param>
-    public PolarView(Vector3D viewpointMoonMe)
+    /// <param name="viewpointBodyFixed">m, body-fixed; not the centre.</param>
+    public PolarView(Vector3D viewpointBodyFixed)
     {
-        Distance = viewpointMoonMe.Length;
-        Axis = viewpointMoonMe.Normalized();
+        Distance = viewpointBodyFixed.Length;
+        Axis = viewpointBodyFixed.Normalized();
         Vector3D helper = Math.Abs(Axis.Z) < 0.9 ? Vector3D.UnitZ : Vector3D.UnitX;
         _east = Vector3D.Cross(helper, Axis).Normalized();
         _north = Vector3D.Cross(Axis, _east);
     }
 
-    /// <summary>From the Moon's centre to the viewpoint, length 1, MOON_ME.</summary>
+    /// <summary>From the Moon's centre to the viewpoint, length 1, body-fixed.</summary>
     public Vector3D Axis { get; }
 
     /// <summary>Distance of the viewpoint from the Moon's centre, m.</summary>
@@ -48,7 +48,7 @@ internal sealed class PolarView
     public double AzimuthOf(Vector3D direction) => Math.Atan2(Vector3D.Dot(direction, _north), Vector3D.Dot(direction, _east));
 
     /// <summary>Places a point.</summary>
-    /// <param name="position">m, MOON_ME.</param>
+    /// <param name="position">m, body-fixed.</param>
     public PolarPoint Project(Vector3D position)
     {
         double along = Vector3D.Dot(position, Axis);
@@ -100,7 +100,7 @@ internal sealed class PolarView
     }
 
     /// <summary>Bounds of a polygon; their azimuths are the whole circle if it may meet the axis.</summary>
-    /// <param name="polygon">Its corners, m, MOON_ME.</param>
+    /// <param name="polygon">Its corners, m, body-fixed.</param>
     public PolarBounds Bounds(ReadOnlySpan<Vector3D> polygon)
     {
         PolarPoint first = Project(polygon[0]);

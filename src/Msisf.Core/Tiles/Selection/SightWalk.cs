@@ -11,7 +11,7 @@ internal interface ISightVisitor
     Visit Node(in SeenNode seen);
 
     /// <summary>A facet that may be seen.</summary>
-    /// <param name="part">Part of the facet that is in the image, a convex polygon; m, MOON_ME.</param>
+    /// <param name="part">Part of the facet that is in the image, a convex polygon; m, body-fixed.</param>
     /// <param name="bounds">Bounds of this part from the camera.</param>
     /// <param name="facet">The whole facet.</param>
     Visit Facet(ReadOnlySpan<Vector3D> part, in PolarBounds bounds, in Facet facet);
@@ -121,7 +121,7 @@ internal sealed class SightWalk(
 
     private Visit EnterFacet(in Facet facet, bool isInside, ISightVisitor visitor)
     {
-        if (MetFrame && facet.TurnsAwayFrom(frame.CameraMoonMe))
+        if (MetFrame && facet.TurnsAwayFrom(frame.CameraBodyFixed))
         {
             return Visit.Skip;
         }
@@ -139,7 +139,7 @@ internal sealed class SightWalk(
 
             bool isTested = MetFrame;
             MetFrame = true;
-            if (!isTested && facet.TurnsAwayFrom(frame.CameraMoonMe))
+            if (!isTested && facet.TurnsAwayFrom(frame.CameraBodyFixed))
             {
                 return Visit.Skip;
             }

@@ -19,14 +19,14 @@ internal sealed class SunView
     private readonly double[] _needFar = new double[NeedBins];
     private readonly AzimuthWindow _needs = new(0.0, 2.0 * Math.PI, 2.0 * Math.PI / NeedBins, NeedBins);
 
-    /// <param name="sunMoonMe">m, MOON_ME.</param>
+    /// <param name="sunBodyFixed">m, body-fixed.</param>
     /// <param name="summary">Bounds of the terrain.</param>
     /// <param name="patch">Buffer for reading terrain.</param>
     /// <param name="tiles">The tiles whose light matters.</param>
-    public SunView(Vector3D sunMoonMe, ElevationSummary summary, TerrainPatch patch, IEnumerable<TileId> tiles)
+    public SunView(Vector3D sunBodyFixed, ElevationSummary summary, TerrainPatch patch, IEnumerable<TileId> tiles)
     {
-        Position = sunMoonMe;
-        View = new PolarView(sunMoonMe);
+        Position = sunBodyFixed;
+        View = new PolarView(sunBodyFixed);
         Table = new BoundsTable(View, summary);
         HorizonSurvey survey = new(View, summary, patch);
         Array.Fill(_needNear, double.PositiveInfinity);
@@ -48,7 +48,7 @@ internal sealed class SunView
         }
     }
 
-    /// <summary>Position of the Sun, m, MOON_ME.</summary>
+    /// <summary>Position of the Sun, m, body-fixed.</summary>
     public Vector3D Position { get; }
 
     /// <summary>Half planes about the axis to the Sun.</summary>

@@ -23,7 +23,7 @@ public sealed class RasterWarpTests : IDisposable
         Assert.InRange(cylinder.PixelsPerDegree, 30_324, 30_324 * 65 / 64);
         Assert.InRange(MapLevels.Open(grid).Count, 4, 5);
         (double line, double sample) = grid.Projection.PixelOf(
-            new SelenographicPoint(double.DegreesToRadians(20.0), double.DegreesToRadians(30.0)).ToDirectionMoonMe());
+            new SelenographicPoint(double.DegreesToRadians(20.0), double.DegreesToRadians(30.0)).ToDirectionBodyFixed());
         double[] radius = new double[1];
         grid.ReadRadii((int)Math.Round(line), (int)Math.Round(sample), radius);
         Assert.Equal(1_737_400.0 + 500.0 + (0.25 * 139.5), radius[0], 0.15); // within half a pixel

@@ -118,5 +118,5 @@ public sealed class AlbedoMatchTests
     private static double Radians(double degrees) => double.DegreesToRadians(degrees);
 
     private static Vector3D Direction(double latitude, double longitude) =>
-        new Core.Terrain.SelenographicPoint(Radians(latitude), Radians(longitude)).ToDirectionMoonMe();
+        new Core.Terrain.SelenographicPoint(Radians(latitude), Radians(longitude)).ToDirectionBodyFixed();
 }

@@ -100,7 +100,7 @@ public class AlbedoSamplerTests
     /// <summary>Factors by which radiance factors at places are scaled; at 200 places round the camera's nadir if none is named.</summary>
     private static double[] Samples(AlbedoMap map, PinholeCamera camera, params (double Latitude, double Longitude)[] places)
     {
-        Vector3D nadir = camera.PositionMoonMe;
+        Vector3D nadir = camera.PositionBodyFixed;
         double latitude = double.RadiansToDegrees(Math.Atan2(nadir.Z, double.Hypot(nadir.X, nadir.Y)));
         double longitude = double.RadiansToDegrees(Math.Atan2(nadir.Y, nadir.X));
         (double Latitude, double Longitude)[] wanted = places.Length > 0

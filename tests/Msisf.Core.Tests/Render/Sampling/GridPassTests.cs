@@ -99,7 +99,7 @@ public sealed class GridPassTests(RuggedTerrain rugged) : IClassFixture<RuggedTe
         double[] factors = new double[200 * 64];
         GridFrame frame = new(
             surface, visibility.Blocks, new ImageView(camera, 0.0, 0.0, perAxis: 4),
-            lights.FindCasters(visibility.Blocks.Select(block => block.Block), sun, 128, 1, CancellationToken.None), sun.PositionMoonMe,
+            lights.FindCasters(visibility.Blocks.Select(block => block.Block), sun, 128, 1, CancellationToken.None), sun.PositionBodyFixed,
             Options, factors);
 
         new GridWorker().Draw(frame, 0, 64, others);

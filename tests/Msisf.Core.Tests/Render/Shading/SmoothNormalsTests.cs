@@ -141,6 +141,6 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         int at = (sample + surface.Parts[0].Mesh.Samples) % surface.Parts[0].Mesh.Samples;
         surface.Parts[0].Mesh.ReadRadii(line, at, radius);
         SineCosine longitude = new GridDirections(((IGlobalGrid)surface.Parts[0].Grid).PixelsPerDegree).Longitude(at);
-        return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Parts[0].Geometry).Latitude(line), longitude).PositionMoonMe;
+        return LatticePoint.Nearest(radius[0], ((CylinderGeometry)surface.Parts[0].Geometry).Latitude(line), longitude).PositionBodyFixed;
     }
 }

@@ -44,10 +44,10 @@ public sealed class SunwardPointsTests
             for (int column = 0; column < Side; column++)
             {
                 bool isSurface = visible.TryGet(column + 1, row + 1, out SurfaceHit hit);
-                double cosine = isSurface ? SunwardPoints.CosIncidence(hit.NormalMoonMe, hit.PointMoonMe, given.Sun) : -1.0;
+                double cosine = isSurface ? SunwardPoints.CosIncidence(hit.NormalBodyFixed, hit.PointBodyFixed, given.Sun) : -1.0;
                 Assert.Equal(cosine, cosines[(row * Side) + column]);
                 Assert.Equal(cosine > minCosine, found.TryGetValue(column, out Vector3D point));
-                Assert.True(cosine <= minCosine || point == hit.PointMoonMe, $"{column}, {row}");
+                Assert.True(cosine <= minCosine || point == hit.PointBodyFixed, $"{column}, {row}");
             }
 
             double[] again = new double[Side];

@@ -67,22 +67,22 @@ public sealed class DarkZonesTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixt
         Random random = new(20120222);
         SunDisc disc = new(SurfacePoints.Sun(middle, elevation, 360.0 * random.NextDouble()));
         GroundPoint[] points = [.. SurfacePoints.Around(middle, radius, 6000, random).Select(pointAt)
-            .Where(point => Vector3D.Dot(point.Normal, (disc.CentreMoonMe - point.Position).Normalized()) > -disc.Slope).Take(300)];
+            .Where(point => Vector3D.Dot(point.Normal, (disc.CentreBodyFixed - point.Position).Normalized()) > -disc.Slope).Take(300)];
         ReceiverJob job = new(
             new PointReceivers([.. points.Select(point => point.Position)], 50),
             new NightZone(search.SolidRadius, disc.Slope),
             Hide: _ => { },
             Threads: 2,
             default);
-        PlacedReceivers receivers = new ReceiverSort().Read(job, new LightSource(disc.CentreMoonMe, disc.Slope));
+        PlacedReceivers receivers = new ReceiverSort().Read(job, new LightSource(disc.CentreBodyFixed, disc.Slope));
         search.Find(receivers, disc.Slope, threads: 2, default); // reads the blocks
         DarkZones zones = new DarkZoneSearch(surface).Find(receivers, disc.Slope, AnyNumberOfBlocks, threads: 2, default)!;
         int hidden = 0;
         int found = 0;
         foreach (GroundPoint point in points)
         {
-            double top = zones.HiddenUpTo(receivers.Frame.FromMoonMe(point.Position));
-            foreach (Vector3D target in disc.PointsMoonMe)
+            double top = zones.HiddenUpTo(receivers.Frame.FromBodyFixed(point.Position));
+            foreach (Vector3D target in disc.PointsBodyFixed)
             {
                 // A ray that its own facet hides may be anywhere.
                 if (Vector3D.Dot(point.Normal, (target - point.Position).Normalized()) <= SurfacePoints.MinCosine)
@@ -91,7 +91,7 @@ public sealed class DarkZonesTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixt
                 }
 
                 bool isHidden = point.IsHidden(target);
-                bool isFound = Vector3D.Dot(target - disc.CentreMoonMe, receivers.Frame.AxisU) <= top * disc.CentreMoonMe.Length;
+                bool isFound = Vector3D.Dot(target - disc.CentreBodyFixed, receivers.Frame.AxisU) <= top * disc.CentreBodyFixed.Length;
                 Assert.True(isHidden || !isFound, $"{point} is lit from {target}, but hidden up to {top}.");
                 hidden += isHidden ? 1 : 0;
                 found += isFound ? 1 : 0;

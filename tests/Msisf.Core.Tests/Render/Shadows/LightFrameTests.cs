@@ -23,10 +23,10 @@ public sealed class LightFrameTests
             (x[i], y[i], z[i]) = points[i];
         }
 
-        frame.FromMoonMe(x, y, z);
+        frame.FromBodyFixed(x, y, z);
         for (int i = 0; i < points.Length; i++)
         {
-            Assert.Equal(frame.FromMoonMe(points[i]), new Vector3D(x[i], y[i], z[i]));
+            Assert.Equal(frame.FromBodyFixed(points[i]), new Vector3D(x[i], y[i], z[i]));
         }
     }
 
@@ -36,8 +36,8 @@ public sealed class LightFrameTests
         LightFrame frame = new(Sun, Vector3D.UnitZ);
         Vector3D near = new(1.2e6, -1.1e6, 3e5);
         Vector3D far = near + (6e5 * (near - Sun).Normalized());
-        Vector3D a = frame.FromMoonMe(near);
-        Vector3D b = frame.FromMoonMe(far);
+        Vector3D a = frame.FromBodyFixed(near);
+        Vector3D b = frame.FromBodyFixed(far);
         Assert.Equal(a.X, b.X, 1e-9);
         Assert.Equal(a.Y, b.Y, 1e-9);
         Assert.True(b.Z > a.Z + 5e5);

@@ -50,8 +50,8 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         {
             Vector3D point = GroundPoint(grid, longitude + 2.2 + (i / 400.0 * 0.6));
             double sunAngle = Math.Atan2(
-                Vector3D.Dot(point.Normalized(), disc.CentreMoonMe - point),
-                Vector3D.Cross(point.Normalized(), disc.CentreMoonMe - point).Length);
+                Vector3D.Dot(point.Normalized(), disc.CentreBodyFixed - point),
+                Vector3D.Cross(point.Normalized(), disc.CentreBodyFixed - point).Length);
             double wallAngle = Math.Atan2(
                 Vector3D.Dot(point.Normalized(), top - point), Vector3D.Cross(point.Normalized(), top - point).Length);
             double edge = Math.Clamp((wallAngle - sunAngle) / Math.Atan(disc.Slope), -1.0, 1.0);
@@ -100,7 +100,7 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         Vector3D middle = SurfacePoints.Direction(0.0, 0.0);
         SunDisc disc = new(SurfacePoints.Sun(middle, 4.0, 50.0));
         List<Vector3D> points = [.. SurfacePoints.Facing(
-            moon, middle, 30.0, disc.CentreMoonMe, 3000, new Random(11), -0.004).Select(point => point.Position)];
+            moon, middle, 30.0, disc.CentreBodyFixed, 3000, new Random(11), -0.004).Select(point => point.Position)];
         PenumbraPass pass = new(new SurfaceModel(Rough));
         ulong[] expected = Run(pass, points, disc, 1);
         Assert.Contains(expected, mask => mask is not 0 and not SunDisc.All);
@@ -126,7 +126,7 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         foreach (double elevation in new[] { -0.3, 0.5, 2.0, 6.0 })
         {
             SunDisc disc = new(SurfacePoints.Sun(middle, elevation, 360.0 * random.NextDouble()));
-            List<SurfacePoint> points = SurfacePoints.Facing(moon, middle, radius, disc.CentreMoonMe, 60, random, -disc.Slope);
+            List<SurfacePoint> points = SurfacePoints.Facing(moon, middle, radius, disc.CentreBodyFixed, 60, random, -disc.Slope);
             ulong[] hidden = Run(pass, [.. points.Select(point => point.Position)], disc, 2);
             for (int i = 0; i < points.Count; i++)
             {
@@ -135,7 +135,7 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
                 ulong different = 0;
                 for (int bit = 0; bit < SunDisc.Points; bit++)
                 {
-                    Vector3D target = disc.PointsMoonMe[bit];
+                    Vector3D target = disc.PointsBodyFixed[bit];
 
                     // Where the facet's own plane hides a point of the disc, it does not matter what else does.
                     bool isAbove = Vector3D.Dot(normal, (target - point.Position).Normalized()) > SurfacePoints.MinCosine;

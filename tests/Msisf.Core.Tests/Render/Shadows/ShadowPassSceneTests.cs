@@ -54,7 +54,7 @@ public sealed class ShadowPassSceneTests
                     continue;
                 }
 
-                bool isHidden = tracer.IsHidden(hit.PointMoonMe, hit.Facet, scene.Sun);
+                bool isHidden = tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun);
                 lit += isHidden ? 0 : 1;
                 dark += isHidden ? 1 : 0;
                 if (isHidden != (hidden[pixel] != 0))

@@ -18,13 +18,13 @@ public sealed class SunDiscTests
         double angularRadius = Math.Atan2(695_700e3, Math.Sqrt(Sun.LengthSquared - (695_700e3 * 695_700e3))); // asin(R / D)
         Assert.Equal(Math.Tan(angularRadius), disc.Slope, 1e-15);
         Assert.Equal(0.2655, angularRadius * 180.0 / Math.PI, 5e-4); // 16 minutes of arc at 1.003 au
-        foreach (Vector3D point in disc.PointsMoonMe)
+        foreach (Vector3D point in disc.PointsBodyFixed)
         {
             Assert.Equal(0.0, Vector3D.Dot(axis, point - Sun), 1e-3);
             Assert.InRange(Vector3D.AngleBetween(point, Sun), 0.1 * angularRadius, angularRadius);
         }
 
-        Vector3D mean = disc.PointsMoonMe.ToArray().Aggregate((a, b) => a + b) / SunDisc.Points;
+        Vector3D mean = disc.PointsBodyFixed.ToArray().Aggregate((a, b) => a + b) / SunDisc.Points;
         Assert.True((mean - Sun).Length < 1e-3);
     }
 
@@ -45,7 +45,7 @@ public sealed class SunDiscTests
                 double edge = step / 100.0;
                 double area = (Math.Atan2(Math.Sqrt(1.0 - (edge * edge)), edge) - (edge * Math.Sqrt(1.0 - (edge * edge)))) / Math.PI;
                 int beyond = 0;
-                foreach (Vector3D point in disc.PointsMoonMe)
+                foreach (Vector3D point in disc.PointsBodyFixed)
                 {
                     beyond += Vector3D.Dot(point - Sun, across) > edge * disc.Slope * Sun.Length ? 1 : 0;
                 }

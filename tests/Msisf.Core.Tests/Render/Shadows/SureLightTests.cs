@@ -40,13 +40,13 @@ public sealed class SureLightTests(RuggedTerrain rugged) : IClassFixture<RuggedT
             foreach (Vector3D direction in SurfacePoints.Around(middle, 10.0, TestLength.Of(300, 30_000), random))
             {
                 Assert.True(tracer.TryTrace(new Ray(4e6 * direction, -direction), out SurfaceHit hit));
-                if (Vector3D.Dot(hit.NormalMoonMe, (sun - hit.PointMoonMe).Normalized()) <= SurfacePoints.MinCosine)
+                if (Vector3D.Dot(hit.NormalBodyFixed, (sun - hit.PointBodyFixed).Normalized()) <= SurfacePoints.MinCosine)
                 {
                     continue;
                 }
 
                 double size = Math.Pow(10.0, 1.0 + (3.0 * random.NextDouble()));
-                Vector3D[] corners = [.. Enumerable.Range(0, 4).Select(_ => hit.PointMoonMe + InPlane(hit.NormalMoonMe, size))];
+                Vector3D[] corners = [.. Enumerable.Range(0, 4).Select(_ => hit.PointBodyFixed + InPlane(hit.NormalBodyFixed, size))];
                 PieceLight found = light.Of(
                     Vector256.Create([.. corners.Select(corner => corner.X)]), Vector256.Create([.. corners.Select(corner => corner.Y)]),
                     Vector256.Create([.. corners.Select(corner => corner.Z)]));
@@ -59,7 +59,7 @@ public sealed class SureLightTests(RuggedTerrain rugged) : IClassFixture<RuggedT
                     Vector3D up = inside.Normalized();
                     if (tracer.TryTrace(new Ray(4e6 * up, -up), out SurfaceHit own) && own.Facet == hit.Facet)
                     {
-                        Assert.Equal(found == PieceLight.Dark, tracer.IsHidden(own.PointMoonMe, own.Facet, sun));
+                        Assert.Equal(found == PieceLight.Dark, tracer.IsHidden(own.PointBodyFixed, own.Facet, sun));
                     }
                 }
             }

@@ -20,7 +20,7 @@ internal static class SurfacePoints
 
     /// <summary>Unit vector to a place.</summary>
     public static Vector3D Direction(double latitude, double longitude) =>
-        new SelenographicPoint(latitude * Math.PI / 180.0, longitude * Math.PI / 180.0).ToDirectionMoonMe();
+        new SelenographicPoint(latitude * Math.PI / 180.0, longitude * Math.PI / 180.0).ToDirectionBodyFixed();
 
     /// <summary>The Sun over a place.</summary>
     /// <param name="up">The place.</param>

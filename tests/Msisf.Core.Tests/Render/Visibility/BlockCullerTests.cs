@@ -27,7 +27,7 @@ public sealed class BlockCullerTests
         for (int number = 0; number < TestLength.Of(1, 2) * CameraCases.Kinds; number++)
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, 1024);
-            Vector3D position = camera.PositionMoonMe;
+            Vector3D position = camera.PositionBodyFixed;
             HashSet<CellBlock> found = [.. culler.Find(
                 new ImageView(camera, 0.0, 0.0).Frustum(), threads: 2, CancellationToken.None).Select(block => block.Block)];
             for (int i = 0; i < facets.Length; i++)

@@ -48,7 +48,7 @@ public sealed class LensSceneTests
             for (int i = 0; i < row.Count; i++)
             {
                 Assert.True(seen.TryGet(row.Columns[i] + 1, y, out SurfaceHit hit));
-                Assert.Equal(hit.PointMoonMe, new Vector3D(row.X[i], row.Y[i], row.Z[i]));
+                Assert.Equal(hit.PointBodyFixed, new Vector3D(row.X[i], row.Y[i], row.Z[i]));
                 Assert.Equal(hit.RayParameter, row.Parameters[i]);
             }
         }
@@ -125,10 +125,10 @@ public sealed class LensSceneTests
 
     private static bool IsSame(SurfaceHit hit, SurfaceHit expected, Vector3D direction)
     {
-        Vector3D apart = hit.PointMoonMe - expected.PointMoonMe;
-        double sine = Math.Abs(Vector3D.Dot(expected.NormalMoonMe, direction)) / direction.Length;
+        Vector3D apart = hit.PointBodyFixed - expected.PointBodyFixed;
+        double sine = Math.Abs(Vector3D.Dot(expected.NormalBodyFixed, direction)) / direction.Length;
         return hit.Facet == expected.Facet
-            && (hit.NormalMoonMe - expected.NormalMoonMe).Length < 1e-14
+            && (hit.NormalBodyFixed - expected.NormalBodyFixed).Length < 1e-14
             && (apart.Length <= HitTolerance || apart.Length * sine <= AcrossTolerance);
     }
 }

@@ -80,12 +80,12 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
                         points[(pixel, hit.Facet)] = list = [];
                     }
 
-                    list.Add(hit.PointMoonMe);
+                    list.Add(hit.PointBodyFixed);
                 }
             }
         }
 
-        double tolerance = SamePoint * view.Camera.PositionMoonMe.Length;
+        double tolerance = SamePoint * view.Camera.PositionBodyFixed.Length;
         int found = parts.Count(part => points.TryGetValue((part.Pixel, part.Facet), out List<Vector3D>? list)
             && list.Exists(point => (point - part.Point).Length <= Math.Max(tolerance, 1e-5)));
         Assert.InRange(expected, 100, int.MaxValue);

@@ -55,7 +55,7 @@ public sealed class VisibilityPassSceneTests
             Assert.True(seen.TryGet(x, y, out SurfaceHit hit));
             (FacetId facet, Vector3D point, _) = facets.FirstHit(ray.Origin, ray.Direction)!.Value;
             Assert.Equal(facet, hit.Facet);
-            Assert.True((point - hit.PointMoonMe).Length <= HitTolerance);
+            Assert.True((point - hit.PointBodyFixed).Length <= HitTolerance);
         }
     }
 
@@ -91,10 +91,10 @@ public sealed class VisibilityPassSceneTests
 
     private static bool IsSame(SurfaceHit hit, SurfaceHit expected, Vector3D direction)
     {
-        Vector3D apart = hit.PointMoonMe - expected.PointMoonMe;
-        double sine = Math.Abs(Vector3D.Dot(expected.NormalMoonMe, direction)) / direction.Length;
+        Vector3D apart = hit.PointBodyFixed - expected.PointBodyFixed;
+        double sine = Math.Abs(Vector3D.Dot(expected.NormalBodyFixed, direction)) / direction.Length;
         return hit.Facet == expected.Facet
-            && (hit.NormalMoonMe - expected.NormalMoonMe).Length < 1e-14
+            && (hit.NormalBodyFixed - expected.NormalBodyFixed).Length < 1e-14
             && (apart.Length <= HitTolerance || apart.Length * sine <= AcrossTolerance);
     }
 }

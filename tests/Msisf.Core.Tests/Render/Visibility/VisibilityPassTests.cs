@@ -35,8 +35,8 @@ public sealed class VisibilityPassTests
             for (int i = 0; i < row.Count; i++)
             {
                 Assert.True(seen.TryGet(row.Columns[i] + 1, y, out SurfaceHit hit));
-                Assert.Equal(hit.PointMoonMe, new Vector3D(row.X[i], row.Y[i], row.Z[i]));
-                Assert.Equal(hit.NormalMoonMe, new Vector3D(row.NormalX[i], row.NormalY[i], row.NormalZ[i]));
+                Assert.Equal(hit.PointBodyFixed, new Vector3D(row.X[i], row.Y[i], row.Z[i]));
+                Assert.Equal(hit.NormalBodyFixed, new Vector3D(row.NormalX[i], row.NormalY[i], row.NormalZ[i]));
                 Assert.Equal(hit.RayParameter, row.Parameters[i]);
                 Assert.Equal(hit.Facet, seen.FacetOf(y, row.Facets[i]));
             }
@@ -82,9 +82,9 @@ public sealed class VisibilityPassTests
         VisibleSurface seen = new VisibilityPass(new SurfaceModel(sphere)).Run(camera, 1, CancellationToken.None);
 
         Assert.True(seen.TryGet(33, 33, out SurfaceHit hit));
-        Assert.Equal(0.0, hit.PointMoonMe.X, 1e-9);
-        Assert.Equal(0.0, hit.PointMoonMe.Y, 1e-9);
-        Assert.Equal(pole * MoonConstants.ReferenceRadius, hit.PointMoonMe.Z, 1e-2);
+        Assert.Equal(0.0, hit.PointBodyFixed.X, 1e-9);
+        Assert.Equal(0.0, hit.PointBodyFixed.Y, 1e-9);
+        Assert.Equal(pole * MoonConstants.ReferenceRadius, hit.PointBodyFixed.Z, 1e-2);
         Assert.Equal(pole > 0.0 ? -1 : 719, hit.Facet.Line);
     }
 

@@ -66,10 +66,10 @@ public sealed class RefinedTerrainTests
             Assert.Equal(expected is not null, isHit);
             if (isHit)
             {
-                Assert.InRange((expected!.Value.Point - hit.PointMoonMe).Length, 0.0, 1e-6);
-                bool isLit = Vector3D.Dot(hit.NormalMoonMe, scene.Sun - hit.PointMoonMe) > 0.0
-                    && !scene.Facets.Value.IsShadowed(hit.Facet, hit.PointMoonMe, scene.Sun);
-                Assert.Equal(isLit, !tracer.IsHidden(hit.PointMoonMe, hit.Facet, scene.Sun));
+                Assert.InRange((expected!.Value.Point - hit.PointBodyFixed).Length, 0.0, 1e-6);
+                bool isLit = Vector3D.Dot(hit.NormalBodyFixed, scene.Sun - hit.PointBodyFixed) > 0.0
+                    && !scene.Facets.Value.IsShadowed(hit.Facet, hit.PointBodyFixed, scene.Sun);
+                Assert.Equal(isLit, !tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun));
                 hits++;
                 lit += isLit ? 1 : 0;
             }
