@@ -9,32 +9,49 @@ namespace Msisf.Adapters.CameraExport;
 public sealed class CameraFormat
 {
     private readonly Func<CameraModel, bool> _has;
-    private readonly (string Ending, Action<TextWriter, ExportedFrame> Write)[] _files;
+    private readonly ExportedFile[] _files;
 
-    private CameraFormat(
-        string word, Func<CameraModel, bool> has, (string Ending, Action<TextWriter, ExportedFrame> Write)[] files, bool isCsm = false) =>
-        (Word, _has, _files, NeedsEphemeris) = (word, has, files, isCsm);
+    private CameraFormat(string word, Func<CameraModel, bool> has, params ExportedFile[] files) =>
+        (Word, _has, _files) = (word, has, files);
 
     /// <summary>All formats.</summary>
     public static IReadOnlyList<CameraFormat> All { get; } =
     [
-        new("opencv", OpenCvCamera.Has, [(".opencv.yaml", OpenCvCamera.Write)]),
-        new("colmap", CameraTables.HasColmapModel, [
-            (".cameras.txt", (writer, frame) => CameraTables.WriteColmapCamera(writer, frame.Camera.Model)),
-            (".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
-            (".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer)),
-        ]),
-        new("tsai", TsaiCamera.Has, [(".tsai", TsaiCamera.Write)]),
-        new("csm", CsmLens.Has, [(".csm.json", CsmState.Write)], isCsm: true),
-        new("isd", CsmLens.Has, [(".isd.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: true))], isCsm: true),
-        new("isd-body", CsmLens.Has, [(".isd-body.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: false))], isCsm: true),
+        new("opencv", OpenCvCamera.Has, Text(".opencv.yaml", OpenCvCamera.Write)),
+        new(
+            "colmap", CameraTables.HasColmapModel,
+            Text(".cameras.txt", (writer, frame) => CameraTables.WriteColmapCamera(writer, frame.Camera.Model)),
+            Text(".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
+            Text(".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer))),
+        new("tsai", TsaiCamera.Has, Text(".tsai", TsaiCamera.Write)),
+        new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write)) { NeedsEphemeris = true },
+        new("isd", CsmLens.Has, Text(".isd.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: true)))
+        {
+            NeedsEphemeris = true,
+        },
+        new("isd-body", CsmLens.Has, Text(".isd-body.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: false)))
+        {
+            NeedsEphemeris = true,
+        },
+        new("isis", IsisCube.Has, Bytes(".cub", IsisCube.Write)) { NeedsEphemeris = true, HasPixels = true },
+        new("pds4", _ => true, Bytes(Pds4Product.ArrayEnding, Pds4Product.WriteArray), Text(".lblx", Pds4Product.WriteLabel))
+        {
+            HasPixels = true,
+            HasCamera = false,
+        },
     ];
 
     /// <summary>The word for it on the command line.</summary>
     public string Word { get; }
 
     /// <summary>Whether <see cref="ExportedFrame.Ephemeris"/> is needed.</summary>
-    public bool NeedsEphemeris { get; }
+    public bool NeedsEphemeris { get; private init; }
+
+    /// <summary>Whether it holds the image too, so that <see cref="ExportedFrame.Image"/> is needed.</summary>
+    public bool HasPixels { get; private init; }
+
+    /// <summary>Whether programs find a camera in it.</summary>
+    private bool HasCamera { get; init; } = true;
 
     /// <summary>The endings of its files, which follow the frame's name.</summary>
     public IEnumerable<string> Endings => _files.Select(file => file.Ending);
@@ -62,7 +79,7 @@ public sealed class CameraFormat
             return;
         }
 
-        string[] able = [.. All.Where(format => format._has(camera)).Select(format => format.Word)];
+        string[] able = [.. All.Where(format => format.HasCamera && format._has(camera)).Select(format => format.Word)];
         string[] traits =
         [
             .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients"] : (string[])[],
@@ -83,12 +100,20 @@ public sealed class CameraFormat
         IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame)
     {
         List<string> paths = [];
-        foreach ((string ending, Action<TextWriter, ExportedFrame> write) in formats.SelectMany(format => format._files))
+        foreach (ExportedFile file in formats.SelectMany(format => format._files))
         {
-            files.WriteText(stem + ending, writer => write(writer, frame));
-            paths.Add(stem + ending);
+            file.Write(files, stem + file.Ending, frame);
+            paths.Add(stem + file.Ending);
         }
 
         return paths;
     }
+
+    private static ExportedFile Text(string ending, Action<TextWriter, ExportedFrame> write) =>
+        new(ending, (files, path, frame) => files.WriteText(path, writer => write(writer, frame)));
+
+    private static ExportedFile Bytes(string ending, Action<Stream, ExportedFrame> write) =>
+        new(ending, (files, path, frame) => files.Write(path, stream => write(stream, frame)));
+
+    private sealed record ExportedFile(string Ending, Action<AtomicFileSet, string, ExportedFrame> Write);
 }

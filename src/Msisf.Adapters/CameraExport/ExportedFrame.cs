@@ -19,6 +19,9 @@ public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJuli
     /// <summary>For formats that need it: what time TDB is, and how the body is turned.</summary>
     public IEphemeris? Ephemeris { get; init; }
 
+    /// <summary>For formats that hold pixels.</summary>
+    public ExportedImage? Image { get; init; }
+
     /// <summary>TDB seconds past J2000.</summary>
     internal double TdbSeconds => Ephemeris!.TimeScale.FromUtc(Time);
 

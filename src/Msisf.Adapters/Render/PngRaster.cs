@@ -74,6 +74,25 @@ public sealed class PngRaster
         PngChunk.Write(destination, "IEND"u8, []);
     }
 
+    /// <summary>The numbers of a detector (<see cref="PngWriter.WriteNumbers"/>), by rows; null if the image has grey levels.</summary>
+    public ushort[]? DetectorNumbers()
+    {
+        int chunk = _head.AsSpan().IndexOf("sBIT"u8);
+        if (chunk < 0)
+        {
+            return null;
+        }
+
+        int bits = _head[chunk + 4];
+        ushort[] numbers = new ushort[_rows.Length / sizeof(ushort)];
+        for (int i = 0; i < numbers.Length; i++)
+        {
+            numbers[i] = (ushort)(BinaryPrimitives.ReadUInt16BigEndian(_rows.AsSpan(i * sizeof(ushort))) >> (16 - bits));
+        }
+
+        return numbers;
+    }
+
     /// <returns>Length of all that stands before the pixels.</returns>
     private static int SplitOffData(ReadOnlySpan<byte> file, MemoryStream compressed)
     {

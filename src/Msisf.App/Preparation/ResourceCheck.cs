@@ -43,6 +43,9 @@ internal static class ResourceCheck
     /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed, and there may be a FITS file too.</summary>
     private const long NumbersBytesPerPixel = 4;
 
+    /// <summary>Bytes per pixel on disk of a cube, or of another camera model that holds the image.</summary>
+    private const long ExportedBytesPerPixel = 4;
+
     /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
@@ -99,7 +102,8 @@ internal static class ResourceCheck
         long layers = pixels * (settings.Native.Layers?.Layers.Sum(
             layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0);
         long numbers = settings.Native.Detector is null ? 0 : NumbersBytesPerPixel * pixels;
-        long others = layers + numbers + MetaBytes(settings);
+        long exported = ExportedBytesPerPixel * settings.CameraFormats.Count(format => format.HasPixels) * pixels;
+        long others = layers + numbers + exported + MetaBytes(settings);
         Refuse(
             settings,
             $"free disk space in {settings.OutputFolder}",

@@ -91,6 +91,9 @@ internal sealed class FrameFiles
             ExportedFrame exported = files.Read($"{stem}.xml", stream => MetaFileFrame.Read(stream, $"{stem}.xml")) with
             {
                 Ephemeris = _ephemeris,
+                Image = _settings.CameraFormats.Any(format => format.HasPixels)
+                    ? ExportedImage.Of(rendered.Truth!, rendered.Detected)
+                    : null,
             };
             paths.AddRange(_times.Measure(Phase.Output, () => CameraFormat.Write(_settings.CameraFormats, files, stem, exported)));
         }

@@ -2,13 +2,15 @@ using Msisf.Adapters.CameraExport;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
+using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;
 
 /// <summary>The options of camera models for other programs.</summary>
 internal static class CameraModelOptions
 {
-    private const string Formats = "opencv, colmap, tsai (Ames Stereo Pipeline), csm (USGSCSM state), isd (ALE, J2000), isd-body";
+    private const string Formats = "opencv, colmap, tsai (Ames Stereo Pipeline), csm (USGSCSM state), isd (ALE, J2000), isd-body, "
+        + "isis (cube with the image), pds4 (the image with a label)";
 
     /// <summary>Camera models beside each image of a run.</summary>
     public static TextSpec OfRun { get; } = new(
@@ -46,8 +48,9 @@ internal static class CameraModelOptions
     /// <summary>Reads the formats of a run.</summary>
     /// <param name="values">The options.</param>
     /// <param name="scan">How the camera scans; null for a frame.</param>
-    /// <exception cref="UsageException">A word is no format, or the camera scans.</exception>
-    public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, Scan? scan)
+    /// <param name="renderer">The renderer.</param>
+    /// <exception cref="UsageException">A word is no format, the camera scans, or the renderer does not know the pixels.</exception>
+    public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, Scan? scan, RendererKind renderer)
     {
         if (OfRun.ReadIfGiven(values) is not { } text)
         {
@@ -55,6 +58,13 @@ internal static class CameraModelOptions
         }
 
         IReadOnlyList<CameraFormat> formats = OfRun.Named(() => CameraFormat.Parse(text));
+        if (renderer == RendererKind.PovRay && formats.FirstOrDefault(format => format.HasPixels) is { } wrong)
+        {
+            throw new UsageException(
+                $"{OfRun.Name} {wrong.Word} holds I/F of each pixel, which POV-Ray does not tell. Add --renderer native.")
+                .About(OfRun, RendererOptions.Renderer);
+        }
+
         return scan is null ? formats : throw new UsageException(
             $"{OfRun.Name} is for frames: the rows of a camera that scans have times and places of their own. Leave one of them out.")
             .About(OfRun, ImageOptions.Camera);

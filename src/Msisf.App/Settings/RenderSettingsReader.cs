@@ -40,6 +40,8 @@ internal static class RenderSettingsReader
                 .About(ImageOptions.Camera, RendererOptions.Renderer);
         }
 
+        IReadOnlyList<CameraFormat> cameraFormats = CameraModelOptions.ReadOfRun(values, scan, renderer);
+        bool needsTruth = surface == PixelSurface.Terrain || cameraFormats.Any(format => format.HasPixels);
         GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
         {
@@ -57,11 +59,11 @@ internal static class RenderSettingsReader
             Body = BodyChoice.Read(values, renderer, resolution),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
-                values, albedo, DetectorChoice.Of(camera, values), needsTruth: surface == PixelSurface.Terrain),
+                values, albedo, DetectorChoice.Of(camera, values), needsTruth),
             Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
-            CameraFormats = CameraModelOptions.ReadOfRun(values, scan),
+            CameraFormats = cameraFormats,
             Annotate = OutputOptions.Annotation.Read(values),
             OutputFolder = OutputOptions.Folder.Read(values),
             OutputName = OutputOptions.Name.Read(values),

@@ -4,6 +4,7 @@ using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 
 namespace Msisf.App.States;
@@ -30,10 +31,15 @@ internal static class CameraModelExport
         foreach (string metaFile in values.Arguments)
         {
             ExportedFrame frame = MetaFileFrame.Read(metaFile);
-            Named(metaFile, () => CameraFormat.Require(formats, frame.Camera.Model));
+            CameraModel camera = frame.Camera.Model;
+            Named(metaFile, () => CameraFormat.Require(formats, camera));
             using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris) ? Open(frame, engine, kernels, host) : null;
             string stem = Path.ChangeExtension(metaFile, null);
-            paths.AddRange(CameraFormat.Write(formats, files, stem, frame with { Ephemeris = opened?.Engine }));
+            paths.AddRange(CameraFormat.Write(formats, files, stem, frame with
+            {
+                Ephemeris = opened?.Engine,
+                Image = formats.Any(format => format.HasPixels) ? ExportedImage.Read(metaFile, camera.Width, camera.Height) : null,
+            }));
         }
 
         files.Commit();

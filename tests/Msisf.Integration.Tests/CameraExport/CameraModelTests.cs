@@ -14,7 +14,7 @@ public sealed class CameraModelTests : IDisposable
 
     private const string Csm = "csm,isd,isd-body";
 
-    private const string All = "opencv,colmap,tsai," + Csm;
+    private const string All = "opencv,colmap,tsai,isis," + Csm;
 
     private const string OffCentre =
         "width: 60\nheight: 40\nfocal-length: 6\npixel-pitch: [0.05, 0.06]\nprincipal-point: [33.5, 17.25]\npixel-convention: opencv\n";
@@ -27,8 +27,8 @@ public sealed class CameraModelTests : IDisposable
     private static readonly (string Name, string Camera, string Formats)[] Cameras =
     [
         ("pinhole", OffCentre, All),
-        ("skew", OffCentre + Skew, Csm),
-        ("brown", OffCentre + Brown, All),
+        ("skew", OffCentre + Skew, "isis," + Csm),
+        ("brown", OffCentre + Brown, "opencv,colmap,tsai," + Csm),
         ("brown-skew", OffCentre + Skew + Brown, Csm),
         ("rational", OffCentre + "distortion: {model: opencv, k1: -0.1, k4: 0.03, k6: 0.01}\n", "opencv,colmap"),
         ("prism", OffCentre + "distortion: {model: opencv, k1: -0.1, s1: 0.003, s4: -0.002}\n", "opencv"),
@@ -54,7 +54,7 @@ public sealed class CameraModelTests : IDisposable
             Succeed(Arguments(name, camera, ["--camera-model", formats]));
             string again = $"{name}-again";
             Directory.CreateDirectory(_folder[again]);
-            foreach (string file in (string[])["frame.xml", "frame.position.npy"])
+            foreach (string file in (string[])["frame.xml", "frame.position.npy", "frame.radiance-factor.npy"])
             {
                 File.Copy(_folder[$"{name}/{file}"], _folder[$"{again}/{file}"]);
             }
@@ -114,7 +114,8 @@ public sealed class CameraModelTests : IDisposable
     [InlineData("distortion: {model: radial, form: division, k: [0.001]}", "isd", 2, "the lens 'radial-division'", "No format")]
     [InlineData("distortion: {model: opencv, k1: 0.1, k4: 0.1}", "opencv,tsai", 2, "tsai can't say the lens 'opencv'", "opencv, colmap.")]
     [InlineData("distortion: {model: owen, e1: 0.001}", "isd-body", 2, "isd-body can't say the lens 'owen'", "No format")]
-    [InlineData("skew: 1", "colmap", 2, "colmap can't say skew pixels", "can: csm, isd, isd-body.")]
+    [InlineData("skew: 1", "colmap", 2, "colmap can't say skew pixels", "can: csm, isd, isd-body, isis.")]
+    [InlineData("distortion: {model: opencv, k1: 0.1}", "isis", 2, "isis can't say the lens 'opencv'", "can: opencv, colmap, tsai, csm")]
     [InlineData("skew: 0", "csm,tsa", 1, "'tsa' is no format", "Give some of opencv, colmap, tsai, csm")]
     [InlineData("scan: {kind: rolling-shutter, period: 0.001}", "csm", 1, "--camera-model is for frames", "Leave one of them out.")]
     public void CameraThatAFormatCannotSay_IsOneLine(string camera, string formats, int exitCode, string problem, string remedy)
@@ -152,7 +153,7 @@ public sealed class CameraModelTests : IDisposable
     [
         "--fixed-state", $"{{{Time},1.95E6,2E5,1E5,0.02,-0.03,0.3,0.9533}}", "--normalize",
         "--camera", _folder.Write($"{name}.yaml", camera),
-        "--renderer", "native", "--reflectance", "lambert", "--layers", "position", "--layers-format", "npy", "--grid", "20",
+        "--renderer", "native", "--reflectance", "lambert", "--layers", "position,radiance-factor", "--layers-format", "npy", "--grid", "20",
         "--output-dir", _folder[name], "--output-name", "frame", "--ldem", TestParts.Ldem4Label!, "--batch", .. more,
     ];
 

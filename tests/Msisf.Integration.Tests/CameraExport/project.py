@@ -14,13 +14,7 @@ import sys
 
 import numpy as np
 
-
-def turn(w, x, y, z):
-    """The matrix of a quaternion of any length."""
-    m = np.array([[w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)],
-                  [2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)],
-                  [2*(x*z - w*y), 2*(y*z + w*x), w*w - x*x - y*y + z*z]])
-    return m / (w*w + x*x + y*y + z*z)
+from isis import Cube, turn
 
 
 def opencv(x, y, k):
@@ -137,8 +131,15 @@ def pixels_isd(path, points):
                                (center["line"], center["sample"]), kind, k))
 
 
+def pixels_isis(path, points):
+    x, y = Cube(path).pixels(points)
+    return x - 1, y - 1
+
+
 def wrong_text(path, time, body_from_j2000):
     """What breaks a rule of the format; "-" for nothing."""
+    if path.endswith(".cub"):
+        return "-"  # cubes.py
     text = open(path).read()
     if re.search(r"nan|inf\b", text, re.I):
         return "not-a-number"
@@ -188,7 +189,7 @@ def of_cspice(library, kernels, mjd):
 folders = [os.path.abspath(folder) for folder in sys.argv[4:]]
 time, body_from_j2000 = of_cspice(os.path.abspath(sys.argv[1]), sys.argv[2], float(sys.argv[3]))
 readers = {".opencv.yaml": pixels_opencv, ".cameras.txt": pixels_colmap, ".tsai": pixels_tsai, ".csm.json": pixels_csm,
-           ".isd.json": pixels_isd, ".isd-body.json": pixels_isd}
+           ".isd.json": pixels_isd, ".isd-body.json": pixels_isd, ".cub": pixels_isis}
 for folder in folders:
     layer = np.load(f"{folder}/frame.position.npy")
     seen = np.isfinite(layer).all(axis=-1)

@@ -1,0 +1,114 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using System.Text;
+using System.Text.RegularExpressions;
+using Msisf.Adapters.Render;
+using Msisf.Core.Detector;
+using Msisf.Core.Errors;
+using Msisf.Core.Render;
+
+namespace Msisf.Adapters.CameraExport;
+
+/// <summary>The numbers of an image, for formats that hold pixels and not only the camera.</summary>
+/// <param name="Width">px.</param>
+/// <param name="Height">px.</param>
+/// <param name="IsDigital">Whether they are what a detector read out (DN); otherwise they are radiance factors (I/F).</param>
+/// <param name="ReadRow">Puts the numbers of a row, from 0, into a span.</param>
+public sealed partial record ExportedImage(int Width, int Height, bool IsDigital, ExportedImage.RowReader ReadRow)
+{
+    /// <summary>The layer from which an image is read again: radiance factors as an array of NumPy.</summary>
+    private const string LayerEnding = ".radiance-factor.npy";
+
+    /// <summary>The image of a frame that was drawn just now.</summary>
+    /// <param name="truth">Its radiance factors.</param>
+    /// <param name="detected">What its detector read out; null without one.</param>
+    public static ExportedImage Of(IGroundTruth truth, DetectorImage? detected) =>
+        new(truth.Camera.Width, truth.Camera.Height, detected is not null, (row, numbers) =>
+        {
+            for (int x = 0; x < numbers.Length; x++)
+            {
+                int at = (row * numbers.Length) + x;
+                numbers[x] = detected is null ? (float)truth.RadianceFactors[at] : detected.Numbers[at];
+            }
+        });
+
+    /// <summary>Reads the image of a frame that is there: of a detector from its PNG, others from the layer of radiance factors.</summary>
+    /// <param name="metaFile">The frame's meta file.</param>
+    /// <param name="width">px, of the camera.</param>
+    /// <param name="height">px.</param>
+    /// <exception cref="BadInputException">Neither has the numbers of the image.</exception>
+    public static ExportedImage Read(string metaFile, int width, int height)
+    {
+        string image = Path.ChangeExtension(metaFile, ".png");
+        string layer = Path.ChangeExtension(metaFile, LayerEnding);
+        return FileErrors.ToBadInput($"{metaFile}: the files beside it can't be read", () =>
+        {
+            if (File.Exists(image) && DetectorNumbers(image) is { } numbers && numbers.Length == width * height)
+            {
+                return new ExportedImage(width, height, IsDigital: true, (row, values) =>
+                {
+                    for (int x = 0; x < width; x++)
+                    {
+                        values[x] = numbers[(row * width) + x];
+                    }
+                });
+            }
+
+            return File.Exists(layer) ? OfLayer(layer, File.ReadAllBytes(layer), width, height) : throw new BadInputException(
+                $"{layer} is not there, and the meta file alone has no pixels. Draw the image with --camera-model, or with "
+                    + "--layers radiance-factor --layers-format npy.");
+        });
+    }
+
+    /// <summary>Writes the pixels by rows from the top, least significant byte first.</summary>
+    /// <param name="stream">Receives them.</param>
+    /// <param name="undefined">Stands for NaN.</param>
+    internal void WritePixels(Stream stream, float undefined)
+    {
+        float[] row = new float[Width];
+        for (int y = 0; y < Height; y++)
+        {
+            ReadRow(y, row);
+            row.AsSpan().Replace(float.NaN, undefined);
+            stream.Write(MemoryMarshal.AsBytes(row.AsSpan()));
+        }
+    }
+
+    private static ushort[]? DetectorNumbers(string path)
+    {
+        using FileStream stream = File.OpenRead(path);
+        return PngRaster.Read(stream, path).DetectorNumbers();
+    }
+
+    private static ExportedImage OfLayer(string path, byte[] file, int width, int height)
+    {
+        int head = file.Length < 10 ? 0 : 10 + file[8] + (file[9] << 8);
+        Match form = NpyHead().Match(Encoding.Latin1.GetString(file, 0, Math.Min(head, file.Length)));
+        int size = form.Groups["size"].Value == "8" ? sizeof(double) : sizeof(float);
+        string shape = string.Create(CultureInfo.InvariantCulture, $"{height}, {width}");
+        if (!form.Success || form.Groups["shape"].Value != shape || file.LongLength != head + ((long)size * width * height))
+        {
+            throw new BadInputException($"{path}: is no array of {height} x {width} real numbers as msis writes it. Draw the image again.");
+        }
+
+        return new ExportedImage(width, height, IsDigital: false, (row, numbers) =>
+        {
+            ReadOnlySpan<byte> stored = file.AsSpan(head + (row * width * size), width * size);
+            for (int x = 0; x < width; x++)
+            {
+                numbers[x] = size == sizeof(double)
+                    ? (float)MemoryMarshal.Cast<byte, double>(stored)[x]
+                    : MemoryMarshal.Cast<byte, float>(stored)[x];
+            }
+        });
+    }
+
+    [GeneratedRegex(
+        @"NUMPY.*'descr': '<f(?<size>[48])', 'fortran_order': False, 'shape': \((?<shape>\d+, \d+),\)", RegexOptions.Singleline)]
+    private static partial Regex NpyHead();
+
+    /// <summary>Reads a row of an image.</summary>
+    /// <param name="row">From 0.</param>
+    /// <param name="numbers">Receives its numbers.</param>
+    public delegate void RowReader(int row, Span<float> numbers);
+}
