@@ -153,7 +153,8 @@ public sealed class CameraModelTests : IDisposable
     [
         "--fixed-state", $"{{{Time},1.95E6,2E5,1E5,0.02,-0.03,0.3,0.9533}}", "--normalize",
         "--camera", _folder.Write($"{name}.yaml", camera),
-        "--renderer", "native", "--reflectance", "lambert", "--layers", "position,radiance-factor", "--layers-format", "npy", "--grid", "20",
+        "--renderer", "native", "--reflectance", "lambert", "--layers", "position,radiance-factor", "--layers-format", "npy",
+        "--grid", "20",
         "--output-dir", _folder[name], "--output-name", "frame", "--ldem", TestParts.Ldem4Label!, "--batch", .. more,
     ];
 

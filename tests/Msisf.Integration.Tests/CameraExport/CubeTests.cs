@@ -26,7 +26,8 @@ public sealed class CubeTests : IDisposable
     [RequiresFact(Part.Ldem4, Part.Astropy, Part.Gdal, Part.CSpice, Part.CFitsio)]
     public void CubeAndPds4_HoldImageCameraAndSun()
     {
-        string[] moon = ["--fixed-state", $"{{{Time},1.95E6,2E5,1E5,0.02,-0.03,0.3,0.9533}}", "--normalize", "--ldem", TestParts.Ldem4Label!];
+        string[] moon =
+            ["--fixed-state", $"{{{Time},1.95E6,2E5,1E5,0.02,-0.03,0.3,0.9533}}", "--normalize", "--ldem", TestParts.Ldem4Label!];
         Draw("factors", [.. moon, "--camera", _folder.Write("plain.yaml", Camera), "--reflectance", "lambert"]);
         Draw("numbers", [.. moon, "--camera", _folder.Write("detector.yaml", Camera + "skew: 2.5\n" + Detector)]);
         Succeed(["ldem", "synthesize", "--res", "1", "--body", "mercury", "--seed", "1", "--output-dir", _folder.Path, "--batch"]);
@@ -84,7 +85,10 @@ public sealed class CubeTests : IDisposable
     public void PovRay_IsRefused()
     {
         CommandLineRun run = CommandLineRun.Of(
-            ["--position", "10,180,300000", "--time", Time, "--ldem", TestParts.Ldem4Label!, "--renderer", "povray", "--camera-model", "pds4"]);
+        [
+            "--position", "10,180,300000", "--time", Time, "--ldem", TestParts.Ldem4Label!, "--renderer", "povray",
+            "--camera-model", "pds4",
+        ]);
 
         Assert.Equal(1, run.ExitCode);
         Assert.Contains("--camera-model pds4 holds I/F of each pixel, which POV-Ray does not tell. Add --renderer native.", run.Error);
@@ -95,8 +99,8 @@ public sealed class CubeTests : IDisposable
 
     private void Draw(string name, string[] arguments, string? layers = "fits") => Succeed(
     [
-        "--renderer", "native", "--grid", "20", "--output-dir", _folder[name], "--output-name", "frame", "--camera-model", Formats, "--batch",
-        .. arguments, .. layers is null ? (string[])[] : ["--layers", "position,radiance-factor", "--layers-format", layers],
+        "--renderer", "native", "--grid", "20", "--output-dir", _folder[name], "--output-name", "frame", "--camera-model", Formats,
+        "--batch", .. arguments, .. layers is null ? (string[])[] : ["--layers", "position,radiance-factor", "--layers-format", layers],
     ]);
 
     private static void Succeed(string[] arguments)

@@ -65,7 +65,8 @@ def wrong(folder, spice, mjd):
     layers = fits.open(stem + ".fits")
     expected = (fits.getdata(stem + ".dn.fits") if has_detector else layers["RADIANCE_FACTOR"].data).astype(np.float32)
     cube = Cube(stem + ".cub")
-    checks = [("cube " + name, is_right) for name, is_right in of_gdal(stem + ".cub", expected, np.array([0xFF7FFFFB], "<u4").view("<f4")[0])]
+    null = np.array([0xFF7FFFFB], "<u4").view("<f4")[0]
+    checks = [("cube " + name, is_right) for name, is_right in of_gdal(stem + ".cub", expected, null)]
     checks += [("pds4 " + name, is_right) for name, is_right in of_gdal(stem + ".lblx", expected, np.float32(-32768))]
     group = cube.label["IsisCube"]
     naif = cube.label["NaifKeywords"]
