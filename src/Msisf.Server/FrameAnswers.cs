@@ -85,7 +85,7 @@ internal sealed class FrameAnswers
         AnswerPlan plan = AnswerPlan.Of(form, session.Settings);
         if (plan is { HasImage: true, Layers: null, HasNumbers: false, Meta: { } both, IsSentAsMade: false } && threads > 1)
         {
-            WriteBoth(answer, session, frame, image, form, both, cancellation);
+            WriteBoth(answer, session, frame, image, form, both, threads, cancellation);
             return;
         }
 
@@ -123,7 +123,7 @@ internal sealed class FrameAnswers
     /// <summary>Writes image and meta file side by side: a closed loop waits for both.</summary>
     private static void WriteBoth(
         Answer answer, RenderSession session, PreparedFrame frame, NativeImage image, AnswerForm form, string metaForm,
-        CancellationToken cancellation)
+        int threads, CancellationToken cancellation)
     {
         Task<MemoryStream> meta = Task.Run(
             () =>
@@ -136,7 +136,7 @@ internal sealed class FrameAnswers
             CancellationToken.None);
         try
         {
-            AddImage(answer, image, form.Image, threads: 1);
+            AddImage(answer, image, form.Image, threads);
         }
         finally
         {
@@ -178,10 +178,7 @@ internal sealed class FrameAnswers
             return;
         }
 
-        using MemoryStream xml = new();
-        MetadataXmlWriter.Write(xml, metadata, pixels, LongEDigits.RoundTrip, cancellation);
-        xml.Position = 0;
-        MetadataJson.Write(stream, xml);
+        MetadataJson.Write(stream, metadata, pixels, cancellation);
     }
 
     /// <summary>A layer of its own is sent without the JSON file.</summary>

@@ -38,10 +38,6 @@ internal ref struct ByteText
         Length += written;
     }
 
-    /// <summary>Appends a number in the longE format.</summary>
-    public void Append(double value)
-    {
-        LongE.Write(value, _destination[Length..], _digits);
-        Length += LongE.LengthOf(_digits);
-    }
+    /// <summary>Appends a number.</summary>
+    public void Append(double value) => Length += LongE.Write(value, _destination[Length..], _digits);
 }

@@ -17,6 +17,17 @@ public static class MetadataXmlWriter
     /// <summary>Version of the format (lib/MSISRendering.dtd).</summary>
     private const int FormatVersion = 3;
 
+    /// <summary>Writes one file without its pixels.</summary>
+    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="frame">What holds for the whole frame.</param>
+    /// <param name="pixels">Their grid and surface.</param>
+    /// <param name="digits">Of the numbers.</param>
+    public static void WriteFrame(Stream stream, FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
+    {
+        stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels, digits)));
+        WriteEnd(stream, frame);
+    }
+
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the number of cores.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
@@ -30,6 +41,11 @@ public static class MetadataXmlWriter
     {
         stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels, digits)));
         WritePixels(stream, pixels, digits, cancellation);
+        WriteEnd(stream, frame);
+    }
+
+    private static void WriteEnd(Stream stream, FrameMetadata frame)
+    {
         stream.Write("  </PixelInformation>\n"u8);
         if (frame.Navigation is { } navigation)
         {

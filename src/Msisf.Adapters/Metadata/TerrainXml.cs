@@ -33,7 +33,7 @@ internal static class TerrainXml
         text.Append("</EmissionAngle>\n      <PhaseAngle unit=\"deg\">"u8);
         text.Append(double.RadiansToDegrees(terrain.Angles.Phase));
         text.Append("</PhaseAngle>\n      <Illumination state=\""u8);
-        text.Append(StateName(terrain.Light.State));
+        text.Append(terrain.Light.State.Word());
         text.Append("\" visibleFraction=\""u8);
         text.Append(terrain.Light.VisibleFraction);
         text.Append("\" />\n      <Facet"u8);
@@ -59,15 +59,6 @@ internal static class TerrainXml
         text.Append(terrain.Facet.Half == FacetHalf.SouthWest ? "SW"u8 : "NE"u8);
         text.Append("\" />\n"u8);
     }
-
-    private static ReadOnlySpan<byte> StateName(IlluminationState state) => state switch
-    {
-        IlluminationState.Lit => "lit"u8,
-        IlluminationState.Penumbra => "penumbra"u8,
-        IlluminationState.Shadow => "shadow"u8,
-        IlluminationState.Night => "night"u8,
-        _ => throw new ArgumentOutOfRangeException(nameof(state), state, "A terrain point is lit, in penumbra, in shadow or in the night."),
-    };
 
     private static void Append(Vector3D v, ref ByteText text)
     {

@@ -108,15 +108,15 @@ internal sealed class NativeImage : IDisposable
             return;
         }
 
-        int parts = Math.Min(threads, Width * Height / LeastOfAThread);
-        if (parts < 2)
+        int parts = Width * Height / LeastOfAThread;
+        if (parts < 2 || threads < 2)
         {
             ConvertLevels(_drawn.RadianceFactors, levels.Span);
             return;
         }
 
         int length = (int)Math.Ceiling((double)(Width * Height) / parts);
-        Parallel.For(0, parts, new ParallelOptions { MaxDegreeOfParallelism = parts }, part =>
+        Parallel.For(0, parts, new ParallelOptions { MaxDegreeOfParallelism = threads }, part =>
         {
             int start = part * length;
             int count = Math.Min(length, (Width * Height) - start);

@@ -51,7 +51,7 @@ internal sealed record SurfaceReading(
             double.RadiansToDegrees(angles.Emission),
             double.RadiansToDegrees(angles.Phase),
             direction is { } angle ? double.RadiansToDegrees(angle) : null,
-            WordOf(light.State),
+            light.State.Word(),
             light.VisibleFraction,
             camera.PixelSide(ray, hit.RayParameter),
             double.RadiansToDegrees(Vector3D.AngleBetween(hit.NormalBodyFixed, point)),
@@ -59,14 +59,6 @@ internal sealed record SurfaceReading(
                 hit.Facet.Line, hit.Facet.Sample, (int)hit.Facet.Half, hit.Facet.Part,
                 firstInventedPart is { } first ? hit.Facet.Part >= first : null));
     }
-
-    private static string WordOf(IlluminationState state) => state switch
-    {
-        IlluminationState.Lit => "lit",
-        IlluminationState.Penumbra => "penumbra",
-        IlluminationState.Shadow => "shadow",
-        _ => "night",
-    };
 }
 
 /// <summary>A facet of the surface (docs/pattern-format.md).</summary>

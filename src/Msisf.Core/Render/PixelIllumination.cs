@@ -31,6 +31,20 @@ public readonly record struct PixelIllumination(IlluminationState State, double 
     }
 }
 
+/// <summary>How files and answers name the states of illumination.</summary>
+public static class IlluminationWords
+{
+    /// <summary>The word of a state that a point of the surface can have.</summary>
+    public static string Word(this IlluminationState state) => state switch
+    {
+        IlluminationState.Lit => "lit",
+        IlluminationState.Penumbra => "penumbra",
+        IlluminationState.Shadow => "shadow",
+        IlluminationState.Night => "night",
+        _ => throw new ArgumentOutOfRangeException(nameof(state), state, "A terrain point is lit, in penumbra, in shadow or in the night."),
+    };
+}
+
 /// <summary>How a point of the surface is lit; the numbers are those of the mask layer (docs/formats.md).</summary>
 public enum IlluminationState : byte
 {
