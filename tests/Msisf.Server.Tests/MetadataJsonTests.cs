@@ -15,7 +15,8 @@ public sealed class MetadataJsonTests(ServerOfSeveral server) : IClassFixture<Se
     [InlineData("\"look-at\": \"nadir\", \"surface\": \"sphere\", \"fov\": 40")]
     [InlineData("\"look-at\": \"nadir\", \"surface\": \"sphere\", \"fov\": 40, \"ignore-sun\": true")]
     [InlineData("\"look-at\": \"sun\", \"surface\": \"terrain\", \"fov\": 5")]
-    [InlineData("\"look-at\": \"nadir\", \"surface\": \"terrain\", \"fov\": 60, \"model\": [\"LDEM_2_SYNTHETIC\", \"LDEM_80S_10000M_SYNTHETIC\"]")]
+    [InlineData("\"look-at\": \"nadir\", \"surface\": \"terrain\", \"fov\": 70, "
+        + "\"model\": [\"LDEM_2_SYNTHETIC\", \"LDEM_80S_10000M_SYNTHETIC\"]")]
     public async Task Members_AreThoseOf_TheElements(string options)
     {
         using MemoryStream xml = new(await server.Running.RenderAsync(Place + options, "application/xml"));
