@@ -80,6 +80,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--width", "", "--width 33" },
         { "--height", "", "--height 33" },
         { "--camera", "--camera FILE:a.yaml", "--camera FILE:b.yaml" },
+        { "--rig", "--rig FILE:a.rig", "--rig FILE:b.rig" },
         { "--lines", Lines, "--lines 17" },
         { "--framelets", "--camera FILE:strip.yaml --motion {0,9E5,0,0,0,0} --framelets 2", "--framelets 3" },
         { "--scan-period", Lines, "--scan-period 0.2" },

@@ -47,6 +47,8 @@ public sealed class IdentityRuns : IDisposable
         _folder.Write("shutter.yaml", $"{Detector}  shutter: global\n");
         _folder.Write("line.yaml", "focal-length-px: 60\nwidth: 32\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.1\n");
         _folder.Write("strip.yaml", "focal-length-px: 60\nwidth: 32\nheight: 8\nscan:\n  kind: push-frame\n  period: 0.1\n");
+        _folder.Write("a.rig", "cameras:\n  a:\n    fov: 30\n    width: 32\n    height: 32\n    quaternion: [0, 0, 0, 1]\n");
+        _folder.Write("b.rig", "cameras:\n  a:\n    fov: 30\n    width: 32\n    height: 32\n    quaternion: [0, 0, 0.28, 0.96]\n");
         _folder.Write("a.jitter", "pitch 3 9000 1\n");
         _folder.Write("b.jitter", "pitch 3 9001 1\n");
         _folder.Write("a.path", "55289 1.9E6 0 0 0 0 0 1\n55289.0001 1.9E6 9E3 0 0 0 0.28 0.96\n55289.0003 1.9E6 3E4 0 0 0 0 1\n");
@@ -113,7 +115,7 @@ public sealed class IdentityRuns : IDisposable
         [
             .. given.Concat(change).Select(option => option.Key),
             .. Ways.Any(given.Contains) ? ["--fixed-state"] : (string[])[],
-            .. given.Contains("--camera") ? OfCamera : [],
+            .. given.Contains("--camera") || given.Contains("--rig") ? OfCamera : [],
         ];
         string[] arguments =
         [

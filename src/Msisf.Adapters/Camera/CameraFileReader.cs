@@ -55,7 +55,7 @@ public static class CameraFileReader
         byte[] content, string path, string? preset = null, bool mayNameFiles = true, (int? Width, int? Height) size = default)
     {
         using MemoryStream stream = new(content);
-        SettingsSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, hasSections: true), Keys);
+        SettingsSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, levels: 1), Keys);
         int? ownWidth = file.Whole("width", 1, MaxSide);
         int? ownHeight = file.Whole("height", 1, MaxSide);
         int width = ownWidth ?? size.Width ?? throw file.Missing("width", "how many pixels a row of the image has; or give --width");

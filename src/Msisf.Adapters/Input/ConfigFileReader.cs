@@ -21,23 +21,23 @@ public sealed class ConfigFileReader
 
     private readonly IParser _parser;
     private readonly string _fileName;
-    private readonly bool _hasSections;
+    private readonly int _levels;
 
-    private ConfigFileReader(IParser parser, string fileName, bool hasSections) =>
-        (_parser, _fileName, _hasSections) = (parser, fileName, hasSections);
+    private ConfigFileReader(IParser parser, string fileName, int levels) =>
+        (_parser, _fileName, _levels) = (parser, fileName, levels);
 
     /// <summary>Reads all entries.</summary>
     /// <param name="stream">UTF-8, with or without byte order mark; any line ends.</param>
     /// <param name="fileName">For messages.</param>
-    /// <param name="hasSections">Whether a key may have keys below it.</param>
+    /// <param name="levels">How many levels of keys may be below a key: 0 for values only.</param>
     /// <returns>In the order of the file; no key is there twice.</returns>
     /// <exception cref="BadInputException">What is wrong, by file, line and column.</exception>
-    public static IReadOnlyList<ConfigEntry> Read(Stream stream, string fileName, bool hasSections = false)
+    public static IReadOnlyList<ConfigEntry> Read(Stream stream, string fileName, int levels = 0)
     {
         Parser parser = new(new StringReader(TextOf(stream, fileName)));
         try
         {
-            return new ConfigFileReader(parser, fileName, hasSections).ReadDocument();
+            return new ConfigFileReader(parser, fileName, levels).ReadDocument();
         }
         catch (YamlException exception)
         {
@@ -111,17 +111,17 @@ public sealed class ConfigFileReader
             throw Wrong(root, "a line 'key: value' is needed");
         }
 
-        return ReadEntries(start, _hasSections);
+        return ReadEntries(start, _levels);
     }
 
-    private IReadOnlyList<ConfigEntry> ReadEntries(MappingStart start, bool maySection)
+    private IReadOnlyList<ConfigEntry> ReadEntries(MappingStart start, int levels)
     {
         RefuseProperties(start);
         Dictionary<string, ConfigEntry> entries = new(StringComparer.Ordinal);
         while (!_parser.TryConsume<MappingEnd>(out _))
         {
             Scalar key = ReadScalar("a key is a single word");
-            ConfigEntry entry = ReadEntry(key, maySection);
+            ConfigEntry entry = ReadEntry(key, levels);
             if (!entries.TryAdd(entry.Key, entry))
             {
                 throw Wrong(key, $"{NumberText.Shown(entry.Key)} is there already, in line {entries[entry.Key].Line}. Leave one out");
@@ -131,12 +131,12 @@ public sealed class ConfigFileReader
         return [.. entries.Values];
     }
 
-    private ConfigEntry ReadEntry(Scalar key, bool maySection)
+    private ConfigEntry ReadEntry(Scalar key, int levels)
     {
         (int line, int column) = ((int)key.Start.Line, (int)key.Start.Column);
-        if (maySection && _parser.TryConsume<MappingStart>(out MappingStart? section))
+        if (levels > 0 && _parser.TryConsume<MappingStart>(out MappingStart? section))
         {
-            return new ConfigEntry(key.Value, [], IsList: false, line, column, ReadEntries(section, maySection: false));
+            return new ConfigEntry(key.Value, [], IsList: false, line, column, ReadEntries(section, levels - 1));
         }
 
         (List<string> values, bool isList) = ReadValues(key.Value);

@@ -47,6 +47,19 @@ public sealed class SettingsSection
         { } entry => throw At(entry, $"'{key}' is a section: put its keys below it, each in a line of its own and indented"),
     };
 
+    /// <summary>The sections below a key, whose names are free; null if it is not there.</summary>
+    /// <inheritdoc cref="Section"/>
+    public IReadOnlyList<(string Name, SettingsSection Section)>? Sections(string key, string what, IReadOnlyList<string> keys) =>
+        Find(key) switch
+        {
+            null => null,
+            { Entries: { } entries } => [.. entries.Select(entry => (entry.Key, entry.Entries is { } own
+                ? new SettingsSection(_fileName, what, (entry.Line, entry.Column), own, keys)
+                : throw At(
+                    entry, $"{NumberText.Shown(entry.Key)} is {what}: put its keys below it, each in a line of its own and indented")))],
+            { } entry => throw At(entry, $"'{key}' is a section: put names below it, each in a line of its own and indented"),
+        };
+
     /// <summary>The text of a key; null if it is not there.</summary>
     /// <exception cref="BadInputException">It has a list or a section.</exception>
     public string? Text(string key) => Find(key) is { } entry ? Single(entry) : null;
@@ -120,8 +133,12 @@ public sealed class SettingsSection
     /// <summary>The error that a key's value is wrong.</summary>
     /// <param name="key">The key; the section's place is named if it is not there.</param>
     /// <param name="why">What is wrong and what to do, without the full stop.</param>
-    public BadInputException Wrong(string key, string why) => Find(key) is { } entry ? At(entry, why)
-        : new BadInputException($"{_fileName}, line {_place.Line}, column {_place.Column}: {why}.");
+    public BadInputException Wrong(string key, string why) => Find(key) is { } entry ? At(entry, why) : Here(why);
+
+    /// <summary>The error that the section itself is wrong.</summary>
+    /// <param name="why">What is wrong and what to do, without the full stop.</param>
+    public BadInputException Here(string why) =>
+        new($"{_fileName}, line {_place.Line}, column {_place.Column}: {why}.");
 
     private ConfigEntry? Find(string key) => _entries.FirstOrDefault(entry => entry.Key == key);
 

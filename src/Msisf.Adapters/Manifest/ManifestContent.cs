@@ -85,7 +85,9 @@ public sealed class ManifestContent
         [
             .. _settings.Values.Where(settings => used.Contains(settings.Key)).OrderBy(settings => settings.Key, StringComparer.Ordinal),
             .. runs.SelectMany(run => (ManifestRecord[])[
-                run, .. _expected.Values.Where(expected => expected.Run == run.Run).OrderBy(expected => expected.Step)]),
+                run,
+                .. _expected.Values.Where(expected => expected.Run == run.Run)
+                    .OrderBy(expected => expected.Step).ThenBy(expected => expected.Name, StringComparer.Ordinal)]),
             .. _frames.Values.OrderBy(frame => frame.Step).ThenBy(frame => frame.Name, StringComparer.Ordinal),
             .. _failed.Values.OrderBy(failed => failed.Step).ThenBy(failed => failed.Name, StringComparer.Ordinal),
             .. _shared.Values.Select(file => new SharedFileRecord(file)),

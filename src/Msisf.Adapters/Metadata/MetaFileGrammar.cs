@@ -12,27 +12,36 @@ internal static partial class MetaFileGrammar
         return Comments().Replace(reader.ReadToEnd(), string.Empty).Trim();
     });
 
-    private static readonly Lazy<string> Plain = new(() => Make(hasNavigation: false, isScan: false));
+    private static readonly Lazy<string> Plain = new(() => Make([]));
 
-    /// <summary>The first declaration of what only some files have, and how their parent names it.</summary>
-    private static readonly (string Start, string InParent) Navigation =
-        ("\n<!ELEMENT CraterInformation", ",CraterInformation?,LandmarkInformation?");
-
-    private static readonly (string Start, string InParent) Scan = ("\n<!ELEMENT Scan", ",Scan?");
+    /// <summary>The first declaration of what only some files have, and how their parent names it, in the order of the declarations:
+    /// truth for navigation, scanned images, cameras of a rig.</summary>
+    private static readonly (string Start, string InParent)[] Parts =
+    [
+        ("\n<!ELEMENT CraterInformation", ",CraterInformation?,LandmarkInformation?"), ("\n<!ELEMENT Scan", ",Scan?"),
+        ("\n<!ELEMENT Rig", ",Rig?"),
+    ];
 
     /// <summary>The declarations of a file: lines that end with LF, without the last one's end.</summary>
     /// <param name="hasNavigation">Whether it has truth for navigation.</param>
     /// <param name="isScan">Whether its image is scanned.</param>
-    public static string Text(bool hasNavigation, bool isScan) => hasNavigation || isScan ? Make(hasNavigation, isScan) : Plain.Value;
+    /// <param name="isOfRig">Whether a camera of a rig took its image.</param>
+    public static string Text(bool hasNavigation, bool isScan, bool isOfRig) =>
+        hasNavigation || isScan || isOfRig ? Make([hasNavigation, isScan, isOfRig]) : Plain.Value;
 
-    private static string Make(bool hasNavigation, bool isScan)
+    private static string Make(bool[] has)
     {
         string all = Loaded.Value;
-        int navigation = all.IndexOf(Navigation.Start, StringComparison.Ordinal);
-        int scan = all.IndexOf(Scan.Start, StringComparison.Ordinal);
-        string text = all[..navigation] + (hasNavigation ? all[navigation..scan] : string.Empty) + (isScan ? all[scan..] : string.Empty);
-        text = hasNavigation ? text : text.Replace(Navigation.InParent, string.Empty, StringComparison.Ordinal);
-        return isScan ? text : text.Replace(Scan.InParent, string.Empty, StringComparison.Ordinal);
+        int[] starts = [.. Parts.Select(part => all.IndexOf(part.Start, StringComparison.Ordinal)), all.Length];
+        string text = all[..starts[0]];
+        for (int i = 0; i < Parts.Length; i++)
+        {
+            text = has.ElementAtOrDefault(i)
+                ? text + all[starts[i]..starts[i + 1]]
+                : text.Replace(Parts[i].InParent, string.Empty, StringComparison.Ordinal);
+        }
+
+        return text;
     }
 
     [GeneratedRegex(@"^[ \t]*<!--.*?-->[ \t]*\n|^[ \t]*\n", RegexOptions.Singleline | RegexOptions.Multiline)]

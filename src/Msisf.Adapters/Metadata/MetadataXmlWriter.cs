@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -77,7 +76,7 @@ public static class MetadataXmlWriter
         return string.Create(CultureInfo.InvariantCulture, $"""
             <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
             <!DOCTYPE MSISRendering [
-            {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null)}
+            {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null)}
             ]>
             <MSISRendering>
               <GeneralInformation>
@@ -86,13 +85,13 @@ public static class MetadataXmlWriter
                   <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
                 </SimulationTime>
                 <CameraPosition unit="m">
-                  {Vector3DElement(frame.Camera.PositionBodyFixed, digits)}
+                  {VectorXml.Of(frame.Camera.PositionBodyFixed, digits)}
                 </CameraPosition>
                 <CameraOrientation>
-                  {QuaternionElement(frame.Camera.MoonFromCamera, digits)}
+                  {VectorXml.Of(frame.Camera.MoonFromCamera, digits)}
                 </CameraOrientation>
                 <SunPosition unit="m">
-                  {Vector3DElement(frame.SunPositionBodyFixed, digits)}
+                  {VectorXml.Of(frame.SunPositionBodyFixed, digits)}
                 </SunPosition>
                 <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude, digits)}</FlightAltitude>
                 <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
@@ -101,7 +100,7 @@ public static class MetadataXmlWriter
                 <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(pixels.Surface, frame)}
                 <FormatVersion>{FormatVersion}</FormatVersion>
                 <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain, digits)}</HeightOverTerrain>
-            {OriginXml.Lines(frame, digits)}{ScanXml.Lines(frame, pixels.Grid, digits)}
+            {OriginXml.Lines(frame, digits)}{ScanXml.Lines(frame, pixels.Grid, digits)}{RigXml.Lines(frame.Rig, digits)}
               </GeneralInformation>
               <PixelInformation>
 
@@ -113,13 +112,6 @@ public static class MetadataXmlWriter
             CultureInfo.InvariantCulture,
             $"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")
         : string.Empty;
-
-    private static string Vector3DElement(Vector3D v, LongEDigits digits) =>
-        $"""<Vector3D x="{LongE.ToText(v.X, digits)}" y="{LongE.ToText(v.Y, digits)}" z="{LongE.ToText(v.Z, digits)}" />""";
-
-    private static string QuaternionElement(UnitQuaternion q, LongEDigits digits) =>
-        $"<Quaternion r=\"{LongE.ToText(q.W, digits)}\" x=\"{LongE.ToText(q.X, digits)}\" "
-            + $"y=\"{LongE.ToText(q.Y, digits)}\" z=\"{LongE.ToText(q.Z, digits)}\" />";
 
     /// <summary>The memory of one worker: a row's records and their text.</summary>
     private sealed class RowBuffer(PixelSampler pixels, LongEDigits digits)

@@ -44,6 +44,7 @@ internal static class OriginXml
         InputKind.HapkeMap => "hapke-map",
         InputKind.Camera => "camera",
         InputKind.Jitter => "jitter",
+        InputKind.Rig => "rig",
         InputKind.CraterCatalogue => "crater-catalogue",
         InputKind.Landmarks => "landmarks",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),

@@ -39,13 +39,14 @@ internal sealed class RunConversion
         SlurmSettings? slurm = format == ScriptFormat.Slurm ? SlurmOptions.Read(values) : null;
         PieceArguments arguments = new(values, endsWithCheck: format is ScriptFormat.Parallel or ScriptFormat.Slurm);
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(values);
-        RenderSettings settings = RenderSettingsReader.Read(values);
+        IReadOnlyList<RenderSettings> cameras = RigOptions.Read(values);
+        RenderSettings settings = cameras[0];
         if (trajectory is BatchFileSettings { IsStandardInput: true })
         {
             throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");
         }
 
-        if (settings.Camera is not null && ImageOptions.Camera.ReadIfGiven(values) is null)
+        if (settings is { Camera: not null, Rig: null } && ImageOptions.Camera.ReadIfGiven(values) is null)
         {
             throw new UsageException(
                 $"{MissionOptions.Instrument.Name} gives the camera of its instrument kernel, which the pieces of a run do not read. Give "
@@ -53,7 +54,7 @@ internal sealed class RunConversion
                 .About(MissionOptions.Instrument, ImageOptions.Camera);
         }
 
-        if ((settings.Scan is not null || settings.Jitter is not null) && trajectory is not BatchFileSettings)
+        if (cameras.Any(camera => camera.Scan is not null || camera.Jitter is not null) && trajectory is not BatchFileSettings)
         {
             throw new UsageException(
                 "the pieces of a run read single states, and a camera that scans or has jitter needs all of its motion. Make the run "
@@ -61,15 +62,27 @@ internal sealed class RunConversion
                     + "line.");
         }
 
+        if (settings is { Rig: not null, Native.FindsExposureTime: true })
+        {
+            throw new UsageException(
+                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} finds a time for each camera of a rig, and pieces take "
+                    + "one. Give seconds, or 'exposure-time' in the camera files.").About(NativeOptions.ExposureTime, RigOptions.Rig);
+        }
+
         using EphemerisSource ephemeris = new(settings, _host);
-        using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, _host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, cameras, ephemeris, _host, cancellation);
         using (SurfaceInputs maps = SurfaceInputs.Open(settings, _host))
         {
-            settings = ExposureSearch.Resolve(settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
+            settings = ExposureSearch.Resolve(
+                settings, run.Cameras[0].States, run.Cameras[0].Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
         }
 
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
-        CheckResources(settings, run.Frames.Count, slurm);
+        foreach (RenderSettings camera in cameras)
+        {
+            CheckResources(camera, run.Cameras[0].Frames.Count, slurm);
+        }
+
         string path = Path.GetFullPath(scriptPath(settings));
         bool isReadAsItIs = trajectory is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions();
         string? statesFile = isReadAsItIs ? null : $"{path}.states.tab";
@@ -91,7 +104,7 @@ internal sealed class RunConversion
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
 
         // What all pieces have by an option can't stand in the file too.
-        SpacecraftState[] states = [.. run.States.Select(state => state with
+        SpacecraftState[] states = [.. run.Cameras[0].BodyStates.Select(state => state with
         {
             Noise = trajectory.Noise is null ? state.Noise : null,
             ExposureFactor = trajectory.ExposureFactor is null ? state.ExposureFactor : null,
@@ -102,7 +115,7 @@ internal sealed class RunConversion
 
     private static IReadOnlyList<StepRanges> Cut(PreparedRun run, CutSettings cut)
     {
-        int[] steps = [.. run.Frames.Select(frame => frame.Step)];
+        int[] steps = [.. run.Cameras[0].Frames.Select(frame => frame.Step)];
         return cut.FramesPerPiece is int size ? RunCutter.BySize(steps, size) : RunCutter.ByCount(steps, cut.Pieces!.Value);
     }
 

@@ -62,7 +62,7 @@ internal sealed class DataSetFile
         IReadOnlyList<ConfigEntry> entries = FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             using FileStream stream = File.OpenRead(path);
-            return ConfigFileReader.Read(stream, path, hasSections: true);
+            return ConfigFileReader.Read(stream, path, levels: 1);
         });
         return new DataSetFile(path, entries).Read(line, host);
     }

@@ -47,7 +47,7 @@ internal sealed class DataSetRun
     {
         bool isOnSlurm = DataSetOptions.ReadIsOnSlurm(line);
         DataSetSpec spec = DataSetFile.Read(path, line, host);
-        DataSetRun run = new(spec, RenderSettingsReader.Read(spec.Options, geoTiffs: host.GeoTiffs), host);
+        DataSetRun run = new(spec, RigOptions.ReadOne(spec.Options, host.GeoTiffs, "a data set is of one"), host);
         run.RefuseUseless();
         DrawnStates drawn = run.Draw(cancellation);
         string states = run.WriteStates(drawn);
@@ -70,7 +70,7 @@ internal sealed class DataSetRun
         }
         else
         {
-            await RenderRun.RunAsync(TrajectorySettingsReader.Read(values), run._settings, host, cancellation).ConfigureAwait(false);
+            await RenderRun.RunAsync(TrajectorySettingsReader.Read(values), [run._settings], host, cancellation).ConfigureAwait(false);
         }
 
         run.Finish(drawn, cancellation);

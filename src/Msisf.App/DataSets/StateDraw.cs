@@ -113,7 +113,8 @@ internal sealed class StateDraw
 
         // CSPICE is not thread-safe, so that all lights come first.
         Frame[][] frames = [.. drawn.Select(states => FrameSetup.Of(
-            [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], _settings with { Frames = null }, _sun,
+            [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], _settings with { Frames = null },
+            new SunPositions(_sun, _settings.Aberration),
             cancellation))];
         (DrawnState[] States, string? Failed)[] looked = new (DrawnState[], string?)[Block];
         Parallel.For(0, Block, new ParallelOptions { CancellationToken = cancellation }, index =>

@@ -19,15 +19,23 @@ internal sealed partial class FrameNaming
     private readonly string _pattern;
 
     /// <summary>Checks a pattern.</summary>
+    /// <param name="pattern">The pattern; of a rig that does not name the camera its name is put behind it.</param>
+    /// <param name="camera">Name of the rig's camera; null without a rig.</param>
     /// <exception cref="UsageException">The pattern contains a folder, an unknown or unclosed field, or an invalid format.</exception>
-    public FrameNaming(string pattern)
+    public FrameNaming(string pattern, string? camera = null)
     {
+        if (camera is not null)
+        {
+            pattern = (pattern.Contains(RigOptions.CameraField, StringComparison.Ordinal) ? pattern : $"{pattern}_{RigOptions.CameraField}")
+                .Replace(RigOptions.CameraField, camera, StringComparison.Ordinal);
+        }
+
         _pattern = pattern;
         string literal = Field().Replace(pattern, string.Empty);
         if (literal.Contains('{') || literal.Contains('}'))
         {
             throw new UsageException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. "
-                + $"{{step:00000}}.").About(OutputOptions.Name);
+                + $"{{step:00000}}, and {RigOptions.CameraField} with {RigOptions.Rig.Name}.").About(OutputOptions.Name);
         }
 
         if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0

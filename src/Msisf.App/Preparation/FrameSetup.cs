@@ -4,7 +4,6 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
-using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
 using Msisf.Core.Numerics;
@@ -21,11 +20,11 @@ internal static class FrameSetup
     /// <param name="states">The states of the whole run, in the order of the input.</param>
     /// <param name="names">The names of all frames of the run.</param>
     /// <param name="settings">The settings of the run, which also select the steps to make.</param>
-    /// <param name="sun">The ephemeris; not used if the Sun is ignored.</param>
+    /// <param name="sun">Where the Sun is; not used if it is ignored.</param>
     /// <param name="cancellation">Cancels the work between two states.</param>
     /// <exception cref="MsisfException">A step is not part of the run, a time lies outside the kernels' coverage, ...</exception>
     public static Frame[] Of(
-        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, Func<IEphemeris> sun,
+        IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, SunPositions sun,
         CancellationToken cancellation)
     {
         CameraModel model = settings.CameraModel;
@@ -39,6 +38,7 @@ internal static class FrameSetup
             frames.Add(new Frame(
                 step, names[step - 1], state.Time, camera, LightOf(FlowState.Of(state)), state.Motion, state.Noise)
             {
+                CameraIndex = settings.Rig?.Index ?? 0,
                 ExposureFactor = state.ExposureFactor,
                 Path = state.Path,
                 Scan = settings.Scan,
@@ -56,13 +56,13 @@ internal static class FrameSetup
             ? scan.CameraOf(model, [.. PathOf(state).States.Select(exposure => exposure with
             {
                 SunPositionBodyFixed = settings.IgnoreSun ? null
-                    : state.SunPositionBodyFixed ?? sun().SunPositionBodyFixed(state.Time.After(exposure.Seconds), settings.Aberration),
+                    : state.SunPositionBodyFixed ?? sun.At(state.Time.After(exposure.Seconds)),
             })])
             : model.At(new CameraState(state.PositionBodyFixed, state.MoonFromCamera));
 
         SceneLight LightOf(FlowState at) => settings.IgnoreSun
             ? new SceneLight(at.PositionBodyFixed, IsSun: false)
-            : new SceneLight(at.SunPositionBodyFixed ?? sun().SunPositionBodyFixed(at.Time, settings.Aberration), IsSun: true);
+            : new SceneLight(at.SunPositionBodyFixed ?? sun.At(at.Time), IsSun: true);
     }
 
     private static ScanPath PathOf(SpacecraftState state) => state.Path ?? throw new UsageException(
@@ -100,6 +100,9 @@ internal sealed record Frame(
     int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
     NoiseSeed? Noise = null)
 {
+    /// <summary>Which camera of the rig takes it, from 0; 0 without a rig.</summary>
+    public int CameraIndex { get; init; }
+
     /// <summary>By how much longer it is exposed; null for as long as the settings say.</summary>
     public double? ExposureFactor { get; init; }
 

@@ -6,51 +6,67 @@ using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;
 
-/// <summary>The states of a run and its frames. The elevation model is opened only if a camera is placed or pointed by it.</summary>
-/// <param name="States">The states of all frames of the run, in the order of the input.</param>
+/// <summary>
+/// The states of a run and the frames of one of its cameras. The elevation model is opened only if a camera is placed or pointed by it.
+/// </summary>
+/// <param name="Settings">The settings of the camera.</param>
+/// <param name="States">The states of all frames of the camera, in the order of the input.</param>
 /// <param name="Names">File names of all frames, without extension.</param>
 /// <param name="Frames">The frames to make.</param>
-internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
+internal sealed record RunFrames(
+    RenderSettings Settings, IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
 {
+    /// <summary>The states of the body that carries the cameras of a rig; else those of the camera.</summary>
+    public required IReadOnlyList<SpacecraftState> BodyStates { get; init; }
+
     /// <summary>Reads the states and sets up the frames.</summary>
-    /// <param name="trajectory">The positions of the camera.</param>
-    /// <param name="settings">The run's other settings.</param>
+    /// <param name="trajectory">The positions of the camera, or of the body that carries several.</param>
+    /// <param name="cameras">The run's other settings: those of each camera.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work.</param>
+    /// <returns>Those of each camera.</returns>
     /// <exception cref="MsisfException">The run can't be made.</exception>
-    public static RunFrames Read(
+    public static IReadOnlyList<RunFrames> Read(
         TrajectorySettings trajectory,
-        RenderSettings settings,
+        IReadOnlyList<RenderSettings> cameras,
         EphemerisSource ephemeris,
         ModelOnDemand model,
         ProgramHost host,
         CancellationToken cancellation)
     {
-        RefuseUnrepeatable(trajectory, settings);
-        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
+        RefuseUnrepeatable(trajectory, cameras);
+        RenderSettings first = cameras[0];
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, first.Aberration, first.Body);
+        StateNeeds[] needs = [.. cameras.Select(StateNeeds.Of)];
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {
-            Body = settings.Body,
+            Body = first.Body,
             Kernels = ephemeris.Kernels,
-            CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
-            Scan = settings.Scan,
-            Jitter = settings.Jitter,
-            ExposureReach = settings.ExposureReach,
-            HasDetector = settings.Native.Detector is not null,
+            Needs = needs,
         };
-        IReadOnlyList<SpacecraftState> states = host.Times.Measure(
-            Phase.States, () => FlowStates.Of(reader.Read(trajectory, cancellation), settings));
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. states.Select(state => state.Time)]);
-        Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, ephemeris.Engine, cancellation));
-        return new RunFrames(states, names, frames);
+        IReadOnlyList<SpacecraftState> read = host.Times.Measure(Phase.States, () => reader.ReadBody(trajectory, cancellation));
+        SunPositions sun = new(ephemeris.Engine, first.Aberration, isShared: cameras.Count > 1);
+        return [.. cameras.Select((settings, index) =>
+        {
+            IReadOnlyList<SpacecraftState> states = host.Times.Measure(
+                Phase.States, () => FlowStates.Of(needs[index].Of(read, trajectory), settings));
+            IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
+                .NamesOf([.. states.Select(state => state.Time)]);
+            Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, sun, cancellation));
+            StateNeeds ofBody = needs.FirstOrDefault(needed => needed.CameraWithShutter is not null) ?? needs[index];
+            return new RunFrames(settings, states, names, frames)
+            {
+                BodyStates = settings.Rig is null ? states : (ofBody with { Mounting = null }).Of(read, trajectory),
+            };
+        })];
     }
 
     /// <summary>An exposure time is found from the whole run again by each piece and restart.</summary>
-    private static void RefuseUnrepeatable(TrajectorySettings trajectory, RenderSettings settings)
+    private static void RefuseUnrepeatable(TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras)
     {
-        if (settings.Native.FindsExposureTime && trajectory is BatchFileSettings { IsStandardInput: true })
+        if (cameras.Any(settings => settings.Native.FindsExposureTime) && trajectory is BatchFileSettings { IsStandardInput: true })
         {
             throw new UsageException(
                 $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} reads the whole run again in each call, and standard "
@@ -60,12 +76,11 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
     }
 
     /// <summary>Warns of a --fov that is most likely meant in another unit, and notes an unusual band.</summary>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
-    public void WarnOfCamera(RenderSettings settings, ProgramHost host, double referenceRadius)
+    public void WarnOfCamera(ProgramHost host, double referenceRadius)
     {
-        foreach (string note in PlausibleMistakes.Band(settings.Native.Detector?.Settings.Response))
+        foreach (string note in PlausibleMistakes.Band(Settings.Native.Detector?.Settings.Response))
         {
             host.Log.Note(note);
         }
@@ -75,14 +90,14 @@ internal sealed record RunFrames(IReadOnlyList<SpacecraftState> States, IReadOnl
             ScanCheck.Check(frame, host.Log, referenceRadius);
         }
 
-        if (settings.Camera is not null)
+        if (Settings.Camera is not null)
         {
             return;
         }
 
-        double cell = settings.Resolution.OnSphere(referenceRadius).MetresPerPixel;
+        double cell = Settings.Resolution.OnSphere(referenceRadius).MetresPerPixel;
         double widest = Frames.Max(frame => PlausibleMistakes.WidthOnGround(frame, referenceRadius));
-        foreach (string mistake in PlausibleMistakes.FieldOfView(settings.FieldOfViewDegrees, widest, cell))
+        foreach (string mistake in PlausibleMistakes.FieldOfView(Settings.FieldOfViewDegrees, widest, cell))
         {
             host.Log.Warning(mistake);
         }

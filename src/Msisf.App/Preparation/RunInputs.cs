@@ -20,18 +20,15 @@ internal sealed class RunInputs : IDisposable
     private readonly CancellationTokenSource _end;
     private readonly ILog _log;
     private readonly string? _cacheFolder;
-    private readonly CameraFile? _camera;
     private Task<IReadOnlyList<InputFile>>? _model;
     private IReadOnlyList<InputFile> _maps = [];
 
     /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
-    /// <param name="camera">The camera file; null for none.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    public RunInputs(Func<IReadOnlyList<string>> kernels, CameraFile? camera, ProgramHost host, CancellationToken cancellation)
+    public RunInputs(Func<IReadOnlyList<string>> kernels, ProgramHost host, CancellationToken cancellation)
     {
-        _camera = camera;
         _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         _log = host.Log;
         _cacheFolder = CacheFolder.Of(host);
@@ -55,14 +52,15 @@ internal sealed class RunInputs : IDisposable
     /// <summary>
     /// All files: the elevation model, the kernels, the maps and the camera file. Waits until their checksums are known.
     /// </summary>
+    /// <param name="camera">The camera file of a frame; null for none.</param>
     /// <exception cref="MsisfException">A file can't be read.</exception>
     /// <exception cref="OperationCanceledException">The run was cancelled.</exception>
-    public IReadOnlyList<InputFile> All() =>
+    public IReadOnlyList<InputFile> All(CameraFile? camera) =>
     [
         .. _model?.GetAwaiter().GetResult() ?? throw new InvalidOperationException("no model yet"),
         .. Kernels.GetAwaiter().GetResult(),
         .. _maps,
-        .. _camera is { } camera ? [Of(camera)] : (InputFile[])[],
+        .. camera is null ? (InputFile[])[] : [Of(camera)],
     ];
 
     /// <summary>A camera file as one of the files.</summary>

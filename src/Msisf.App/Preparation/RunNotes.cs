@@ -49,23 +49,32 @@ internal sealed class RunNotes
     public RunNotes(GridResolution resolution, bool hasSeveral, bool isRefined) =>
         (_resolution, _hasSeveral, _isRefined) = (resolution, hasSeveral, isRefined);
 
-    /// <summary>Looks at frames, and writes the notes.</summary>
+    /// <summary>Name of the rig's camera, which the notes begin with; null without a rig.</summary>
+    public string? Camera { get; init; }
+
+    /// <summary>Looks at the frames of each camera, and writes the notes.</summary>
     /// <param name="trajectory">Has the epoch of an orbit.</param>
-    /// <param name="frames">The frames that this call makes.</param>
+    /// <param name="cameras">The frames that this call makes.</param>
     /// <param name="terrain">The elevation model.</param>
     /// <param name="log">Receives the notes.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     public static void Write(
-        TrajectorySettings trajectory, IReadOnlyList<Frame> frames, ITerrain terrain, ILog log, CancellationToken cancellation)
+        TrajectorySettings trajectory, IReadOnlyList<RunFrames> cameras, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
-        RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain.InventedName is not null);
-        foreach (Frame frame in frames)
+        foreach (RunFrames camera in cameras)
         {
-            cancellation.ThrowIfCancellationRequested();
-            notes.Add(frame, FramePreview.Of(frame.Camera, frame.Light, terrain));
-        }
+            RunNotes notes = new(terrain.Resolution, terrain.PartCount > 1, terrain.InventedName is not null)
+            {
+                Camera = camera.Settings.Rig?.Name,
+            };
+            foreach (Frame frame in camera.Frames)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                notes.Add(frame, FramePreview.Of(frame.Camera, frame.Light, terrain));
+            }
 
-        notes.Write(trajectory, log);
+            notes.Write(camera == cameras[0] ? trajectory : null, log);
+        }
     }
 
     /// <summary>Takes one frame.</summary>
@@ -94,20 +103,20 @@ internal sealed class RunNotes
     }
 
     /// <summary>Writes the notes.</summary>
-    /// <param name="trajectory">Has the epoch of an orbit.</param>
+    /// <param name="trajectory">Has the epoch of an orbit; null if that was looked at.</param>
     /// <param name="log">Receives the notes.</param>
-    public void Write(TrajectorySettings trajectory, ILog log)
+    public void Write(TrajectorySettings? trajectory, ILog log)
     {
         if (_withoutMoon.Count > 0)
         {
-            log.Note(_count == 1
+            Note(_count == 1
                 ? "The image does not show the Moon."
                 : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
         }
 
         if (_besideMap.Count > 0)
         {
-            log.Note((_count == 1
+            Note((_count == 1
                 ? "The image shows nothing of the elevation model"
                 : $"{Frames(_besideMap, "shows", "show")} nothing of the elevation model{Steps(_besideMap)}")
                 + ", a map of a part of the Moon. Add a model of the whole Moon by a second --ldem, or move the camera.");
@@ -115,7 +124,7 @@ internal sealed class RunNotes
 
         if (_unlit.Count > 0)
         {
-            log.Note(_count == 1
+            Note(_count == 1
                 ? "The image shows no lit ground."
                 : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
         }
@@ -127,13 +136,15 @@ internal sealed class RunNotes
                 ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
                 : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
             string option = _hasSeveral || _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
-            log.Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
+            Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 
         if (trajectory is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
         {
             log.Note($"The epoch is {away}: a real orbit has long left the two-body one by then.");
         }
+
+        void Note(string text) => log.Note(Camera is null ? text : $"{Camera}: {text}");
     }
 
     private string? EpochAway(ModifiedJulianDate epoch) =>

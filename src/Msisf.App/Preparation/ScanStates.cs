@@ -22,24 +22,23 @@ internal static class ScanStates
     /// <summary>The states with their exposures, and turned by the jitter.</summary>
     /// <param name="states">The states; those of orbits and files have a path.</param>
     /// <param name="motion">How the camera moves, where the user says it; null for what the states say.</param>
-    /// <param name="scan">The exposures; null for frames.</param>
-    /// <param name="jitter">Turns the camera; its times count from the first image's.</param>
-    /// <param name="reach">s: how long before and after the middle of an exposure the state must be known.</param>
+    /// <param name="needs">The exposures, the jitter, whose times count from the first image's, and the mounting.</param>
     /// <exception cref="MsisfException">A motion is missing, or not known for all of the time.</exception>
-    public static IReadOnlyList<SpacecraftState> Of(
-        IReadOnlyList<SpacecraftState> states, CameraMotion? motion, Scan? scan, JitterFile? jitter, double reach)
+    public static IReadOnlyList<SpacecraftState> Of(IReadOnlyList<SpacecraftState> states, CameraMotion? motion, StateNeeds needs)
     {
+        (Scan? scan, JitterFile? jitter, double reach) = (needs.Scan, needs.Jitter, needs.ExposureReach);
         return [.. states.Select((state, index) =>
         {
             double start = index == 0 ? 0.0 : state.Time.SecondsSince(states[0].Time);
             double end = scan?.SecondsOf(scan.Count - 1) ?? 0.0;
             RequireJitter(jitter, start - reach, start + end + reach);
-            ScanPath path = PathOf(state, motion, scan).Of(scan, jitter?.Jitter, start);
+            ScanPath path = PathOf(state, motion, scan).Of(scan, jitter?.Jitter, start, needs.Mounting);
             _ = (path.At(-reach), path.At(end + reach)); // else the last line would find what is missing
             bool isMoving = scan is null && (motion ?? state.Motion) is not null;
             return state with
             {
                 Path = path,
+                PositionBodyFixed = needs.Mounting is null ? state.PositionBodyFixed : path.States[0].PositionBodyFixed,
                 MoonFromCamera = path.States[0].MoonFromCamera,
                 Motion = isMoving ? path.FastestMotion(-Math.Max(reach, HalfStep), Math.Max(reach, HalfStep)) : state.Motion,
             };

@@ -36,29 +36,24 @@ internal sealed class StateReader
     /// <summary>Opens the ephemeris with its kernels; only the files of a mission need it.</summary>
     public Func<OpenedEphemeris>? Kernels { get; init; }
 
-    /// <summary>The camera file whose shutter needs to know how the camera moves; null if nothing does.</summary>
-    public string? CameraWithShutter { get; init; }
+    /// <summary>What the cameras need; more than one of a rig.</summary>
+    public IReadOnlyList<StateNeeds> Needs { get; init; } = [new()];
 
-    /// <summary>Whether the states are to say how the camera moves wherever that is known, without a shutter too.</summary>
-    public bool FindsMotions { get; init; }
+    private bool NeedsMotion => Needs.Any(needs => needs.NeedsMotion);
 
-    /// <summary>Whether a detector needs to know its noise.</summary>
-    public bool HasDetector { get; init; }
+    private bool NeedsPath => Needs.Any(needs => needs.NeedsPath);
 
-    /// <summary>How images are scanned; null for frames.</summary>
-    public Scan? Scan { get; init; }
+    /// <summary>Reads or computes all states of the only camera.</summary>
+    /// <inheritdoc cref="ReadBody"/>
+    public IReadOnlyList<SpacecraftState> Read(TrajectorySettings trajectory, CancellationToken cancellation) =>
+        Needs[0].Of(ReadBody(trajectory, cancellation), trajectory);
 
-    /// <summary>Small turns of the camera; null for none.</summary>
-    public JitterFile? Jitter { get; init; }
-
-    /// <summary>s: how long before and after the middle of an exposure the state must be known.</summary>
-    public double ExposureReach { get; init; }
-
-    /// <summary>Reads or computes all states.</summary>
+    /// <summary>Reads or computes all states, as <see cref="StateNeeds.Of(IReadOnlyList{SpacecraftState}, TrajectorySettings)"/> makes
+    /// those of a camera of them.</summary>
     /// <param name="trajectory">The source of the states.</param>
     /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
     /// <exception cref="NothingToRenderException">There is no state.</exception>
-    public IReadOnlyList<SpacecraftState> Read(TrajectorySettings trajectory, CancellationToken cancellation)
+    public IReadOnlyList<SpacecraftState> ReadBody(TrajectorySettings trajectory, CancellationToken cancellation)
     {
         foreach (string mistake in PlausibleMistakes.In(trajectory, Body))
         {
@@ -85,8 +80,7 @@ internal sealed class StateReader
         }
 
         return states.Count > 0
-            ? StateNoise.Of(
-                Moving(Exposed(WithSun(Scanning(states, trajectory), trajectory), trajectory), trajectory), trajectory, HasDetector)
+            ? Exposed(WithSun(states, trajectory), trajectory)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -121,20 +115,6 @@ internal sealed class StateReader
                 $"{NativeOptions.ExposureFactor.Name} and the batch file both say the exposure. Leave one out.")
                 .About(NativeOptions.ExposureFactor);
     }
-
-    private bool NeedsMotion => FindsMotions || CameraWithShutter is not null;
-
-    private bool NeedsPath => Scan is not null || Jitter is not null;
-
-    private IReadOnlyList<SpacecraftState> Scanning(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
-        NeedsPath ? ScanStates.Of(states, trajectory.Motion, Scan, Jitter, ExposureReach) : states;
-
-    private IReadOnlyList<SpacecraftState> Moving(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory) =>
-        Scan is not null ? [.. states.Select(state => state with { Motion = null })]
-        : Jitter is not null && CameraWithShutter is not null && states.All(state => state.Motion is not null) ? states
-        : !FindsMotions ? StateMotions.Of(states, trajectory, CameraWithShutter)
-        : trajectory.Motion is { } motion ? [.. states.Select(state => state with { Motion = motion })]
-        : states;
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
 
@@ -212,7 +192,7 @@ internal sealed class StateReader
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time, seconds)) : null };
-            return NeedsMotion && Scan is null ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
+            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
         })];
 
         CameraState CameraAt(ModifiedJulianDate start, double seconds)
@@ -238,7 +218,7 @@ internal sealed class StateReader
         SampledMotion motion = ScanStates.MotionOf(samples, settings);
         return [.. (settings.Times ?? [motion.Start]).Select(time => ScanStates.Between(motion, time, settings.Samples.Path) with
         {
-            Motion = NeedsMotion && Scan is null ? ScanStates.MotionAbout(motion, time) : null,
+            Motion = NeedsMotion ? ScanStates.MotionAbout(motion, time) : null,
         })];
     }
 
@@ -261,8 +241,9 @@ internal sealed class StateReader
             {
                 Path = NeedsPath ? new ScanPath(seconds => mission.Path.At(start + seconds)) : null,
             };
-            bool isMoving = CameraWithShutter is not null || mission.Path.Cover.Intervals.Any(interval => interval.End > interval.Start);
-            return NeedsMotion && isMoving && Scan is null
+            bool isMoving = Needs.Any(needs => needs.CameraWithShutter is not null)
+                || mission.Path.Cover.Intervals.Any(interval => interval.End > interval.Start);
+            return NeedsMotion && isMoving
                 ? state with { Motion = StateMotions.About(start, mission.Path) }
                 : state;
         })];

@@ -18,24 +18,32 @@ internal static class DryRun
 {
     /// <summary>Reads the run and looks through each camera; notes what is striking about the whole run.</summary>
     /// <param name="trajectory">The positions of the camera.</param>
-    /// <param name="settings">The run's other settings.</param>
+    /// <param name="cameras">The run's other settings: those of each camera.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <returns>A row for each frame that would be made.</returns>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<PreviewRow> Of(
-        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+        TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, ProgramHost host, CancellationToken cancellation)
     {
-        using EphemerisSource ephemeris = new(settings, host);
-        using ModelOnDemand onDemand = new(settings, host);
-        RunFrames run = RunFrames.Read(trajectory, settings, ephemeris, onDemand, host, cancellation);
+        using EphemerisSource ephemeris = new(cameras[0], host);
+        using ModelOnDemand onDemand = new(cameras[0], host);
+        IReadOnlyList<RunFrames> run = RunFrames.Read(trajectory, cameras, ephemeris, onDemand, host, cancellation);
+        return [.. run.SelectMany(camera => Of(trajectory, camera, onDemand, ephemeris, host, cancellation)).OrderBy(row => row.Step)];
+    }
+
+    private static PreviewRow[] Of(
+        TrajectorySettings trajectory, RunFrames run, ModelOnDemand onDemand, EphemerisSource ephemeris, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        RenderSettings settings = run.Settings;
         ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, trajectory);
         using SignalPreview? signal = Signal(settings, run, onDemand, ephemeris, host, cancellation);
         double reference = model?.Grid.ReferenceRadius ?? MoonConstants.ReferenceRadius;
         GridResolution resolution = settings.Resolution.OnSphere(reference);
-        run.WarnOfCamera(settings, host, reference);
-        RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null);
+        run.WarnOfCamera(host, reference);
+        RunNotes notes = new(resolution, settings.Ldem.Count > 1, settings.Native.Refine is not null) { Camera = settings.Rig?.Name };
         IFrameTerrain? detail = model?.Grid is { PartCount: > 1, InventedName: null } ? model.DetailOf(settings.LevelOfDetailError) : null;
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
@@ -45,12 +53,13 @@ internal static class DryRun
             return new PreviewRow(
                 frame.Step, frame.Time, Height(frame.Camera.PositionBodyFixed, model), view, view.PixelsPerCell(resolution))
             {
+                Camera = settings.Rig?.Name,
                 HasSignal = signal is not null,
                 Signal = signal?.Of(frame, cancellation),
                 Drawn = detail?.For(frame.Camera, settings.DetailSubsamplesPerAxis).DrawnResolutions ?? [],
             };
         }).ToArray());
-        notes.Write(trajectory, host.Log);
+        notes.Write(settings.Rig is null or { Index: 0 } ? trajectory : null, host.Log);
         signal?.WriteNote(host.Log);
         return rows;
     }
@@ -97,6 +106,9 @@ internal static class DryRun
 /// <param name="PixelsPerCell">Width of a cell of the model in the middle of the image, px; null if that shows no ground.</param>
 internal sealed record PreviewRow(int Step, ModifiedJulianDate Time, double HeightOverGround, FramePreview View, double? PixelsPerCell)
 {
+    /// <summary>Name of the rig's camera; null without a rig.</summary>
+    public string? Camera { get; init; }
+
     /// <summary>
     /// Of several models the resolution at which each would be drawn, the coarsest model first; null for one that is left out. Empty for
     /// one model, and with invented detail, below which models are drawn as they are.

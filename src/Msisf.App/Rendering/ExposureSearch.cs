@@ -42,7 +42,7 @@ internal static class ExposureSearch
             settings, frames: 1, atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
         RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
         string[] names = [.. states.Select((_, index) => string.Create(CultureInfo.InvariantCulture, $"step {index + 1}"))];
-        Frame[] looked = FrameSetup.Of(states, names, sampled, sun, cancellation);
+        Frame[] looked = FrameSetup.Of(states, names, sampled, new SunPositions(sun, settings.Aberration), cancellation);
         GroundCheck.Refuse(looked, model, span: 0.0, cancellation, settings.Body);
         double seconds = Find(settings, looked, model, maps, host, cancellation);
         host.Log.Note(string.Create(

@@ -42,6 +42,7 @@ internal sealed class FrameDescription(
         Globe = new DrawnGlobe(settings.Body, model.Grid.ReferenceRadius),
         Orientation = Orientation,
         Scan = frame.Scan,
+        Rig = settings.Rig,
     };
 
     /// <summary>The pixels that the meta file lists.</summary>

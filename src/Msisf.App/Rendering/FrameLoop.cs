@@ -107,6 +107,6 @@ internal sealed class FrameLoop
         return failed.IsEmpty
             ? [.. outputs.OfType<FrameOutputs>()]
             : throw new ExternalPartException(
-                $"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed)}. The others are complete.");
+                $"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed.Distinct())}. The others are complete.");
     }
 }

@@ -22,6 +22,27 @@ internal interface IFrameRenderer : IDisposable
     Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
 }
 
+/// <summary>The renderers of a run: one for each camera.</summary>
+/// <param name="cameras">Disposed with this object.</param>
+internal sealed class RendererOfRun(IReadOnlyList<IFrameRenderer> cameras) : IFrameRenderer
+{
+    /// <inheritdoc/>
+    public int FramesAhead => cameras[0].FramesAhead;
+
+    /// <inheritdoc/>
+    public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
+        cameras[frame.CameraIndex].RenderAsync(frame, threads, cancellation);
+
+    /// <summary>Disposes the renderers.</summary>
+    public void Dispose()
+    {
+        foreach (IFrameRenderer camera in cameras)
+        {
+            camera.Dispose();
+        }
+    }
+}
+
 /// <summary>The result of a renderer, from which the files of a frame are written.</summary>
 /// <param name="Renderer">The renderer.</param>
 /// <param name="Image">The image, PNG; can be read again from its start.</param>

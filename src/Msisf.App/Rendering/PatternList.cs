@@ -20,7 +20,7 @@ internal static class PatternList
     public static void Print(TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
-        using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, [settings], ephemeris, host, cancellation);
         foreach (Frame frame in run.Frames)
         {
             cancellation.ThrowIfCancellationRequested();

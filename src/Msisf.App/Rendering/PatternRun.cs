@@ -21,7 +21,7 @@ internal static class PatternRun
         TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
-        using PreparedRun run = PreparedRun.Of(trajectory, settings, ephemeris, host, cancellation);
+        using PreparedRun run = PreparedRun.Of(trajectory, [settings], ephemeris, host, cancellation);
         using ISceneSurface surface = SceneSurfaces.Of(run.Model, settings);
         int made = 0;
         using (IRunProgress progress = host.Progress.Start("Patterns of frames", run.Frames.Count, settings.Unattended))

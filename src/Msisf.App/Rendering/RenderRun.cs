@@ -5,6 +5,7 @@ using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Raster.Albedo;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -23,13 +24,18 @@ internal sealed class RenderRun
 {
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
-    private RenderSettings _settings;
 
-    private RenderRun(RenderSettings settings, ProgramHost host) => (_settings, _host, _times) = (settings, host, host.Times);
+    /// <summary>Of each camera of the rig, or of the only one: they differ in what a rig says of a camera.</summary>
+    private RenderSettings[] _cameras;
+
+    private RenderRun(IReadOnlyList<RenderSettings> cameras, ProgramHost host) =>
+        (_cameras, _host, _times) = ([.. cameras], host, host.Times);
+
+    private RenderSettings Settings => _cameras[0];
 
     /// <summary>Renders the frames; the paths of their files are written to the host's results.</summary>
-    /// <param name="trajectory">The positions of the camera.</param>
-    /// <param name="settings">The other settings.</param>
+    /// <param name="trajectory">The positions of the camera, or of the body that carries several.</param>
+    /// <param name="cameras">The other settings: those of each camera.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work and ends POV-Ray; no incomplete file is left.</param>
     /// <returns>The files of all frames, including those that already existed.</returns>
@@ -37,118 +43,132 @@ internal sealed class RenderRun
     /// The run can't be made, or a frame failed; in the second case the other frames are complete.
     /// </exception>
     public static Task<IReadOnlyList<FrameOutputs>> RunAsync(
-        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation) =>
-        new RenderRun(settings, host).RunAsync(trajectory, cancellation);
+        TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, ProgramHost host, CancellationToken cancellation) =>
+        new RenderRun(cameras, host).RunAsync(trajectory, cancellation);
 
     private async Task<IReadOnlyList<FrameOutputs>> RunAsync(TrajectorySettings trajectory, CancellationToken cancellation)
     {
         _times.BeginRun();
-        using EphemerisSource ephemeris = new(_settings, _host);
+        using EphemerisSource ephemeris = new(Settings, _host);
 
         // The checksums take long and are needed late, so they are started first.
-        using RunInputs inputs = new(
-            () => _settings.NeedsKernels ? ephemeris.KernelFiles() : [], _settings.Camera, _host, cancellation);
-        Task<string>? povRayVersion = _settings.Renderer == RendererKind.PovRay
+        using RunInputs inputs = new(() => Settings.NeedsKernels ? ephemeris.KernelFiles() : [], _host, cancellation);
+        Task<string>? povRayVersion = Settings.Renderer == RendererKind.PovRay
             ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
             : null;
-        using PreparedRun run = PreparedRun.Of(trajectory, _settings, ephemeris, _host, cancellation);
-        using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(_settings, _host));
+        using PreparedRun run = PreparedRun.Of(trajectory, _cameras, ephemeris, _host, cancellation);
+        using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(Settings, _host));
         NavigationInputs? navigation = _times.Measure(
-            Phase.Navigation, () => NavigationInputs.Open(_settings.Native.Navigation, run.Model.Grid.ReferenceRadius));
+            Phase.Navigation, () => NavigationInputs.Open(Settings.Native.Navigation, run.Model.Grid.ReferenceRadius));
         IReadOnlyList<InputFile> files =
         [
-            .. maps.Files, .. navigation?.Files ?? [], .. _settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
+            .. maps.Files, .. navigation?.Files ?? [], .. Settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
+            .. Settings.RigFile is { } rig ? [rig] : (InputFile[])[],
         ];
         inputs.Begin(run.Model.Sets, files);
         RequireParts();
-        _settings = ExposureSearch.Resolve(_settings, run.States, run.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
-        _times.Measure(Phase.Preview, () => RunNotes.Write(trajectory, run.Frames, run.Model.Grid, _host.Log, cancellation));
+        _cameras = [.. run.Cameras.Select(camera => ExposureSearch.Resolve(
+            camera.Settings, camera.States, camera.Frames, run.Model, maps, ephemeris.Engine, _host, cancellation))];
+        _times.Measure(Phase.Preview, () => RunNotes.Write(trajectory, run.Cameras, run.Model.Grid, _host.Log, cancellation));
         string? version = povRayVersion is null ? null : await povRayVersion.ConfigureAwait(false);
         IReadOnlyList<InputFile> kernels = await inputs.Kernels.ConfigureAwait(false);
-        OpenedEphemeris? sun = _settings.IgnoreSun ? null : ephemeris.Opened;
-        RunPlan plan = _times.Measure(Phase.Manifest, () => new RunPlan(
-            run.States,
-            run.Names,
-            RunIdentity.Of(
-                _host.Version,
-                FrameArguments.OfSettings(_settings, sun?.Choice, maps.WholeAlbedo),
-                run.Model.Fingerprint(),
-                sun?.Engine.EngineName,
-                kernels,
-                version,
-                files)));
-        IEphemeris? ofModels = _settings.CameraFormats.Any(format => format.NeedsEphemeris) ? ephemeris.Engine() : null;
+        OpenedEphemeris? sun = Settings.IgnoreSun ? null : ephemeris.Opened;
+        RunPlan plan = _times.Measure(Phase.Manifest, () =>
+        {
+            LdemFingerprint model = run.Model.Fingerprint();
+            return new RunPlan([.. run.Cameras.Zip(_cameras, (camera, settings) => new PlannedCamera(
+                camera.States,
+                camera.Names,
+                RunIdentity.Of(
+                    _host.Version,
+                    FrameArguments.OfSettings(settings, sun?.Choice, maps.WholeAlbedo),
+                    model,
+                    sun?.Engine.EngineName,
+                    kernels,
+                    version,
+                    files)))]);
+        });
+        IEphemeris? ofModels = Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? ephemeris.Engine() : null;
         return await RenderAsync(run, plan, inputs, maps, (navigation, ofModels), cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
     private void RequireParts()
     {
-        if (_settings.Annotate)
+        if (Settings.Annotate)
         {
             AnnotationRenderer.RequireCairo();
         }
 
-        if (_settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true }
-            || _settings.Native.Navigation is { } wanted && wanted.FlowFormatNames?.Contains("fits") == true)
+        if (Settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true }
+            || Settings.Native.Navigation is { } wanted && wanted.FlowFormatNames?.Contains("fits") == true)
         {
             FitsLayerWriter.RequireCFitsio();
         }
     }
 
     private string FindPovRay() =>
-        PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(_settings.PovPath, _host.Environment("PATH") ?? string.Empty));
+        PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(Settings.PovPath, _host.Environment("PATH") ?? string.Empty));
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
         PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps,
         (NavigationInputs? Navigation, IEphemeris? OfModels) truth, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
-        CreateFolder(_settings.OutputFolder);
+        CreateFolder(Settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
-            Phase.Manifest, () => new FrameLedger(_settings.OutputFolder, plan, _settings.Overwrite, _host.Log));
+            Phase.Manifest, () => new FrameLedger(Settings.OutputFolder, plan, Settings.Overwrite, _host.Log));
         FrameOutputs?[] known = _times.Measure(Phase.Manifest, () => Known(frames, ledger));
         int missing = known.Count(outputs => outputs is null);
         int cores = Environment.ProcessorCount;
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        int atOnce = ResourceCheck.AtOnce(_settings, missing, cores, memory);
-        ResourceCheck.Check(_settings, missing, atOnce, memory, new DriveInfo(Path.GetFullPath(_settings.OutputFolder)).AvailableFreeSpace);
-        InputComparison comparison = new(_host.Log);
-        FrameDescription description = new(_settings, run.Model, ledger.Plan.Identity.Version, inputs.All)
+        int atOnce = _cameras.Min(settings => ResourceCheck.AtOnce(settings, missing, cores, memory));
+        long disk = new DriveInfo(Path.GetFullPath(Settings.OutputFolder)).AvailableFreeSpace;
+        foreach (RenderSettings settings in _cameras)
         {
-            Orientation = run.Orientation,
-        };
-        FrameFiles files = new(_settings, description, comparison, ledger, _times, truth.Navigation, truth.OfModels);
-        ExposureNote? exposure = _settings.Native.Detector is { } detector
-            ? new ExposureNote(detector.Settings, isNoiseChosen: run.States[0].Noise is not null)
-            : null;
-        using IFrameRenderer renderer = _settings.Renderer == RendererKind.Native
-            ? Native(run.Model, maps, files, exposure)
-            : PovRay(run.Model, maps.Albedo, files, atOnce, ResourceCheck.SmallScenesAtOnce(_settings, atOnce, memory));
-        using FrameTimes frameTimes = new(_settings.FrameTimes);
+            ResourceCheck.Check(settings, missing / _cameras.Length, atOnce, memory, disk / _cameras.Length);
+        }
+
+        InputComparison comparison = new(_host.Log);
+        FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
+            settings,
+            new FrameDescription(settings, run.Model, plan.Version, () => inputs.All(settings.Camera)) { Orientation = run.Orientation },
+            comparison, ledger, _times, truth.Navigation, truth.OfModels))];
+        ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
+            ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)
+            : null)];
+        using RendererOfRun renderer = new(Settings.Renderer == RendererKind.Native
+            ? Native(run.Model, maps, files, exposures)
+            : [PovRay(run.Model, maps.Albedo, files[0], atOnce, ResourceCheck.SmallScenesAtOnce(Settings, atOnce, memory))]);
+        using FrameTimes frameTimes = new(Settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
-        using IRunProgress progress = _host.Progress.Start("Frames", missing, _settings.Unattended);
-        FrameLoop loop = new(maker, renderer.FramesAhead, _settings.FailFast, progress, _host.Results, _host.Log);
+        using IRunProgress progress = _host.Progress.Start("Frames", missing, Settings.Unattended);
+        FrameLoop loop = new(maker, renderer.FramesAhead, Settings.FailFast, progress, _host.Results, _host.Log);
         try
         {
             IReadOnlyList<FrameOutputs> outputs = await loop.RunAsync(frames, known, atOnce, cores, cancellation).ConfigureAwait(false);
-            Compare(known, inputs, comparison);
+            Compare(frames, known, inputs, comparison);
             return outputs;
         }
         finally
         {
-            exposure?.Write(_host.Log);
+            foreach (ExposureNote exposure in exposures.OfType<ExposureNote>())
+            {
+                exposure.Write(_host.Log);
+            }
         }
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>
-    private static void Compare(IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
+    private void Compare(IReadOnlyList<Frame> frames, IReadOnlyList<FrameOutputs?> known, RunInputs inputs, InputComparison comparison)
     {
-        foreach (string metaFile in known.OfType<FrameOutputs>().SelectMany(outputs => outputs.Paths)
-            .Where(path => Path.GetExtension(path) == ".xml"))
+        foreach ((Frame frame, FrameOutputs? outputs) in frames.Zip(known))
         {
-            comparison.Compare(metaFile, inputs.All());
+            foreach (string metaFile in (outputs?.Paths ?? []).Where(path => Path.GetExtension(path) == ".xml"))
+            {
+                comparison.Compare(metaFile, inputs.All(_cameras[frame.CameraIndex].Camera));
+            }
         }
     }
 
@@ -178,15 +198,17 @@ internal sealed class RenderRun
     private PovRayFrameRenderer PovRay(ElevationModel model, OpenedAlbedoMap? map, FrameFiles files, int processes, int smallProcesses)
     {
         PovRayProcess povRay = new(FindPovRay());
-        ISceneSurface surface = SceneSurfaces.Of(model, _settings);
+        ISceneSurface surface = SceneSurfaces.Of(model, Settings);
         PovAlbedo? albedo = map is null ? null : new PovAlbedo(map, surface.Folder);
-        return new PovRayFrameRenderer(_settings, surface, povRay, albedo, processes, smallProcesses, files, _times);
+        return new PovRayFrameRenderer(Settings, surface, povRay, albedo, processes, smallProcesses, files, _times);
     }
 
-    private NativeFrameRenderer Native(ElevationModel model, SurfaceInputs maps, FrameFiles files, ExposureNote? exposure)
+    /// <summary>The cameras share the surface with its vertices and trees, and the memory that frames are drawn in.</summary>
+    private NativeFrameRenderer[] Native(ElevationModel model, SurfaceInputs maps, FrameFiles[] files, ExposureNote?[] exposures)
     {
-        NativeLevels levels = new(model.DetailOf(_settings.LevelOfDetailError));
-        return new NativeFrameRenderer(new NativeDrawing(_settings.Native, model.Grid, maps, levels, _times), files, exposure, _times);
+        NativeLevels levels = new(model.DetailOf(Settings.LevelOfDetailError));
+        return [.. _cameras.Select((settings, index) => new NativeFrameRenderer(
+            new NativeDrawing(settings.Native, model.Grid, maps, levels, _times), files[index], exposures[index], _times))];
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.NamedInErrors(

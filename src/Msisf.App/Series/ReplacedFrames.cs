@@ -32,19 +32,20 @@ internal static class ReplacedFrames
             return;
         }
 
-        FrameRecord[] replaced = [.. plan.Frames
-            .Where(expected => known.Frames.TryGetValue(expected.Name, out FrameRecord? made) && made.Frame != expected.Frame)
-            .Select(expected => known.Frames[expected.Name])
-            .Where(made => made.Files.Any(file => File.Exists(Path.Combine(folder, file.Name))))];
+        (FrameRecord Made, SettingsRecord Wanted)[] replaced = [.. plan.Frames
+            .Where(planned =>
+                known.Frames.TryGetValue(planned.Frame.Name, out FrameRecord? made) && made.Frame != planned.Frame.Frame)
+            .Select(planned => (known.Frames[planned.Frame.Name], planned.Settings))
+            .Where(pair => pair.Item1.Files.Any(file => File.Exists(Path.Combine(folder, file.Name))))];
         string reasons = string.Join("; and ", replaced
-            .GroupBy(made => SettingsDifference.Reason(known.Settings.GetValueOrDefault(made.Settings), plan.Identity.Record))
+            .GroupBy(pair => SettingsDifference.Reason(known.Settings.GetValueOrDefault(pair.Made.Settings), pair.Wanted))
             .Select(group => string.Create(CultureInfo.InvariantCulture, $"{Frames(group.Count())} {group.Key}")));
         if (replaced.Length == 0)
         {
             return;
         }
 
-        if (replaced.All(made => IsOfSingleImage(made, known)))
+        if (replaced.All(pair => IsOfSingleImage(pair.Made, known)))
         {
             log.Note($"Replaced: {reasons}. To keep both, use another --output-name or --output-dir.");
             return;
@@ -65,7 +66,7 @@ internal static class ReplacedFrames
     /// <exception cref="UsageException">There are such files.</exception>
     public static void RefuseUnrecorded(string folder, RunPlan plan, ManifestContent known)
     {
-        HashSet<string> names = [.. plan.Frames.Select(frame => frame.Name)];
+        HashSet<string> names = [.. plan.Frames.Select(planned => planned.Frame.Name)];
         string[] files = [.. StrayFile.In(folder, known)
             .Select(file => file.Name)
             .Where(file => FrameFileNames.FramesOf(file).Any(names.Contains))];

@@ -2,6 +2,7 @@ using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Manifest;
+using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Scene;
 
@@ -10,38 +11,44 @@ namespace Msisf.App.Series;
 /// <summary>The frames of a whole run, including those that this call does not make. Immutable.</summary>
 internal sealed class RunPlan
 {
-    private readonly IReadOnlyList<SpacecraftState> _states;
-    private readonly IReadOnlyList<string> _names;
+    private readonly IReadOnlyList<PlannedCamera> _cameras;
 
-    public RunPlan(IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RunIdentity identity)
+    /// <summary>Plans a run.</summary>
+    /// <param name="cameras">What is planned for each camera of the rig, or for the only one.</param>
+    public RunPlan(IReadOnlyList<PlannedCamera> cameras)
     {
-        _states = states;
-        _names = names;
-        Identity = identity;
+        _cameras = cameras;
         Key = KeyOfAll();
     }
-
-    public RunIdentity Identity { get; }
 
     /// <summary>Key of the run in the manifest.</summary>
     public string Key { get; }
 
+    /// <summary>Version of the program.</summary>
+    public string Version => _cameras[0].Identity.Version;
+
+    /// <summary>What decides the frames of a frame's camera.</summary>
+    public RunIdentity IdentityOf(Frame frame) => _cameras[frame.CameraIndex].Identity;
+
     /// <summary>The key of a frame and its settings in the manifest.</summary>
-    /// <param name="step">Number of the step, from 1.</param>
-    public string FrameKey(int step) =>
-        RunIdentity.KeyOf(
-            [.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. BytesOf(_states[step - 1])]);
+    public string FrameKey(Frame frame) => _cameras[frame.CameraIndex].FrameKey(frame.Step);
 
     /// <summary>The manifest's record of a frame that the run should make.</summary>
-    /// <param name="step">Number of the step, from 1.</param>
-    public ExpectedRecord Expected(int step) => new(Key, step, _names[step - 1], FrameKey(step));
+    public ExpectedRecord Expected(Frame frame) => Expected(_cameras[frame.CameraIndex], frame.Step);
 
-    /// <summary>The manifest's records of all frames that the run should make, in the order of their steps.</summary>
-    public IEnumerable<ExpectedRecord> Frames => Enumerable.Range(1, _states.Count).Select(Expected);
+    /// <summary>The manifest's records of all frames that the run should make, in the order of their steps, with the settings of
+    /// each.</summary>
+    public IEnumerable<(ExpectedRecord Frame, SettingsRecord Settings)> Frames =>
+        from step in Enumerable.Range(1, _cameras[0].States.Count)
+        from camera in _cameras
+        select (Expected(camera, step), camera.Identity.Record);
 
     /// <summary>The arguments that describe one frame, for its metadata.</summary>
-    /// <param name="step">Number of the step, from 1.</param>
-    public string ArgumentsOf(int step) => FrameArguments.Of(_states[step - 1], Identity.Arguments);
+    public string ArgumentsOf(Frame frame)
+    {
+        PlannedCamera camera = _cameras[frame.CameraIndex];
+        return FrameArguments.Of(camera.States[frame.Step - 1], camera.Identity.Arguments);
+    }
 
     /// <summary>
     /// The records to add to a manifest for this run; empty if the manifest contains the run and no later run expects other frames of the
@@ -50,13 +57,54 @@ internal sealed class RunPlan
     /// <param name="known">Content of the manifest.</param>
     public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
     {
-        if (_names.All(name => known.Expected.TryGetValue(name, out ExpectedRecord? expected) && expected.Run == Key))
+        ExpectedRecord[] frames = [.. Frames.Select(planned => planned.Frame)];
+        if (frames.All(frame => known.Expected.TryGetValue(frame.Name, out ExpectedRecord? expected) && expected.Run == Key))
         {
             return [];
         }
 
-        ManifestRecord[] settings = known.Settings.ContainsKey(Identity.Record.Key) ? [] : [Identity.Record];
-        return [.. settings, new RunRecord(Key, Identity.Record.Key, _states.Count), .. Frames];
+        IEnumerable<SettingsRecord> settings = _cameras.Select(camera => camera.Identity.Record).DistinctBy(record => record.Key);
+        return
+        [
+            .. settings.Where(record => !known.Settings.ContainsKey(record.Key)),
+            new RunRecord(Key, _cameras[0].Identity.Record.Key, frames.Length), .. frames,
+        ];
+    }
+
+    private ExpectedRecord Expected(PlannedCamera camera, int step) => new(Key, step, camera.Names[step - 1], camera.FrameKey(step));
+
+    private string KeyOfAll()
+    {
+        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        foreach (PlannedCamera camera in _cameras)
+        {
+            camera.AppendTo(hash);
+        }
+
+        return RunIdentity.KeyOf(hash.GetHashAndReset());
+    }
+}
+
+/// <summary>The frames of one camera of a run.</summary>
+/// <param name="States">The states of all its frames, in the order of the input.</param>
+/// <param name="Names">The frames' names.</param>
+/// <param name="Identity">What decides them beside their states.</param>
+internal sealed record PlannedCamera(IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, RunIdentity Identity)
+{
+    /// <summary>The key of a frame and its settings.</summary>
+    /// <param name="step">Number of the step, from 1.</param>
+    public string FrameKey(int step) =>
+        RunIdentity.KeyOf([.. Encoding.ASCII.GetBytes(Identity.Record.Key), .. BytesOf(States[step - 1])]);
+
+    /// <summary>Adds all that tells the camera's frames from others.</summary>
+    public void AppendTo(IncrementalHash hash)
+    {
+        hash.AppendData(Encoding.ASCII.GetBytes(Identity.Record.Key));
+        for (int index = 0; index < States.Count; index++)
+        {
+            hash.AppendData(BytesOf(States[index]));
+            hash.AppendData(Encoding.UTF8.GetBytes(Names[index] + "\n"));
+        }
     }
 
     private static byte[] BytesOf(in SpacecraftState state) =>
@@ -67,17 +115,4 @@ internal sealed class RunPlan
         .. state.Path is { States.Count: > 1 } path ? Encoding.ASCII.GetBytes(path.Digest()) : [],
         .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],
     ];
-
-    private string KeyOfAll()
-    {
-        using IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        hash.AppendData(Encoding.ASCII.GetBytes(Identity.Record.Key));
-        for (int index = 0; index < _states.Count; index++)
-        {
-            hash.AppendData(BytesOf(_states[index]));
-            hash.AppendData(Encoding.UTF8.GetBytes(_names[index] + "\n"));
-        }
-
-        return RunIdentity.KeyOf(hash.GetHashAndReset());
-    }
 }

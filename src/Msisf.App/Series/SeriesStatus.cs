@@ -75,7 +75,7 @@ internal sealed class SeriesStatus
     {
         ExpectedRecord[] incomplete = [.. Incomplete.Select(frame => frame.Expected)];
         return incomplete.Select(frame => frame.Run).Distinct().Count() <= 1
-            ? StepRanges.Of(incomplete.Select(frame => frame.Step))
+            ? StepRanges.Of(incomplete.Select(frame => frame.Step).Distinct())
             : throw new BadInputException(
                 $"{_folder}: frames of several runs are not complete; step numbers do not say which they are. "
                     + $"Run msis status without --print-frames, or give each run a folder of its own.");

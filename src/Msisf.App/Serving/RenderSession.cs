@@ -62,14 +62,11 @@ internal sealed class RenderSession : IDisposable
         RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
         StateReader reader = new(() => Engine, geometry, _host)
         {
-            CameraWithShutter = Settings.Shutter is null ? null : Settings.Camera!.Name,
-            HasDetector = Settings.Native.Detector is not null,
-            Scan = Settings.Scan,
-            ExposureReach = Settings.ExposureReach,
+            Needs = [StateNeeds.Of(Settings)],
             Kernels = () => _ephemeris.Of(Settings).Kernels(),
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
-        Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, () => Engine, cancellation);
+        Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration), cancellation);
         GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, trajectory: place);
         return new PreparedFrame(state, frames[0]);
     }

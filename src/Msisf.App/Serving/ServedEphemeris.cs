@@ -36,10 +36,10 @@ internal sealed class ServedEphemeris(ProgramHost host) : IDisposable
         (model.Name, settings.IgnoreSun),
         key => new Lazy<RunInputs>(() =>
         {
-            RunInputs inputs = new(() => key.IgnoreSun ? [] : Of(settings).KernelFiles(), camera: null, host, CancellationToken.None);
+            RunInputs inputs = new(() => key.IgnoreSun ? [] : Of(settings).KernelFiles(), host, CancellationToken.None);
             inputs.Begin(model.Opened.Sets, []);
             return inputs;
-        })).Value.All();
+        })).Value.All(camera: null);
 
     /// <summary>Closes the engines.</summary>
     public void Dispose()

@@ -37,5 +37,5 @@ internal static class ImageOptions
             + "--width and --height. A file without width or height needs that option");
 
     /// <summary>The options of this class as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height, Camera, .. ScanOptions.OfImage]);
+    public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height, Camera, RigOptions.Rig, .. ScanOptions.OfImage]);
 }

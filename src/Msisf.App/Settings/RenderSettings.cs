@@ -20,6 +20,12 @@ internal sealed record RenderSettings
     /// <summary>The camera file; null for the thesis's camera.</summary>
     public CameraFile? Camera { get; init; }
 
+    /// <summary>Which camera of a rig it is; null for a run with one camera.</summary>
+    public RigCamera? Rig { get; init; }
+
+    /// <summary>The file of the rig; null for none.</summary>
+    public InputFile? RigFile { get; init; }
+
     public required double FieldOfViewDegrees { get; init; }
 
     public required int Width { get; init; }

@@ -33,12 +33,20 @@ internal static class StatesExport
         {
             Body = settings.Body,
             Kernels = ephemeris.Kernels,
-            FindsMotions = settings.Scan is null && settings.Jitter is null,
-            Scan = settings.Scan,
-            Jitter = settings.Jitter,
+            Needs =
+            [
+                new StateNeeds
+                {
+                    FindsMotions = settings.Scan is null && settings.Jitter is null,
+                    Scan = settings.Scan,
+                    Jitter = settings.Jitter,
+                    Mounting = settings.Rig?.Mounting,
+                },
+            ],
         };
         IReadOnlyList<SpacecraftState> all = reader.Read(trajectory, cancellation);
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName).NamesOf([.. all.Select(state => state.Time)]);
+        IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
+            .NamesOf([.. all.Select(state => state.Time)]);
         int[] steps = [.. settings.StepsOf(all.Count).Select(step => step - 1)];
         SpacecraftState[] states = [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))];
         string[] chosen = [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];

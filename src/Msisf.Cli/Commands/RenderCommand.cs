@@ -13,11 +13,12 @@ internal static class RenderCommand
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(call.Values);
-        RenderSettings settings = RenderSettingsReader.Read(call.Values, geoTiffs: call.Host.GeoTiffs);
+        IReadOnlyList<RenderSettings> cameras = RigOptions.Read(call.Values, call.Host.GeoTiffs);
+        RenderSettings settings = cameras[0];
         if (DryRunOptions.Read(call.Values) is { } format)
         {
             PreviewPrinter.Print(
-                await Task.Run(() => DryRun.Of(trajectory, settings, call.Host, cancellation), cancellation).ConfigureAwait(false),
+                await Task.Run(() => DryRun.Of(trajectory, cameras, call.Host, cancellation), cancellation).ConfigureAwait(false),
                 format,
                 call.Host.Results);
             PrintTimes(settings, call.Host, []);
@@ -30,7 +31,7 @@ internal static class RenderCommand
             return 0;
         }
 
-        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(trajectory, settings, call.Host, cancellation).ConfigureAwait(false);
+        IReadOnlyList<FrameOutputs> outputs = await RenderRun.RunAsync(trajectory, cameras, call.Host, cancellation).ConfigureAwait(false);
         PrintTimes(settings, call.Host, outputs);
         return 0;
     }

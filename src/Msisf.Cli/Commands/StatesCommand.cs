@@ -12,8 +12,12 @@ internal static class StatesCommand
         StatesFormat format = StatesOptions.Format.Read(call.Values);
         string? path = StatesOptions.ReadPath(call.Values);
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(call.Values);
-        RenderSettings settings = RenderSettingsReader.Read(call.Values, geoTiffs: call.Host.GeoTiffs);
-        StatesExport.Write(trajectory, settings, format, path, call.Host, cancellation);
+        IReadOnlyList<RenderSettings> cameras = RigOptions.Read(call.Values, call.Host.GeoTiffs);
+        foreach (RenderSettings camera in cameras)
+        {
+            StatesExport.Write(trajectory, camera, format, RigOptions.PathOf(path, camera.Rig), call.Host, cancellation);
+        }
+
         return 0;
     }
 }

@@ -10,6 +10,7 @@ namespace Msisf.Cli.Output;
 internal static class PreviewPrinter
 {
     private const string Step = "step";
+    private const string Camera = "camera";
     private const string Time = "utc";
 
     /// <summary>What the table has where a number is undefined.</summary>
@@ -34,11 +35,14 @@ internal static class PreviewPrinter
     }
 
     private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns) => rows
-        .Select(row => Joined(Text(row.Step, "F0"), row.Time.ToIsoUtc(), columns, column => Text(column.ValueOf(row), "R")))
-        .Prepend(Joined(Step, Time, columns, column => column.Name));
+        .Select(row => Joined([.. Named(row), row.Time.ToIsoUtc()], columns, column => Text(column.ValueOf(row), "R")))
+        .Prepend(Joined([Step, .. rows[0].Camera is null ? (string[])[] : [Camera], Time], columns, column => column.Name));
 
-    private static string Joined(string step, string time, IReadOnlyList<PreviewColumn> columns, Func<PreviewColumn, string> textOf) =>
-        string.Join(',', (string[])[step, time, .. columns.Select(textOf)]);
+    private static string Joined(string[] first, IReadOnlyList<PreviewColumn> columns, Func<PreviewColumn, string> textOf) =>
+        string.Join(',', (string[])[.. first, .. columns.Select(textOf)]);
+
+    /// <summary>The step, and the camera of a rig.</summary>
+    private static string[] Named(PreviewRow row) => row.Camera is { } camera ? [Text(row.Step, "F0"), camera] : [Text(row.Step, "F0")];
 
     /// <summary>An array with an object a line.</summary>
     private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
@@ -59,6 +63,11 @@ internal static class PreviewPrinter
         {
             json.WriteStartObject();
             json.WriteNumber(Step, row.Step);
+            if (row.Camera is { } camera)
+            {
+                json.WriteString(Camera, camera);
+            }
+
             json.WriteString(Time, row.Time.ToIsoUtc());
             foreach (PreviewColumn column in columns)
             {
@@ -80,13 +89,14 @@ internal static class PreviewPrinter
 
     private static IEnumerable<string> Table(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
     {
+        bool isRig = rows[0].Camera is not null;
         string[][] cells =
         [
-            [Step, "time", .. columns.Select(column => column.Heading)],
-            [string.Empty, "UTC", .. columns.Select(column => column.Unit)],
+            [Step, .. isRig ? (string[])[Camera] : [], "time", .. columns.Select(column => column.Heading)],
+            [string.Empty, .. isRig ? (string[])[string.Empty] : [], "UTC", .. columns.Select(column => column.Unit)],
             .. rows.Select(row => (string[])
             [
-                Text(row.Step, "F0"), row.Time.ToIsoUtc(), .. columns.Select(column => TableCell(column, row)),
+                .. Named(row), row.Time.ToIsoUtc(), .. columns.Select(column => TableCell(column, row)),
             ]),
         ];
         int[] widths = [.. Enumerable.Range(0, cells[0].Length).Select(column => cells.Max(line => line[column].Length))];

@@ -17,38 +17,44 @@ public sealed class ScanPath
     private readonly Func<double, CameraState> _stateAt;
     private readonly Jitter? _jitter;
     private readonly double _jitterStart;
+    private readonly Mounting? _mounting;
 
     /// <summary>Takes a motion without any exposure.</summary>
     /// <param name="stateAt">The state some seconds after the image's time.</param>
     public ScanPath(Func<double, CameraState> stateAt)
-        : this(stateAt, null, 0.0, [])
+        : this(stateAt, null, 0.0, null)
     {
     }
 
-    private ScanPath(Func<double, CameraState> stateAt, Jitter? jitter, double jitterStart, CameraState[] states) =>
-        (_stateAt, _jitter, _jitterStart, States) = (stateAt, jitter, jitterStart, states);
+    private ScanPath(Func<double, CameraState> stateAt, Jitter? jitter, double jitterStart, Mounting? mounting) =>
+        (_stateAt, _jitter, _jitterStart, _mounting, States) = (stateAt, jitter, jitterStart, mounting, []);
 
     /// <summary>The states of the exposures, the first one's first.</summary>
-    public IReadOnlyList<CameraState> States { get; }
+    public IReadOnlyList<CameraState> States { get; private init; }
 
     /// <summary>The same motion with the states of exposures.</summary>
     /// <param name="scan">The exposures; null for one at the image's time.</param>
     /// <param name="jitter">Turns the camera; null for none.</param>
     /// <param name="jitterStart">s: what the jitter's times count at the image's time.</param>
-    public ScanPath Of(Scan? scan, Jitter? jitter, double jitterStart)
+    /// <param name="mounting">How the camera sits on the body that moves and shakes so; null for a camera that does it itself.</param>
+    public ScanPath Of(Scan? scan, Jitter? jitter, double jitterStart, Mounting? mounting = null)
     {
-        ScanPath path = new(_stateAt, jitter, jitterStart, []);
-        return new ScanPath(_stateAt, jitter, jitterStart, scan is null
-            ? [path.At(0.0)]
-            : [.. Enumerable.Range(0, scan.Count).Select(exposure => path.At(scan.SecondsOf(exposure)))]);
+        ScanPath path = new(_stateAt, jitter, jitterStart, mounting);
+        return new ScanPath(_stateAt, jitter, jitterStart, mounting)
+        {
+            States = scan is null
+                ? [path.At(0.0)]
+                : [.. Enumerable.Range(0, scan.Count).Select(exposure => path.At(scan.SecondsOf(exposure)))],
+        };
     }
 
-    /// <summary>The state at a time, with the jitter.</summary>
+    /// <summary>The state at a time, with jitter and mounting.</summary>
     /// <param name="seconds">s after the image's time.</param>
     public CameraState At(double seconds)
     {
         CameraState state = _stateAt(seconds) with { Seconds = seconds };
-        return _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
+        state = _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
+        return _mounting?.Of(state) ?? state;
     }
 
     /// <summary>The motion about a time: what the camera does on average from one time to another.</summary>

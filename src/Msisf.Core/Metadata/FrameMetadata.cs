@@ -41,6 +41,9 @@ public sealed record FrameMetadata(
     /// <summary>How the image was scanned; null for a frame.</summary>
     public Scan? Scan { get; init; }
 
+    /// <summary>Which camera of a rig took the image; null without a rig.</summary>
+    public RigCamera? Rig { get; init; }
+
     /// <summary>Craters of the frame; null without such truth.</summary>
     public NavigationTruth? Navigation { get; init; }
 

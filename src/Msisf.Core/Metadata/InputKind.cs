@@ -24,6 +24,9 @@ public enum InputKind
     /// <summary>Small turns of the camera.</summary>
     Jitter,
 
+    /// <summary>Several cameras on one body.</summary>
+    Rig,
+
     /// <summary>A catalogue of craters.</summary>
     CraterCatalogue,
 

@@ -103,7 +103,7 @@ public class MetadataXmlWriterTests
         return [.. string.Concat(parts).Split('\n', StringSplitOptions.RemoveEmptyEntries)
             .TakeWhile(line => !line.StartsWith("<!ELEMENT CraterInformation ", StringComparison.Ordinal))
             .Select(line => line.Replace(",CraterInformation?,LandmarkInformation?", string.Empty, StringComparison.Ordinal)
-                .Replace("Input+,Scan?", "Input+", StringComparison.Ordinal))];
+                .Replace("Input+,Scan?,Rig?", "Input+", StringComparison.Ordinal))];
     }
 
     /// <summary>K, R and t of the file lead from each pixel's coordinates in the file back to the pixel.</summary>

@@ -37,6 +37,12 @@ internal sealed class OptionValues
     /// <summary>Returns these options together with others that are not among them.</summary>
     public OptionValues With(IEnumerable<KeyValuePair<string, OptionValue>> more) => new([.. _values, .. more], Argument, Arguments);
 
+    /// <summary>Returns these options with others in place of some.</summary>
+    /// <param name="replaced">The options that are left out.</param>
+    /// <param name="others">What is there in their place.</param>
+    public OptionValues Replacing(IEnumerable<OptionSpec> replaced, IEnumerable<KeyValuePair<string, OptionValue>> others) =>
+        new([.. _values.ExceptBy(replaced.Select(option => option.Name), pair => pair.Key), .. others], Argument, Arguments);
+
     /// <summary>
     /// The exit code of an exception: a wrong option is a wrong content of a file if all options that it is about were set in files.
     /// </summary>

@@ -1,0 +1,78 @@
+using System.Globalization;
+using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Camera;
+
+/// <summary>How a camera sits on the body that carries it. <c>default</c> has no orientation and is not a mounting.</summary>
+/// <param name="BodyFromCamera">Turns camera axes into the body's.</param>
+/// <param name="OffsetBody">m: the focal point as seen from the body's origin, along the body's axes.</param>
+public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D OffsetBody)
+{
+    /// <summary>Takes the numbers of a mounting.</summary>
+    /// <param name="quaternion">Body from camera, the scalar last.</param>
+    /// <param name="offset">m, body axes.</param>
+    /// <exception cref="BadInputException">The quaternion is no rotation.</exception>
+    public static Mounting Of(ReadOnlySpan<double> quaternion, ReadOnlySpan<double> offset)
+    {
+        double length = double.Hypot(double.Hypot(quaternion[0], quaternion[1]), double.Hypot(quaternion[2], quaternion[3]));
+        return Math.Abs(length - 1.0) <= Tolerances.UnitQuaternionLength
+            ? new Mounting(
+                UnitQuaternion.FromComponents(quaternion[0], quaternion[1], quaternion[2], quaternion[3]),
+                new Vector3D(offset[0], offset[1], offset[2]))
+            : throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"'quaternion' has length {length:R}, and a rotation needs length 1: qx, qy, qz and the scalar q0, each with at least 7 "
+                    + $"decimals."));
+    }
+
+    /// <summary>Where the camera is.</summary>
+    /// <param name="body">Position and orientation of the body; its orientation turns body axes into Moon axes.</param>
+    public CameraState Of(CameraState body) => body with
+    {
+        PositionBodyFixed = body.PositionBodyFixed + (body.MoonFromCamera * OffsetBody),
+        MoonFromCamera = BodyFromCamera == UnitQuaternion.Identity // so that no last digit changes
+            ? body.MoonFromCamera
+            : body.MoonFromCamera * BodyFromCamera,
+    };
+
+    /// <summary>How the camera moves: the offset turns with the body.</summary>
+    /// <param name="body">How the body moves; its turn is about the body's axes.</param>
+    /// <param name="moonFromBody">The body's orientation.</param>
+    public CameraMotion Of(CameraMotion body, UnitQuaternion moonFromBody) => new(
+        body.VelocityBodyFixed + (moonFromBody * Vector3D.Cross(body.AngularVelocityCamera, OffsetBody)),
+        BodyFromCamera == UnitQuaternion.Identity
+            ? body.AngularVelocityCamera
+            : BodyFromCamera.Conjugate * body.AngularVelocityCamera);
+
+    /// <summary>The camera as another one on the same body has it: its orientation and its focal point in the other's axes.</summary>
+    public Mounting SeenFrom(Mounting other) => new(
+        other.BodyFromCamera.Conjugate * BodyFromCamera, other.BodyFromCamera.Conjugate * (OffsetBody - other.OffsetBody));
+}
+
+/// <summary>A camera of a rig.</summary>
+/// <param name="Name">Its name, of which the rig has no other.</param>
+/// <param name="Mounting">How it sits on the body.</param>
+public sealed record MountedCamera(string Name, Mounting Mounting)
+{
+    /// <summary>What a name may be, for messages.</summary>
+    public const string Names = "1 to 40 letters, digits, '-' and '_' are possible, as it stands in names of files";
+
+    private const int LongestName = 40;
+
+    /// <summary>Whether a text can be a camera's name.</summary>
+    public static bool IsName(string text) =>
+        text.Length is > 0 and <= LongestName && text.All(letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '_');
+}
+
+/// <summary>One of several cameras on a body (docs/rigs.md). Immutable.</summary>
+/// <param name="Cameras">All of them.</param>
+/// <param name="Index">Which one it is, from 0.</param>
+public sealed record RigCamera(IReadOnlyList<MountedCamera> Cameras, int Index)
+{
+    /// <summary>Its name.</summary>
+    public string Name => Cameras[Index].Name;
+
+    /// <summary>How it sits on the body.</summary>
+    public Mounting Mounting => Cameras[Index].Mounting;
+}
