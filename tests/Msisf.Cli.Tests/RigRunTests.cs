@@ -162,7 +162,11 @@ public sealed class RigRunTests : IDisposable
         }
 
         CommandLineRun dry = CommandLineRun.Of(
-            [.. words, "--renderer", "native", "--ldem", Moon(), "--res", "2", "--ephemeris", "builtin", "--dry-run", "csv"]);
+            [
+                .. words, "--renderer", "native", "--ldem", Moon(), "--res", "2", "--ephemeris", "builtin", "--dry-run",
+                "--format", "csv",
+            ]);
+        Assert.True(dry.ExitCode == 0, dry.Error);
         string[] rows = dry.Output.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         Assert.StartsWith("step,camera,utc,", rows[0], StringComparison.Ordinal);
         Assert.Equal(["1,left", "1,plain", "2,left", "2,plain"], rows[1..5].Select(row => row[..row.IndexOf(',', 2)]));
@@ -270,7 +274,7 @@ public sealed class RigRunTests : IDisposable
             meta.Root!.ToString().Split('\n').Select(line => line.Trim()).Where(line => line.Length > 0);
     }
 
-    /// <summary>The pose of a camera is that of the body (whose mounting changes nothing) with its mounting, by rotation matrices.</summary>
+    /// <summary>The pose of a camera is that of the body (its mounting changes nothing) with the mounting, by matrices.</summary>
     private static void RequirePose(XElement body, XElement camera, XElement mounting)
     {
         Matrix<double> moonFromBody = Rotation(Numbers(body.Descendants("CameraOrientation").Single().Element("Quaternion")!));

@@ -57,7 +57,7 @@ internal sealed class FrameFiles
     public IReadOnlyList<string> Write(Frame frame, RenderedFrame rendered, CancellationToken cancellation)
     {
         string stem = Path.Combine(_settings.OutputFolder, frame.Name);
-        FrameMetadata metadata = _description.Describe(frame, rendered, _ledger.Plan.ArgumentsOf(frame)) with
+        FrameMetadata metadata = _description.Describe(frame, rendered, _ledger.Plan.ArgumentsOf(frame.Step, frame.CameraIndex)) with
         {
             Navigation = _times.Measure(Phase.Navigation, () => _navigation?.Of(rendered)),
         };

@@ -69,7 +69,7 @@ internal sealed class FrameLedger : IDisposable
             failed = _reader.Content.Failed.GetValueOrDefault(frame.Name);
         }
 
-        return _checker.Check(_plan.Expected(frame), made, failed);
+        return _checker.Check(_plan.Expected(frame.Step, frame.CameraIndex), made, failed);
     }
 
     /// <summary>The paths of a complete frame's files, in the order in which they are shown to the user.</summary>
@@ -99,14 +99,16 @@ internal sealed class FrameLedger : IDisposable
             (long bytes, string hash) = files.Measure(path);
             return new OutputFile(Path.GetFileName(path), bytes, hash);
         });
-        FrameRecord record = new(frame.Step, frame.Name, _plan.FrameKey(frame), _plan.IdentityOf(frame).Record.Key, [.. made]);
+        FrameRecord record = new(
+            frame.Step, frame.Name, _plan.FrameKey(frame.Step, frame.CameraIndex), _plan.IdentityOf(frame.CameraIndex).Record.Key,
+            [.. made]);
         _manifest.Append(record);
         RemoveOthers(record);
     }
 
     /// <summary>Records in the manifest that a frame could not be made.</summary>
     public void Failed(Frame frame, string cause) =>
-        _manifest.Append(new FailedRecord(frame.Step, frame.Name, _plan.FrameKey(frame), cause));
+        _manifest.Append(new FailedRecord(frame.Step, frame.Name, _plan.FrameKey(frame.Step, frame.CameraIndex), cause));
 
     public void Dispose()
     {

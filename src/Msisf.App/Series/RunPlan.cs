@@ -2,7 +2,6 @@ using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Manifest;
-using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Scene;
 
@@ -27,14 +26,18 @@ internal sealed class RunPlan
     /// <summary>Version of the program.</summary>
     public string Version => _cameras[0].Identity.Version;
 
-    /// <summary>What decides the frames of a frame's camera.</summary>
-    public RunIdentity IdentityOf(Frame frame) => _cameras[frame.CameraIndex].Identity;
+    /// <summary>What decides the frames of a camera.</summary>
+    /// <param name="camera">From 0.</param>
+    public RunIdentity IdentityOf(int camera) => _cameras[camera].Identity;
 
     /// <summary>The key of a frame and its settings in the manifest.</summary>
-    public string FrameKey(Frame frame) => _cameras[frame.CameraIndex].FrameKey(frame.Step);
+    /// <param name="step">Number of the step, from 1.</param>
+    /// <param name="camera">From 0.</param>
+    public string FrameKey(int step, int camera = 0) => _cameras[camera].FrameKey(step);
 
     /// <summary>The manifest's record of a frame that the run should make.</summary>
-    public ExpectedRecord Expected(Frame frame) => Expected(_cameras[frame.CameraIndex], frame.Step);
+    /// <inheritdoc cref="FrameKey"/>
+    public ExpectedRecord Expected(int step, int camera = 0) => Expected(_cameras[camera], step);
 
     /// <summary>The manifest's records of all frames that the run should make, in the order of their steps, with the settings of
     /// each.</summary>
@@ -44,11 +47,9 @@ internal sealed class RunPlan
         select (Expected(camera, step), camera.Identity.Record);
 
     /// <summary>The arguments that describe one frame, for its metadata.</summary>
-    public string ArgumentsOf(Frame frame)
-    {
-        PlannedCamera camera = _cameras[frame.CameraIndex];
-        return FrameArguments.Of(camera.States[frame.Step - 1], camera.Identity.Arguments);
-    }
+    /// <inheritdoc cref="FrameKey"/>
+    public string ArgumentsOf(int step, int camera = 0) =>
+        FrameArguments.Of(_cameras[camera].States[step - 1], _cameras[camera].Identity.Arguments);
 
     /// <summary>
     /// The records to add to a manifest for this run; empty if the manifest contains the run and no later run expects other frames of the

@@ -35,7 +35,7 @@ public sealed class RunPlanTests
     {
         RunPlan other = Of([First, Second], ["a", "b"], Identity(changed));
 
-        Assert.NotEqual(Plan.Identity.Record.Key, other.Identity.Record.Key);
+        Assert.NotEqual(Plan.IdentityOf(0).Record.Key, other.IdentityOf(0).Record.Key);
         Assert.NotEqual(Plan.Key, other.Key);
         Assert.NotEqual(Plan.FrameKey(1), other.FrameKey(1));
     }
@@ -80,7 +80,25 @@ public sealed class RunPlanTests
         Assert.Equal(3, Plan.Registration(known).Count);
     }
 
-    private static RunPlan Of(SpacecraftState[] states, string[] names, RunIdentity identity) => new(states, names, identity);
+    /// <summary>The cameras of a rig are one run, in which each step has a frame of each.</summary>
+    [Fact]
+    public void Registration_Rig_HasOneRunWithTheSettingsOfEachCamera()
+    {
+        PlannedCamera left = new([First, Second], ["a1", "a2"], Identity());
+        PlannedCamera right = new([First, Second], ["b1", "b2"], Identity("arguments"));
+        RunPlan rig = new([left, right]);
+        ManifestRecord[] news = [.. rig.Registration(new ManifestContent())];
+
+        Assert.Equal(["a1", "b1", "a2", "b2"], news.OfType<ExpectedRecord>().Select(frame => frame.Name));
+        Assert.Equal([1, 1, 2, 2], news.OfType<ExpectedRecord>().Select(frame => frame.Step));
+        Assert.Equal(2, news.OfType<SettingsRecord>().Count());
+        Assert.Equal(4, Assert.Single(news.OfType<RunRecord>()).Frames);
+        Assert.NotEqual(rig.FrameKey(1), rig.FrameKey(1, camera: 1));
+        Assert.NotEqual(rig.Key, new RunPlan([right, left]).Key);
+    }
+
+    private static RunPlan Of(SpacecraftState[] states, string[] names, RunIdentity identity) =>
+        new([new PlannedCamera(states, names, identity)]);
 
     private static RunIdentity Identity(string changed = "")
     {
