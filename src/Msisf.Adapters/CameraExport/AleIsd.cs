@@ -5,7 +5,7 @@ using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;
 
-/// <summary>Writes the image support data (ISD) of a frame camera, as ALE does; km, s, and pixels along a row in place of mm.</summary>
+/// <summary>Writes image support data (ISD), as ALE does; km, s, and pixels along a row in place of mm.</summary>
 internal static class AleIsd
 {
     private const double MetresPerKilometre = 1000.0;
@@ -19,34 +19,46 @@ internal static class AleIsd
     public static void Write(TextWriter writer, ExportedFrame frame, bool isInertial)
     {
         CameraModel camera = frame.Camera.Model;
-        RotationMatrix bodyFromFrame = isInertial ? frame.BodyFromJ2000 : RotationMatrix.Identity;
-        UnitQuaternion body = UnitQuaternion.FromMatrix(bodyFromFrame);
-        UnitQuaternion pointing = frame.BodyFromOpenCv.Conjugate * body;
-        double time = frame.TdbSeconds;
-        (double[] samples, double[] lines) = CsmState.PixelsOf(camera);
-        (double line, double sample) = CsmState.Boresight(camera);
+        CsmSensor sensor = frame.Csm?.Sensor ?? CsmSensor.Of(camera, scan: null);
+        Track track = frame.Csm is null
+            ? new Track([frame.TdbSeconds], [(frame.Camera.PositionBodyFixed, sensor.BodyFrom(frame.BodyFromOpenCv))])
+            : Track.Of(ScanTimes.Of(frame), frame.Csm.Nodes);
+        RotationMatrix[] bodyFromFrame =
+            [.. track.Times.Select(time => isInertial ? frame.BodyFromJ2000At(time) : RotationMatrix.Identity)];
+        UnitQuaternion[] body = Continuous([.. bodyFromFrame.Select(UnitQuaternion.FromMatrix)]);
+        UnitQuaternion[] pointing = Continuous([.. track.Poses.Zip(body, (pose, turn) => pose.Turn.Conjugate * turn)]);
+        Vector3D[] positions =
+        [
+            .. track.Poses.Zip(bodyFromFrame, (pose, turn) => (1.0 / MetresPerKilometre) * (turn.Transposed * pose.Position)),
+        ];
+        double center = frame.Csm is null ? frame.TdbSeconds : ScanTimes.Of(frame).Center;
         writer.WriteLine(Json(json =>
         {
-            json.WriteString("name_model", CsmState.Model);
+            json.WriteString("name_model", sensor.Model);
             json.WriteString("image_identifier", frame.Name);
             json.WriteString("name_platform", "msisf");
             json.WriteString("name_sensor", "camera");
-            json.Real("center_ephemeris_time", time);
-            json.WriteNumber("image_lines", camera.Height);
+            json.Real("center_ephemeris_time", center);
+            json.WriteNumber("image_lines", frame.Height);
             json.WriteNumber("image_samples", camera.Width);
+            if (frame.Scan is not null)
+            {
+                WriteExposures(json, frame, ScanTimes.Of(frame));
+            }
+
             json.Object("focal_length_model", () => json.Real("focal_length", camera.FocalX));
-            json.Array("focal2pixel_lines", lines);
-            json.Array("focal2pixel_samples", samples);
+            json.Array("focal2pixel_lines", sensor.Lines);
+            json.Array("focal2pixel_samples", sensor.Samples);
             json.Object("detector_center", () =>
             {
-                json.Real("line", line);
-                json.Real("sample", sample);
+                json.Real("line", sensor.Line);
+                json.Real("sample", sensor.Sample);
             });
             json.WriteNumber("starting_detector_line", 0);
             json.WriteNumber("starting_detector_sample", 0);
             json.WriteNumber("detector_line_summing", 1);
             json.WriteNumber("detector_sample_summing", 1);
-            json.Object("optical_distortion", () => WriteLens(json, CsmLens.Of(camera)));
+            json.Object("optical_distortion", () => WriteLens(json, sensor.Lens));
             json.Object("radii", () =>
             {
                 json.Real("semimajor", frame.Globe.ReferenceRadius / MetresPerKilometre);
@@ -55,39 +67,75 @@ internal static class AleIsd
             });
             json.Object("reference_height", () =>
             {
-                json.Real("minheight", CsmState.Heights.Min);
-                json.Real("maxheight", CsmState.Heights.Max);
+                json.Real("minheight", CsmSensor.Heights.Min);
+                json.Real("maxheight", CsmSensor.Heights.Max);
                 json.WriteString("unit", "m");
             });
-            Vector("instrument_position", frame.Camera.PositionBodyFixed, hasVelocity: true);
-            Rotation("instrument_pointing", pointing, isConstantToo: true);
-            Rotation("body_rotation", body, isConstantToo: false);
-            Vector("sun_position", frame.SunPosition, hasVelocity: false);
+            WritePositions("instrument_position", track.Times, positions, hasVelocity: true);
+            WriteRotations("instrument_pointing", pointing, isConstantToo: true);
+            WriteRotations("body_rotation", body, isConstantToo: false);
+            Vector3D sun = frame.Csm is null ? frame.SunPosition : ScanTimes.Of(frame).Sun.Position;
+            RotationMatrix bodyFromSun = isInertial ? frame.BodyFromJ2000At(center) : RotationMatrix.Identity;
+            WritePositions(
+                "sun_position", [center], [(1.0 / MetresPerKilometre) * (bodyFromSun.Transposed * sun)], hasVelocity: false);
 
-            void Vector(string name, Vector3D inBody, bool hasVelocity) => json.Object(name, () =>
+            void WritePositions(string name, double[] times, Vector3D[] vectors, bool hasVelocity) => json.Object(name, () =>
             {
                 json.WriteString("unit", "km");
                 json.WriteNumber("reference_frame", 1);
-                json.Array("ephemeris_times", time);
-                json.Row("positions", Of((1.0 / MetresPerKilometre) * (bodyFromFrame.Transposed * inBody)));
+                json.Array("ephemeris_times", times);
+                json.Rows("positions", vectors.Select(Of));
                 if (hasVelocity)
                 {
-                    json.Row("velocities", 0.0, 0.0, 0.0);
+                    json.Rows("velocities", track.VelocitiesOf(vectors).Select(Of));
                 }
             });
 
-            void Rotation(string name, UnitQuaternion q, bool isConstantToo) => json.Object(name, () =>
+            void WriteRotations(string name, UnitQuaternion[] turns, bool isConstantToo) => json.Object(name, () =>
             {
                 json.WriteNumber("reference_frame", 1);
-                json.Array("ephemeris_times", time);
-                json.Row("quaternions", q.W, q.X, q.Y, q.Z);
-                json.Row("angular_velocities", 0.0, 0.0, 0.0);
+                json.Array("ephemeris_times", track.Times);
+                json.Rows("quaternions", turns.Select(q => (double[])[q.W, q.X, q.Y, q.Z]));
+                json.Rows("angular_velocities", turns.Select(_ => new double[3]));
                 if (isConstantToo)
                 {
                     json.Array("constant_rotation", Unturned);
                 }
             });
         }));
+    }
+
+    private static void WriteExposures(Utf8JsonWriter json, ExportedFrame frame, ScanTimes times)
+    {
+        if (frame.Scan!.Kind != ScanKind.PushFrame)
+        {
+            json.Real("starting_ephemeris_time", times.Start - (0.5 * frame.Scan.Period));
+            json.Rows("line_scan_rate", [[0.5, times.FirstLine, times.OfLine]]);
+            return;
+        }
+
+        json.Real("starting_ephemeris_time", times.Start);
+        json.Real("exposure_duration", 0.0);
+        json.Real("interframe_delay", frame.Scan.Period);
+        json.WriteNumber("framelet_height", frame.Camera.Height);
+        json.WriteBoolean("framelets_flipped", false); // as in CsmScanState
+        json.WriteBoolean("framelet_order_reversed", frame.Scan.GrowsUpwards);
+        json.WriteNumber("num_lines_overlap", 0);
+    }
+
+    /// <summary>Neighbours with the signs that bring them near each other: USGSCSM interpolates components.</summary>
+    private static UnitQuaternion[] Continuous(UnitQuaternion[] turns)
+    {
+        for (int i = 1; i < turns.Length; i++)
+        {
+            (UnitQuaternion a, UnitQuaternion b) = (turns[i - 1], turns[i]);
+            if ((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W) < 0.0)
+            {
+                turns[i] = UnitQuaternion.FromComponents(-b.X, -b.Y, -b.Z, -b.W);
+            }
+        }
+
+        return turns;
     }
 
     private static void WriteLens(Utf8JsonWriter json, CsmLens lens) => json.Object(lens.Name, () =>
@@ -110,4 +158,14 @@ internal static class AleIsd
                 break;
         }
     });
+
+    /// <summary>The poses of a camera: one of a frame, more of a scan.</summary>
+    private sealed record Track(double[] Times, IReadOnlyList<(Vector3D Position, UnitQuaternion Turn)> Poses)
+    {
+        public static Track Of(ScanTimes times, ScanNodes nodes) => new(
+            [.. Enumerable.Range(0, nodes.Poses.Count).Select(i => times.Center + (times.FirstNode + (i * times.OfNode)))], nodes.Poses);
+
+        public Vector3D[] VelocitiesOf(Vector3D[] positions) =>
+            Times.Length == 1 ? [default] : ScanTimes.Velocities(positions, (Times[^1] - Times[0]) / (Times.Length - 1));
+    }
 }

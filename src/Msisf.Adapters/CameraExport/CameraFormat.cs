@@ -24,14 +24,16 @@ public sealed class CameraFormat
             Text(".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
             Text(".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer))),
         new("tsai", TsaiCamera.Has, Text(".tsai", TsaiCamera.Write)),
-        new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write)) { NeedsEphemeris = true },
+        new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write)) { NeedsEphemeris = true, IsCsm = true },
         new("isd", CsmLens.Has, Text(".isd.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: true)))
         {
             NeedsEphemeris = true,
+            IsCsm = true,
         },
         new("isd-body", CsmLens.Has, Text(".isd-body.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: false)))
         {
             NeedsEphemeris = true,
+            IsCsm = true,
         },
         new("isis", IsisCube.Has, Bytes(".cub", IsisCube.Write)) { NeedsEphemeris = true, HasPixels = true },
         new("pds4", _ => true, Bytes(Pds4Product.ArrayEnding, Pds4Product.WriteArray), Text(".lblx", Pds4Product.WriteLabel))
@@ -49,6 +51,9 @@ public sealed class CameraFormat
 
     /// <summary>Whether it holds the image too, so that <see cref="ExportedFrame.Image"/> is needed.</summary>
     public bool HasPixels { get; private init; }
+
+    /// <summary>Whether USGSCSM reads it, which has cameras that scan.</summary>
+    private bool IsCsm { get; init; }
 
     /// <summary>Whether programs find a camera in it.</summary>
     private bool HasCamera { get; init; } = true;
@@ -70,24 +75,28 @@ public sealed class CameraFormat
 
     /// <summary>Refuses a camera that a format can't say.</summary>
     /// <param name="formats">The formats that are wanted.</param>
-    /// <param name="camera">The camera.</param>
+    /// <param name="camera">The camera, of a scan that of one exposure.</param>
+    /// <param name="scans">Whether it scans.</param>
     /// <exception cref="BadInputException">Format, lens, and which formats can.</exception>
-    public static void Require(IEnumerable<CameraFormat> formats, CameraModel camera)
+    public static void Require(IEnumerable<CameraFormat> formats, CameraModel camera, bool scans)
     {
-        if (formats.FirstOrDefault(format => !format._has(camera)) is not { } wrong)
+        bool Has(CameraFormat format) => format._has(camera) && (format.IsCsm || !scans);
+        if (formats.FirstOrDefault(format => !Has(format)) is not { } wrong)
         {
             return;
         }
 
-        string[] able = [.. All.Where(format => format.HasCamera && format._has(camera)).Select(format => format.Word)];
+        string[] able = [.. All.Where(format => format.HasCamera && Has(format)).Select(format => format.Word)];
         string[] traits =
         [
+            .. scans ? ["a camera that scans"] : (string[])[],
             .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients"] : (string[])[],
             .. camera.Skew != 0.0 ? ["skew pixels"] : (string[])[],
         ];
         throw new BadInputException(
             $"the camera model {wrong.Word} can't say {string.Join(" and ", traits)}. "
-                + (able.Length > 0 ? $"Formats that can: {string.Join(", ", able)}." : "No format can: use K, R, t and lens of the XML."));
+                + (able.Length > 0 ? $"Formats that can: {string.Join(", ", able)}."
+                    : $"No format can: use K, {(scans ? "rows" : "R, t")} and lens of the XML."));
     }
 
     /// <summary>Writes the files of formats.</summary>
@@ -95,10 +104,20 @@ public sealed class CameraFormat
     /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
     /// <param name="frame">The frame.</param>
+    /// <param name="note">Gets how exact the model of a scan is, one line.</param>
+    /// <param name="warn">The same where it is less exact than promised.</param>
     /// <returns>Their paths.</returns>
     public static IReadOnlyList<string> Write(
-        IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame)
+        IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame, Action<string> note,
+        Action<string> warn)
     {
+        if (frame.Scan is { } scan && formats.Any(format => format.IsCsm))
+        {
+            CsmScan csm = CsmScan.Of(frame.Camera.Model, scan);
+            frame = frame with { Csm = csm };
+            (csm.Misfit > CsmScan.Promised ? warn : note)(csm.Describe(frame.Name, scan.Period));
+        }
+
         List<string> paths = [];
         foreach (ExportedFile file in formats.SelectMany(format => format._files))
         {

@@ -12,15 +12,19 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="Coefficients">In the order of a state.</param>
 internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
 {
+    /// <summary>Whether it knows the sensor's y axis only, which rows then must lie along.</summary>
+    public bool IsTurned => Name == "lrolrocnac";
+
     /// <summary>Whether USGSCSM has the camera's lens.</summary>
-    public static bool Has(CameraModel camera) => Find(camera.Distortion, camera.FocalX) is not null;
+    public static bool Has(CameraModel camera) => Find(camera) is not null;
 
     /// <summary>The camera's lens, which it must have.</summary>
-    public static CsmLens Of(CameraModel camera) => Find(camera.Distortion, camera.FocalX)!;
+    public static CsmLens Of(CameraModel camera) => Find(camera)!;
 
-    private static CsmLens? Find(Distortion? lens, double f)
+    private static CsmLens? Find(CameraModel camera)
     {
-        if (lens is null)
+        double f = camera.FocalX;
+        if (camera.Distortion is not { } lens)
         {
             return new CsmLens(0, "radial", [0.0, 0.0, 0.0]);
         }
@@ -30,6 +34,8 @@ internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
         {
             "opencv" when c.Skip(5).All(k => k == 0.0) => new CsmLens(7, "radtan", [.. c.Take(5)]),
             "radial-factor" when c[2] == 0.0 => new CsmLens(0, "radial", [0.0, -c[0] / (f * f), -c[1] / (f * f * f * f)]),
+            "radial-division" when c[1] == 0.0 && c[2] == 0.0 && camera is { Height: 1, PrincipalY: 1.0 } =>
+                new CsmLens(4, "lrolrocnac", [c[0] / (f * f)]),
             "polynomial-radius" => new CsmLens(2, "kaguyalism", [0.0, .. Scaled(c.Take(4), f), 0.0, .. Scaled(c.Skip(4), f)]),
             "owen" when c[0] == 0.0 && c[2] == 0.0 && c[3] == 0.0 => new CsmLens(1, "transverse", Owen(c[1], c[4], c[5], f)),
             _ => null,

@@ -22,11 +22,27 @@ public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJuli
     /// <summary>For formats that hold pixels.</summary>
     public ExportedImage? Image { get; init; }
 
+    /// <summary>How the image was scanned; the camera is then that of one exposure. Null for a frame.</summary>
+    public ExportedScan? Scan { get; init; }
+
+    /// <summary>Whether the camera moved while a frame was exposed, of which the meta file does not say how a shutter rolled.</summary>
+    public bool IsMoving { get; init; }
+
+    /// <summary>The scan as USGSCSM has it; null for a frame.</summary>
+    internal CsmScan? Csm { get; init; }
+
+    /// <summary>px: height of the image.</summary>
+    internal int Height => Camera.Height * (Scan is { Kind: not ScanKind.RollingShutter } scan ? scan.Count : 1);
+
     /// <summary>TDB seconds past J2000.</summary>
     internal double TdbSeconds => Ephemeris!.TimeScale.FromUtc(Time);
 
     /// <summary>Turns J2000 into the body's frame.</summary>
-    internal RotationMatrix BodyFromJ2000 => Ephemeris!.MoonMeFromJ2000(Time);
+    internal RotationMatrix BodyFromJ2000 => BodyFromJ2000At(TdbSeconds);
+
+    /// <summary>The same at another time.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    internal RotationMatrix BodyFromJ2000At(double tdbSeconds) => Ephemeris!.MoonMeFromJ2000(tdbSeconds);
 
     /// <summary>Turns OpenCV's camera axes (x right, y down, z forward) into the body's frame.</summary>
     internal UnitQuaternion BodyFromOpenCv => StateTables.OpenCv(State);

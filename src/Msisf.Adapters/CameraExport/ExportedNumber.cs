@@ -59,11 +59,11 @@ internal static class ExportedNumber
         json.WriteRawValue($"[{Reals(",", values)}]");
     }
 
-    /// <summary>A property that is an array of one array.</summary>
-    public static void Row(this Utf8JsonWriter json, string name, params IEnumerable<double> values)
+    /// <summary>A property that is an array of arrays.</summary>
+    public static void Rows(this Utf8JsonWriter json, string name, IEnumerable<double[]> rows)
     {
         json.WritePropertyName(name);
-        json.WriteRawValue($"[[{Reals(",", values)}]]");
+        json.WriteRawValue($"[{string.Join(',', rows.Select(row => $"[{Reals(",", row)}]"))}]");
     }
 
     /// <summary>The three numbers of a vector.</summary>

@@ -17,24 +17,25 @@ public static class MetaFileFrame
 {
     /// <summary>Reads it; the pixels are not read.</summary>
     /// <param name="path">The meta file.</param>
-    /// <exception cref="BadInputException">It is none, is too old to have the camera, or its camera scans.</exception>
+    /// <exception cref="BadInputException">It is none, is too old to have the camera, or lacks the states of a scan's rows.</exception>
     public static ExportedFrame Read(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
     {
         using FileStream stream = File.OpenRead(path);
-        return Read(stream, path);
+        return Read(stream, path, () => RowStateFiles.Find(path));
     });
 
     /// <summary>The same of a stream.</summary>
     /// <param name="stream">The content.</param>
     /// <param name="path">Its name.</param>
+    /// <param name="rowStates">The states of all rows of a scan (<see cref="RowStates"/>); null if they are not known.</param>
     /// <inheritdoc cref="Read(string)" path="/exception"/>
-    public static ExportedFrame Read(Stream stream, string path)
+    public static ExportedFrame Read(Stream stream, string path, Func<double[]?> rowStates)
     {
         try
         {
             XElement general = General(stream) ?? throw new BadInputException(
                 $"{path}: there is no GeneralInformation in it. Name a meta file (.xml) of msis.");
-            return Frame(general, path);
+            return Frame(general, path, rowStates);
         }
         catch (Exception exception) when (exception is XmlException or FormatException or OverflowException)
         {
@@ -49,34 +50,35 @@ public static class MetaFileFrame
         return reader.ReadToFollowing("GeneralInformation") ? (XElement)XNode.ReadFrom(reader) : null;
     }
 
-    private static ExportedFrame Frame(XElement general, string path)
+    private static ExportedFrame Frame(XElement general, string path, Func<double[]?> rowStates)
     {
         XElement camera = general.Element("Camera") ?? throw new BadInputException(
             $"{path}: the file is of a version of msis that did not write the camera yet. Make the image again.");
-        if (general.Element("Scan") is not null)
-        {
-            throw new BadInputException(
-                $"{path}: the rows of a camera that scans have times and places of their own, which no camera model of a frame can say.");
-        }
-
         XElement? body = general.Element("Body");
         DrawnGlobe globe = body is null ? DrawnGlobe.Moon : new DrawnGlobe(
             CelestialBody.Find(Text(body, "name")) ?? throw new FormatException($"the body '{Text(body, "name")}' is not known."),
             Number(Text(body, "referenceRadius")));
         double[] k = Numbers(Child(camera, "K"), 9);
+        int width = int.Parse(Text(camera, "width"), NumberStyles.None, CultureInfo.InvariantCulture);
+        int height = int.Parse(Text(camera, "height"), NumberStyles.None, CultureInfo.InvariantCulture);
+        ScanRows? rows = general.Element("Scan") is { } scan ? ScanRows.Read(scan, height, path, rowStates) : null;
         CameraModel model = new(
-            int.Parse(Text(camera, "width"), NumberStyles.None, CultureInfo.InvariantCulture),
-            int.Parse(Text(camera, "height"), NumberStyles.None, CultureInfo.InvariantCulture),
-            (k[0], k[4]), (k[2] + 1.0, k[5] + 1.0), k[1], Lens(camera.Element("Distortion")));
+            width, rows?.RowsOfExposure ?? height, (k[0], k[4]), (k[2] + 1.0, k[5] + 1.0 + (rows?.RowsAbove ?? 0)), k[1],
+            Lens(camera.Element("Distortion")));
         XElement q = Child(Child(general, "CameraOrientation"), "Quaternion");
         UnitQuaternion moonFromCamera = UnitQuaternion.FromComponents(
             Number(Text(q, "x")), Number(Text(q, "y")), Number(Text(q, "z")), Number(Text(q, "r")));
+        CameraState state = rows?.States[0] ?? new CameraState(Vector(general, "CameraPosition"), moonFromCamera);
         return new ExportedFrame(
             Path.GetFileNameWithoutExtension(path),
-            model.At(new CameraState(Vector(general, "CameraPosition"), moonFromCamera)),
+            model.At(state),
             TimeText.Parse(Child(Child(general, "SimulationTime"), "MJD").Value),
-            Vector(general, "SunPosition"),
-            globe);
+            state.SunPositionBodyFixed ?? Vector(general, "SunPosition"),
+            globe)
+        {
+            IsMoving = general.Element("CommandLine")?.Value.Contains(" --motion ", StringComparison.Ordinal) == true,
+            Scan = rows?.Describe(Number(Child(general, "HeightOverTerrain").Value)),
+        };
     }
 
     private static Distortion? Lens(XElement? element)
@@ -120,12 +122,12 @@ public static class MetaFileFrame
             string.Create(CultureInfo.InvariantCulture, $"{element.Name} has {numbers.Length} numbers, not {count}."));
     }
 
-    private static double Number(string text) =>
+    internal static double Number(string text) =>
         double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
             ? number
             : throw new FormatException($"'{text}' is no number.");
 
-    private static string Text(XElement element, string attribute) => element.Attribute(attribute)?.Value
+    internal static string Text(XElement element, string attribute) => element.Attribute(attribute)?.Value
         ?? throw new FormatException($"{element.Name} has no '{attribute}'.");
 
     private static XElement Child(XElement element, string name) => element.Element(name)

@@ -9,11 +9,14 @@ internal static class TsaiCamera
 {
     private static readonly string[] OfOpenCv = ["k1", "k2", "p1", "p2", "k3"];
 
+    private static readonly string[] OfRadial = ["xp", "yp", "k1", "k2", "k3", "p1", "p2", "phi"];
+
     private static readonly string[] OfFisheye = ["k1", "k2", "k3", "k4"];
 
     /// <summary>Whether the pipeline has the camera.</summary>
     public static bool Has(CameraModel camera) => camera.Skew == 0.0
         && (camera.Distortion is null or { Name: "fisheye" }
+            || (camera.Distortion is { Name: "radial-factor" } && camera.FocalX == camera.FocalY) // its radius is counted in pixels
             || camera.Distortion is { Name: "opencv" } lens && lens.Coefficients.Skip(OfOpenCv.Length).All(k => k == 0.0));
 
     /// <summary>Writes the file.</summary>
@@ -39,11 +42,20 @@ internal static class TsaiCamera
             return;
         }
 
-        bool isFisheye = lens.Name == "fisheye";
-        writer.WriteLine(isFisheye ? "FISHEYE" : "TSAI");
-        foreach ((string name, double value) in (isFisheye ? OfFisheye : OfOpenCv).Zip(lens.Coefficients))
+        (string model, string[] names, IEnumerable<double> values) = lens.Name switch
+        {
+            "fisheye" => ("FISHEYE", OfFisheye, lens.Coefficients),
+            "radial-factor" => ("BROWNCONRADY", OfRadial, InPixels(lens.Coefficients, camera.FocalLength)),
+            _ => ("TSAI", OfOpenCv, lens.Coefficients),
+        };
+        writer.WriteLine(model);
+        foreach ((string name, double value) in names.Zip(values))
         {
             writer.WriteLine($"{name} = {Real(value)}");
         }
     }
+
+    /// <summary>Its own principal point, the factor, and a decentring that is none.</summary>
+    private static IEnumerable<double> InPixels(IReadOnlyList<double> k, double focal) =>
+        [0.0, 0.0, .. k.Select((value, i) => value / Math.Pow(focal, 2 * (i + 1))), 0.0, 0.0, 0.0];
 }

@@ -22,7 +22,8 @@ internal static class ScanXml
         StringBuilder text = new();
         text.Append(
             CultureInfo.InvariantCulture,
-            $"\n    <Scan kind=\"{WordOf(scan.Kind)}\" exposures=\"{scan.Count}\" period=\"{scan.Period:R}\" stages=\"{scan.Stages}\">");
+            $"\n    <Scan kind=\"{WordOf(scan.Kind)}\" exposures=\"{scan.Count}\" period=\"{scan.Period:R}\" stages=\"{scan.Stages}\"")
+            .Append(scan.Kind == ScanKind.PushFrame ? $" flip=\"{(scan.FlipsFramelets ? "yes" : "no")}\">" : ">");
         for (int row = 0; row < grid.Rows; row++)
         {
             int y = grid.PixelY(row);
@@ -39,6 +40,10 @@ internal static class ScanXml
 
         return text.Append("\n    </Scan>").ToString();
     }
+
+    /// <summary>The kind of a word; null for another word.</summary>
+    internal static ScanKind? KindOf(string word) =>
+        Enum.GetValues<ScanKind>().Cast<ScanKind?>().FirstOrDefault(kind => WordOf(kind!.Value) == word);
 
     private static string WordOf(ScanKind kind) => kind switch
     {

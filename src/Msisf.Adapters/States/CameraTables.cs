@@ -98,6 +98,7 @@ public static class CameraTables
         return lens is OpenCvDistortion && all[4..].All(k => k == 0.0) ? ("OPENCV", all[..4])
             : lens is OpenCvDistortion && isColmap && all[8..].All(s => s == 0.0) ? ("FULL_OPENCV", all[..8])
             : lens is FisheyeDistortion && isColmap ? ("OPENCV_FISHEYE", all)
+            : lens.Name == "radial-division" && isColmap && all[1..].All(k => k == 0.0) ? ("DIVISION", all[..1])
             : null;
     }
 }

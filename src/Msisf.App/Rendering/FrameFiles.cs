@@ -26,12 +26,13 @@ internal sealed class FrameFiles
     private readonly InputComparison _comparison;
     private readonly FrameLedger _ledger;
     private readonly RunTimes _times;
+    private readonly ILog _log;
     private readonly IEphemeris? _ephemeris;
     private readonly FrameNavigation? _navigation;
     private readonly FlowOutputs? _flows;
 
     public FrameFiles(
-        RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times,
+        RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times, ILog log,
         NavigationInputs? navigation = null, IEphemeris? ephemeris = null)
     {
         _settings = settings;
@@ -39,6 +40,7 @@ internal sealed class FrameFiles
         _comparison = comparison;
         _ledger = ledger;
         _times = times;
+        _log = log;
         _ephemeris = ephemeris;
         _navigation = navigation is null ? null : new FrameNavigation(navigation);
         _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
@@ -88,14 +90,14 @@ internal sealed class FrameFiles
 
         if (_settings.CameraFormats.Count > 0)
         {
-            ExportedFrame exported = files.Read($"{stem}.xml", stream => MetaFileFrame.Read(stream, $"{stem}.xml")) with
+            ExportedFrame exported = Exported(files, $"{stem}.xml", frame, metadata) with
             {
-                Ephemeris = _ephemeris,
                 Image = _settings.CameraFormats.Any(format => format.HasPixels)
                     ? ExportedImage.Of(rendered.Truth!, rendered.Detected)
                     : null,
             };
-            paths.AddRange(_times.Measure(Phase.Output, () => CameraFormat.Write(_settings.CameraFormats, files, stem, exported)));
+            paths.AddRange(_times.Measure(Phase.Output, () => CameraFormat.Write(
+                _settings.CameraFormats, files, stem, exported, _log.Note, _log.Warning)));
         }
 
         paths.AddRange(_times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));
@@ -124,6 +126,20 @@ internal sealed class FrameFiles
             files.Commit();
         });
         return paths;
+    }
+
+    /// <summary>The camera as the meta file has it, so that it is the same afterwards; it does not have a detector's shutter.</summary>
+    private ExportedFrame Exported(AtomicFileSet files, string metaFile, Frame frame, FrameMetadata metadata)
+    {
+        ExportedFrame exported = files.Read(
+            metaFile, stream => MetaFileFrame.Read(stream, metaFile, () => RowStates.Of(metadata)));
+        return exported with
+        {
+            Ephemeris = _ephemeris,
+            Scan = _settings.Shutter is { IsRolling: true } shutter && frame is { Scan: null, Motion: { IsRest: false } motion }
+                ? ExportedScan.OfShutter(exported.Camera, motion, shutter.LineTime, metadata.HeightOverTerrain)
+                : exported.Scan,
+        };
     }
 
     private IReadOnlyList<string> WriteLayers(

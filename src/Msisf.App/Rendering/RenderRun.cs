@@ -133,7 +133,7 @@ internal sealed class RenderRun
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
             settings,
             new FrameDescription(settings, run.Model, plan.Version, () => inputs.All(settings.Camera)) { Orientation = run.Orientation },
-            comparison, ledger, _times, truth.Navigation, truth.OfModels))];
+            comparison, ledger, _times, _host.Log, truth.Navigation, truth.OfModels))];
         ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)
             : null)];

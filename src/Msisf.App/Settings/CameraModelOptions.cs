@@ -47,10 +47,9 @@ internal static class CameraModelOptions
 
     /// <summary>Reads the formats of a run.</summary>
     /// <param name="values">The options.</param>
-    /// <param name="scan">How the camera scans; null for a frame.</param>
     /// <param name="renderer">The renderer.</param>
-    /// <exception cref="UsageException">A word is no format, the camera scans, or the renderer does not know the pixels.</exception>
-    public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, Scan? scan, RendererKind renderer)
+    /// <exception cref="UsageException">A word is no format, or the renderer does not know the pixels.</exception>
+    public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, RendererKind renderer)
     {
         if (OfRun.ReadIfGiven(values) is not { } text)
         {
@@ -58,17 +57,21 @@ internal static class CameraModelOptions
         }
 
         IReadOnlyList<CameraFormat> formats = OfRun.Named(() => CameraFormat.Parse(text));
-        if (renderer == RendererKind.PovRay && formats.FirstOrDefault(format => format.HasPixels) is { } wrong)
-        {
-            throw new UsageException(
+        return renderer == RendererKind.PovRay && formats.FirstOrDefault(format => format.HasPixels) is { } wrong
+            ? throw new UsageException(
                 $"{OfRun.Name} {wrong.Word} holds I/F of each pixel, which POV-Ray does not tell. Add --renderer native.")
-                .About(OfRun, RendererOptions.Renderer);
-        }
-
-        return scan is null ? formats : throw new UsageException(
-            $"{OfRun.Name} is for frames: the rows of a camera that scans have times and places of their own. Leave one of them out.")
-            .About(OfRun, ImageOptions.Camera);
+                .About(OfRun, RendererOptions.Renderer)
+            : formats;
     }
+
+    /// <summary>Refuses a camera that a format can't say.</summary>
+    /// <exception cref="BadInputException">Format, lens, and which formats can.</exception>
+    public static void Require(RenderSettings settings) => OfRun.NamedInErrors(() => CameraFormat.Require(
+        settings.CameraFormats,
+        settings.Scan is { Kind: not ScanKind.RollingShutter } scan
+            ? scan.ExposureOf(settings.CameraModel, 0, 0.0)
+            : settings.CameraModel,
+        settings.Scan is not null));
 
     /// <summary>Reads the formats of <c>msis camera-model</c>.</summary>
     /// <exception cref="UsageException">A word is no format.</exception>

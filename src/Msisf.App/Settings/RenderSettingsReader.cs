@@ -40,7 +40,7 @@ internal static class RenderSettingsReader
                 .About(ImageOptions.Camera, RendererOptions.Renderer);
         }
 
-        IReadOnlyList<CameraFormat> cameraFormats = CameraModelOptions.ReadOfRun(values, scan, renderer);
+        IReadOnlyList<CameraFormat> cameraFormats = CameraModelOptions.ReadOfRun(values, renderer);
         bool needsTruth = surface == PixelSurface.Terrain || cameraFormats.Any(format => format.HasPixels);
         GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
@@ -89,7 +89,7 @@ internal static class RenderSettingsReader
             Timing = RunOptions.Timing.Read(values),
         };
         StripRules.Refuse(settings);
-        CameraModelOptions.OfRun.NamedInErrors(() => CameraFormat.Require(settings.CameraFormats, settings.CameraModel));
+        CameraModelOptions.Require(settings);
         return settings;
     }
 

@@ -32,14 +32,21 @@ internal static class CameraModelExport
         {
             ExportedFrame frame = MetaFileFrame.Read(metaFile);
             CameraModel camera = frame.Camera.Model;
-            Named(metaFile, () => CameraFormat.Require(formats, camera));
+            Named(metaFile, () => CameraFormat.Require(formats, camera, frame.Scan is not null));
+            if (frame is { IsMoving: true, Scan: null } && formats.Any(format => format.NeedsEphemeris))
+            {
+                host.Log.Warning($"{metaFile}: the camera moved while it was exposed, and the model is that of the frame's time. Of a "
+                    + "rolling shutter --camera-model in the run itself has the time of each row.");
+            }
+
             using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris) ? Open(frame, engine, kernels, host) : null;
             string stem = Path.ChangeExtension(metaFile, null);
-            paths.AddRange(CameraFormat.Write(formats, files, stem, frame with
+            ExportedFrame exported = frame with
             {
                 Ephemeris = opened?.Engine,
                 Image = formats.Any(format => format.HasPixels) ? ExportedImage.Read(metaFile, camera.Width, camera.Height) : null,
-            }));
+            };
+            paths.AddRange(CameraFormat.Write(formats, files, stem, exported, host.Log.Note, host.Log.Warning));
         }
 
         files.Commit();

@@ -32,6 +32,12 @@ def fisheye(x, y, k):
     return x*q, y*q
 
 
+def division(x, y, k):
+    """COLMAP's closed form of u = d / (1 + k d^2)."""
+    r = 2 / (1 + np.sqrt(1 - 4*k[0]*(x*x + y*y)))
+    return x*r, y*r
+
+
 def pixels_opencv(path, points):
     text = open(path).read()
     matrices = {name: np.array(json.loads(data)).reshape(int(rows), int(columns)) for name, rows, columns, data in re.findall(
@@ -51,8 +57,8 @@ def pixels_colmap(path, points):
     assert lines("images")[0][8:] == ["1", "frame.png"] and lines("points3D") == []
     fx, fy, cx, cy, *lens = map(float, p)
     a, b, z = (points @ turn(*image[:4]).T + image[4:]).T
-    assert len(lens) == {"PINHOLE": 0, "OPENCV": 4, "FULL_OPENCV": 8, "OPENCV_FISHEYE": 4}[model]
-    x, y = (fisheye if model == "OPENCV_FISHEYE" else opencv)(a / z, b / z, lens)
+    assert len(lens) == {"PINHOLE": 0, "OPENCV": 4, "FULL_OPENCV": 8, "OPENCV_FISHEYE": 4, "DIVISION": 1}[model]
+    x, y = {"OPENCV_FISHEYE": fisheye, "DIVISION": division}.get(model, opencv)(a / z, b / z, lens)
     return fx*x + cx - 0.5, fy*y + cy - 0.5
 
 
@@ -63,9 +69,16 @@ def pixels_tsai(path, points):
     assert lines[:2] == ["VERSION_4", "PINHOLE"] and values["pitch"] == [1.0]
     assert [values[axis + "_direction"] for axis in "uvw"] == np.eye(3).tolist()
     a, b, z = ((points - values["C"]) @ np.reshape(values["R"], (3, 3))).T
-    names = {"NULL": [], "TSAI": ["k1", "k2", "p1", "p2", "k3"], "FISHEYE": ["k1", "k2", "k3", "k4"]}[lens]
+    names = {"NULL": [], "TSAI": ["k1", "k2", "p1", "p2", "k3"], "FISHEYE": ["k1", "k2", "k3", "k4"],
+             "BROWNCONRADY": ["xp", "yp", "k1", "k2", "k3", "p1", "p2", "phi"]}[lens]
     assert [line.split()[0] for line in lines[lines.index(lens) + 1:]] == names
-    x, y = (fisheye if lens == "FISHEYE" else opencv)(a / z, b / z, [values[name][0] for name in names])
+    k = [values[name][0] for name in names]
+    if lens == "BROWNCONRADY":  # from measured to ideal, in the unit of the pitch
+        assert k[:2] + k[5:] == [0.0] * 5
+        x, y = inverse(lambda a, b: (a*np.polyval([*k[4:1:-1], 1.0], a*a + b*b), b*np.polyval([*k[4:1:-1], 1.0], a*a + b*b)),
+                       values["fu"][0]*a/z, values["fv"][0]*b/z)
+        return x + values["cu"][0], y + values["cv"][0]
+    x, y = (fisheye if lens == "FISHEYE" else opencv)(a / z, b / z, k)
     return values["fu"][0]*x + values["cu"][0], values["fv"][0]*y + values["cv"][0]
 
 
@@ -83,6 +96,8 @@ def lens_csm(kind, k, x, y, f):
     if kind == 7:
         a, b = opencv(x / f, y / f, k)
         return a*f, b*f
+    if kind == 4:
+        return inverse(lambda a, b: (a, b / (1 + k[0]*b*b)), x, y)
     if kind == 1:
         terms = np.array([np.ones_like(x), x, y, x*x, x*y, y*y, x**3, x*x*y, x*y*y, y**3])
         return np.tensordot(k[:10], terms, 1), np.tensordot(k[10:], terms, 1)
@@ -119,7 +134,7 @@ def pixels_isd(path, points):
     (name, lens), = s["optical_distortion"].items()
     kind, k = {
         "radtan": lambda: (7, lens["coefficients"]), "radial": lambda: (0, lens["coefficients"]),
-        "transverse": lambda: (1, lens["x"] + lens["y"]),
+        "lrolrocnac": lambda: (4, lens["coefficients"]), "transverse": lambda: (1, lens["x"] + lens["y"]),
         "kaguyalism": lambda: (2, [lens["boresight_x"], *lens["x"], lens["boresight_y"], *lens["y"]]),
     }[name]()
     inertial = points @ turn(*s["body_rotation"]["quaternions"][0])  # rows: the inverse of J2000 to body
@@ -160,7 +175,7 @@ def wrong_text(path, time, body_from_j2000):
         m_focalLengthEpsilon m_iTransS m_iTransL m_transX m_transY m_ccdCenter m_startingDetectorSample m_startingDetectorLine
         m_detectorSampleSumming m_detectorLineSumming m_distortionType m_opticalDistCoeffs m_majorAxis m_minorAxis
         m_currentParameterValue m_currentParameterCovariance m_ephemerisTime m_spacecraftVelocity m_sunPosition""".split()
-    counts = {0: 3, 1: 20, 2: 10, 7: 5}
+    counts = {0: 3, 1: 20, 2: 10, 4: 1, 7: 5}
     pixel_of_mm = np.array([s["m_iTransS"][1:], s["m_iTransL"][1:]])
     mm_of_pixel = np.array([s["m_transX"][1:], s["m_transY"][1:]])
     return ("name" if name != "USGS_ASTRO_FRAME_SENSOR_MODEL" or name != s["m_modelName"] else

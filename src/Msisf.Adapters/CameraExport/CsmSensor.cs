@@ -1,0 +1,46 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+
+namespace Msisf.Adapters.CameraExport;
+
+/// <summary>The detector and lens of a camera as USGSCSM has them; lengths of the focal plane in pixels along a row in place of mm.</summary>
+/// <param name="Model">Name of the camera model.</param>
+/// <param name="Lens">The lens.</param>
+/// <param name="Samples">px along a row: offset, of a length along the sensor's x, along its y.</param>
+/// <param name="Lines">px along a column, the same.</param>
+/// <param name="Line">Where the boresight is: of a frame in the image, of a line-scan on its detector, of a push-frame in a framelet.</param>
+/// <param name="Sample">The same along a row.</param>
+internal sealed record CsmSensor(string Model, CsmLens Lens, double[] Samples, double[] Lines, double Line, double Sample)
+{
+    /// <summary>m: heights between which the ground may lie, of any body.</summary>
+    public static readonly (double Min, double Max) Heights = (-10_000.0, 25_000.0);
+
+    /// <summary>Turns the sensor's axes into OpenCV's, from which they differ where the lens knows one axis only.</summary>
+    private static readonly UnitQuaternion OpenCvFromTurned = UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, -Math.PI / 2.0);
+
+    /// <summary>The sensor of an image. USGSCSM has the centre of the first pixel at 0.5, this program at 1.</summary>
+    /// <param name="camera">The camera, of a scan that of one exposure.</param>
+    /// <param name="scan">How it scans; null for a frame.</param>
+    public static CsmSensor Of(CameraModel camera, ExportedScan? scan)
+    {
+        CsmLens lens = CsmLens.Of(camera);
+        (double skew, double down) = (camera.Skew / camera.FocalX, camera.FocalY / camera.FocalX);
+        double[] samples = lens.IsTurned ? [0.0, -skew, 1.0] : [0.0, 1.0, skew];
+        double[] lines = lens.IsTurned ? [0.0, -down, 0.0] : [0.0, 0.0, down];
+        double sample = camera.PrincipalX - 0.5;
+        return scan switch
+        {
+            null => new CsmSensor("USGS_ASTRO_FRAME_SENSOR_MODEL", lens, samples, lines, camera.PrincipalY - 0.5, sample),
+            { Kind: ScanKind.PushFrame } => new CsmSensor(
+                "USGS_ASTRO_PUSH_FRAME_SENSOR_MODEL", lens, samples,
+                scan.FlipsFramelets ? [.. lines.Select(pixels => 0.0 - pixels)] : lines,
+                scan.FlipsFramelets ? camera.Height + 0.5 - camera.PrincipalY : camera.PrincipalY - 0.5, sample),
+            _ => new CsmSensor("USGS_ASTRO_LINE_SCANNER_SENSOR_MODEL", lens, samples, lines, camera.PrincipalY - 1.0, sample),
+        };
+    }
+
+    /// <summary>Turns the sensor's axes into the body's.</summary>
+    /// <param name="bodyFromOpenCv">Turns OpenCV's camera axes (x right, y down, z forward) there.</param>
+    public UnitQuaternion BodyFrom(UnitQuaternion bodyFromOpenCv) =>
+        Lens.IsTurned ? bodyFromOpenCv * OpenCvFromTurned : bodyFromOpenCv;
+}
