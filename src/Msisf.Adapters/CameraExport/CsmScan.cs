@@ -55,8 +55,8 @@ internal sealed record CsmScan(CsmSensor Sensor, ScanNodes Nodes, double Misfit)
             CultureInfo.InvariantCulture, $"; off by {Nodes.Error:G1} px at most between them."))
         + (Misfit <= Promised ? string.Empty : string.Create(
             CultureInfo.InvariantCulture,
-            $" As a line-scan has one focal length for all rows, a rolling shutter is off by up to {Misfit:G2} px too; the narrower its view "
-                + $"the less."));
+            $" As a line-scan has one focal length for all rows, a rolling shutter is off by up to {Misfit:G2} px too; the narrower its "
+                + $"view the less."));
 
     /// <summary>Turns OpenCV's camera axes into the body's.</summary>
     private static UnitQuaternion OpenCvOf(CameraState state) => state.MoonFromCamera * States.StateTables.CameraFromOpenCv;

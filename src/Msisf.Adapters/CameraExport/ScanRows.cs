@@ -65,12 +65,13 @@ internal sealed record ScanRows(
         {
             throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{path}: it has the states of {rows.Length} rows of {height}, and all are needed; they are also in the files of layers, of "
-                    + $"which none is beside it ({RowStateFiles.NamesFor(path)}). Make the image with --camera-model, --layers or --gridV 1."));
+                $"{path}: it has the states of {rows.Length} rows of {height}, and all are needed; layers have them too, but none of their "
+                    + $"files is beside it ({RowStateFiles.NamesFor(path)}). Make the image with --camera-model, --layers or --gridV 1."));
         }
 
-        bool Has(XElement row) => Numbers(row).SequenceEqual(numbers.Skip((RowOf(row) - 1) * RowStates.Names.Count).Take(RowStates.Names.Count));
-        return numbers.Length == height * RowStates.Names.Count && rows.All(Has) ? numbers : throw new BadInputException(
+        int columns = RowStates.Names.Count;
+        bool Has(XElement row) => Numbers(row).SequenceEqual(numbers.Skip((RowOf(row) - 1) * columns).Take(columns));
+        return numbers.Length == height * columns && rows.All(Has) ? numbers : throw new BadInputException(
             $"{path}: its rows and those of the layers beside it ({RowStateFiles.NamesFor(path)}) belong to different images. Make the "
                 + $"image again.");
     }

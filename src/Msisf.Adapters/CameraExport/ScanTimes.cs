@@ -13,7 +13,8 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="OfNode">From node to node.</param>
 /// <param name="Sun">Its position (m) and velocity (m/s) in the middle, in the body's axes.</param>
 internal sealed record ScanTimes(
-    double Start, double Center, double FirstLine, double OfLine, double FirstNode, double OfNode, (Vector3D Position, Vector3D Velocity) Sun)
+    double Start, double Center, double FirstLine, double OfLine, double FirstNode, double OfNode,
+    (Vector3D Position, Vector3D Velocity) Sun)
 {
     /// <summary>The times of a scan.</summary>
     public static ScanTimes Of(ExportedFrame frame)

@@ -9,7 +9,8 @@ public static class FrameFileNames
     /// <summary>All endings, whatever a run was asked to write.</summary>
     private static readonly string[] Endings =
     [
-        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".rowstates.npy", ".craters.csv", ".craters.json", ".landmarks.csv",
+        ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".rowstates.npy", ".craters.csv", ".craters.json",
+        ".landmarks.csv",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
         .. CameraFormat.All.SelectMany(format => format.Endings), .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),

@@ -46,8 +46,8 @@ public sealed class ScanModelTests : IDisposable
     [
         new("tumbling", LineScan + Brown, "--lines 60 --jitter jitter.txt", Tumbling),
         new("upwards", Upwards, "--lines 60 --jitter jitter.txt", Tumbling),
-        new("smooth", LineScan.Replace("0.05}", "0.5}", StringComparison.Ordinal) + "distortion: {model: owen, e2: 0.003, e5: 0.001, e6: -0.002}\n", "--lines 200 --jitter slow.txt", Slow)
-            { MostNodes = 60 },
+        new("smooth", LineScan.Replace("0.05}", "0.5}", StringComparison.Ordinal)
+            + "distortion: {model: owen, e2: 0.003, e5: 0.001, e6: -0.002}\n", "--lines 200 --jitter slow.txt", Slow) { MostNodes = 60 },
         new("radial", LineScan + "distortion: {model: radial, form: factor, k: [0.004, 0.0003]}\n", "--lines 30", Tumbling),
         new("polynomial", LineScan + "distortion: {model: polynomial, argument: radius, x: [0.01, 0.002, -0.003, 0.0005], "
             + "y: [-0.02, 0.001, 0.002]}\n", "--lines 30", Tumbling),
@@ -165,7 +165,8 @@ public sealed class ScanModelTests : IDisposable
 
         string xml = _folder["flipped/frame.xml"];
         string[] parts = change.Split('|');
-        File.WriteAllText(xml, change.Length == 0 ? File.ReadAllText(xml) : File.ReadAllText(xml).Replace(parts[0], parts.Skip(1).FirstOrDefault()));
+        string text = File.ReadAllText(xml);
+        File.WriteAllText(xml, change.Length == 0 ? text : text.Replace(parts[0], parts.Skip(1).FirstOrDefault()));
 
         CommandLineRun run = CommandLineRun.Of(["camera-model", xml, "--to", "csm"]);
 
@@ -193,7 +194,9 @@ public sealed class ScanModelTests : IDisposable
         "--normalize", "--motion", scan.Motion, "--camera", _folder.Write($"{scan.Name}.yaml", scan.Camera), "--renderer", "native",
         "--layers", "position", "--grid", "20", "--output-dir", _folder[scan.Name], "--output-name", "frame",
         "--ldem", TestParts.Ldem4Label!, "--batch", .. (scan.HasDetector ? (string[])[] : ["--reflectance", "lambert"]),
-        .. scan.Options.Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(word => word.EndsWith(".txt", StringComparison.Ordinal) ? _folder[word] : word), .. more,
+        .. scan.Options.Split(' ', StringSplitOptions.RemoveEmptyEntries)
+            .Select(word => word.EndsWith(".txt", StringComparison.Ordinal) ? _folder[word] : word),
+        .. more,
     ];
 
     private static void Succeed(string[] arguments)

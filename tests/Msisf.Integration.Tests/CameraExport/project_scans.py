@@ -3,10 +3,11 @@ their pixels.
 
   project_scans.py FOLDER[:VX,VY,VZ,WX,WY,WZ,LINE_TIME]...
 
-In each folder lies a layer frame.position.npy (m, body-fixed). With numbers it shows one time, and the rows were exposed one after the other
-while the camera moved so (m/s; rad/s about its axes: looks along -x, y right, z up): points come from frame.opencv.yaml then. A line for each camera model in it: folder, file, pixels compared, largest
-error (px), nodes, what is wrong with the text ("-" for nothing). Formulas: USGSCSM's UsgsAstroLsSensorModel.cpp,
-UsgsAstroPushFrameSensorModel.cpp (the state and how it is made of image support data), Utilities.cpp (lagrangeInterp), Distortion.cpp.
+In each folder lies a layer frame.position.npy (m, body-fixed). With numbers it shows one time, and the rows were exposed one after the
+other while the camera moved so (m/s; rad/s about its axes: looks along -x, y right, z up): points come from frame.opencv.yaml then. A line
+for each camera model in it: folder, file, pixels compared, largest error (px), nodes, what is wrong with the text ("-" for nothing).
+Formulas: USGSCSM's UsgsAstroLsSensorModel.cpp, UsgsAstroPushFrameSensorModel.cpp (the state and how it is made of image support data),
+Utilities.cpp (lagrangeInterp), Distortion.cpp.
 """
 import json
 import os
@@ -104,12 +105,13 @@ def line_scan(s, points, lines):
     error = at(before)[0]
     for _ in range(30):
         now, sample = at(line)
-        if np.abs(now).max() < 1e-11:
-            break
         slope = (now - error) / np.where(line == before, 1.0, line - before)
-        step = np.where(slope == 0.0, line - lines, now / np.where(slope == 0.0, 1.0, slope))  # without motion any line is right
+        still = (slope == 0.0) & (line != before)  # without motion any line is right: that of the pixel
+        step = np.where(still, line - lines, np.where((np.abs(now) < 1e-9) | (slope == 0.0), 0.0, now / np.where(slope == 0.0, 1.0, slope)))
+        if not step.any():
+            break
         before, error, line = line, now, line - step
-    return np.where(line == lines + 0.01, lines, line), sample
+    return line, sample
 
 
 def push_frame(s, points, lines):
@@ -150,8 +152,9 @@ def state_of_isd(s):
              "m_iTransL": s["focal2pixel_lines"], "m_iTransS": s["focal2pixel_samples"], "m_detectorLineOrigin": center["line"],
              "m_detectorSampleOrigin": center["sample"], "m_distortionType": kind, "m_opticalDistCoeffs": k,
              "m_positions": 1000.0 * np.einsum("nij,nj->ni", turns(body), inertial), "m_quaternions": product,
-             "m_t0Ephem": steps[0] - center_time, "m_dtEphem": (times[-1] - times[0]) / (len(times) - 1), "m_t0Quat": times[0] - center_time,
-             "m_dtQuat": (times[-1] - times[0]) / (len(times) - 1), "m_nLines": s["image_lines"], "m_nSamples": s["image_samples"],
+             "m_t0Ephem": steps[0] - center_time, "m_dtEphem": (times[-1] - times[0]) / (len(times) - 1),
+             "m_t0Quat": times[0] - center_time, "m_dtQuat": (times[-1] - times[0]) / (len(times) - 1), "m_nLines": s["image_lines"],
+             "m_nSamples": s["image_samples"],
              "m_centerEphemerisTime": center_time, "m_startingEphemerisTime": s["starting_ephemeris_time"]}
     if s["name_model"] == LINE_SCAN:
         rate, = s["line_scan_rate"]
