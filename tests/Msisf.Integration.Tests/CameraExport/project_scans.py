@@ -106,8 +106,9 @@ def line_scan(s, points, lines):
     for _ in range(30):
         now, sample = at(line)
         slope = (now - error) / np.where(line == before, 1.0, line - before)
-        still = (slope == 0.0) & (line != before)  # without motion any line is right: that of the pixel
-        step = np.where(still, line - lines, np.where((np.abs(now) < 1e-9) | (slope == 0.0), 0.0, now / np.where(slope == 0.0, 1.0, slope)))
+        still = np.abs(slope) < 1e-9  # without motion any line is right: that of the pixel
+        moving = np.where(np.abs(now) < 1e-9, 0.0, now / np.where(still, 1.0, slope))
+        step = np.where(still & (line != before), line - lines, np.where(still, 0.0, moving))
         if not step.any():
             break
         before, error, line = line, now, line - step
