@@ -51,6 +51,19 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         string name, string contentType, long? length, Action<Stream> write, params (string Name, string Value)[] headers) =>
         Add(name, contentType, write, headers);
 
+    /// <summary>The first part with the contents of the others behind its own.</summary>
+    public AnswerPart Joined()
+    {
+        MemoryStream all = _parts[0].Content;
+        all.Position = all.Length; // some contents are written past the position
+        foreach (AnswerPart part in _parts.Skip(1))
+        {
+            all.Write(part.Bytes[room..].Span);
+        }
+
+        return _parts[0];
+    }
+
     /// <summary>Sends what has not been sent yet.</summary>
     /// <param name="response">Receives it.</param>
     /// <param name="isMultipart">Whether the parts are separated by boundaries; if not, there is one.</param>

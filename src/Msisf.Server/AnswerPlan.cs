@@ -31,7 +31,8 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
         NativeSettings native = settings.Native;
         bool isLayer = native.Layers is not null && form.Main is AnswerForm.Raw or AnswerForm.Npy;
         bool isFits = form.IsMultipart ? native.LayersFormat == LayersFormat.Fits : form.Main == AnswerForm.Fits;
-        bool hasImage = !isLayer && (form.IsMultipart || form.Main is AnswerForm.Png or AnswerForm.Raw or AnswerForm.Npy);
+        bool hasImage = (!isLayer || form.HasBoth)
+            && (form.IsMultipart || form.Main is AnswerForm.Png or AnswerForm.Raw or AnswerForm.Npy);
         LayerSet? layers = form.IsMultipart || isLayer || isFits ? native.Layers : null;
         bool hasNumbers = native.Detector is { } detector
             && (form.IsMultipart ? detector.WritesFits : native.Layers is null && isFits);

@@ -5,8 +5,11 @@ using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
+using Msisf.Core.Numerics;
 using Msisf.Core.Render.Options;
+using Msisf.Core.Time;
 
 namespace Msisf.Server;
 
@@ -78,6 +81,16 @@ internal sealed class FrameService : IDisposable
                     CultureInfo.InvariantCulture,
                     $"an image of {requested.Settings.Width} x {requested.Settings.Height} px is larger than the server's --max-pixels of "
                         + $"{Settings.MaxPixels} px. Use a smaller --width and --height."));
+    }
+
+    /// <summary>Where the Sun is at times, m, BODY_FIXED, for requests that give no options of the ephemeris.</summary>
+    /// <exception cref="MsisfException">The kernels do not cover a time.</exception>
+    public Vector3D[] SunAt(IEnumerable<ModifiedJulianDate> times)
+    {
+        using JsonDocument none = JsonDocument.Parse("{}");
+        RenderSettings settings = Read(none.RootElement, needsPlace: false).Settings;
+        IEphemeris engine = Sessions.Ephemeris.Of(settings).Engine();
+        return [.. times.Select(time => engine.SunPositionBodyFixed(time, settings.Aberration))];
     }
 
     /// <summary>Collects the warnings of a request for its answer.</summary>

@@ -193,7 +193,14 @@ internal sealed class HttpServer : IAsyncDisposable
         Get(
             "/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync,
             new("Sends a file of a frame: image, annotated or meta.", AnswerForm.Png));
+        Get("/v1/names", new NamesEndpoint(host.Installation).AnswerAsync, new("Lists the Moon's named features.", AnswerForm.Json));
         Get("/v1/sun", new SunEndpoint(_frames).AnswerAsync, SunEndpoint.About);
+        Get("/v1/sun/path", new SunPathEndpoint(_frames).AnswerAsync, SunPathEndpoint.About);
+        Post("/v1/ground", new GroundEndpoint(_frames).AnswerAsync, GroundEndpoint.About);
+        Post("/v1/light", new LightEndpoint(_frames).AnswerAsync, LightEndpoint.About);
+        Post(
+            "/v1/trajectory", new TrajectoryEndpoint(_frames, host).AnswerAsync,
+            new("Reads the states of a trajectory.", AnswerForm.Json));
         Post("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync, PixelsEndpoint.About);
         Post("/v1/points", new PointsEndpoint(_frames).AnswerAsync, PointsEndpoint.About);
         Post("/v1/render", new RenderEndpoint(_frames).AnswerAsync, RenderEndpoint.About);

@@ -24,22 +24,24 @@ internal sealed class PixelsEndpoint(FrameService frames)
         RequestedFrame frame = request.Frame;
         SurfaceReading?[] points = await frames.RunAsync(
             frame,
-            (session, threads, end) => frame.IsTraceable
-                ? Traced(session, session.Prepare(frame.Place!, end), request.Points, end)
-                : session.ReadDrawn(session.Prepare(frame.Place!, end), request.Points, threads, end),
+            (session, threads, end) => Read(session, frame, request.Points, threads, end),
             context.RequestAborted,
             isLarge: !frame.IsTraceable && FrameService.IsLarge(frame.Settings)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
     }
 
-    private static SurfaceReading?[] Traced(
-        RenderSession session, PreparedFrame frame, IReadOnlyList<double[]> pixels, CancellationToken cancellation)
+    private static SurfaceReading?[] Read(
+        RenderSession session, RequestedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
     {
-        FrameTruth truth = session.TruthOf(frame);
-        return [.. pixels.Select(pixel =>
-        {
-            cancellation.ThrowIfCancellationRequested();
-            return truth.At(pixel[0], pixel[1]);
-        })];
+        PreparedFrame prepared = session.Prepare(frame.Place!, cancellation);
+        FrameTruth truth = session.TruthOf(prepared);
+        SurfaceReading?[] readings = frame.IsTraceable
+            ? [.. pixels.Select(pixel =>
+            {
+                cancellation.ThrowIfCancellationRequested();
+                return truth.At(pixel[0], pixel[1]);
+            })]
+            : session.ReadDrawn(prepared, pixels, threads, cancellation);
+        return [.. readings.Zip(pixels, (reading, pixel) => reading is null ? null : truth.WithShade(reading, pixel[1]))];
     }
 }

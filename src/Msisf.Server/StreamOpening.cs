@@ -28,7 +28,12 @@ internal sealed record StreamOpening(
         }
 
         bool isNewestOnly = WordOf(members, "mode", "lock-step", "newest-only") == "newest-only";
-        AnswerForm form = AnswerForm.Of(WordOf(members, "format", "u8", "png") == "png" ? AnswerForm.Png : AnswerForm.Raw);
+        AnswerForm form = WordOf(members, "format", "u8", "png", "u8+layers") switch
+        {
+            "png" => AnswerForm.Of(AnswerForm.Png),
+            "u8+layers" => AnswerForm.LevelsAndLayers,
+            _ => AnswerForm.Of(AnswerForm.Raw),
+        };
         bool isTimed = FlagOf(members, "timing");
         return new StreamOpening(FrameOf(members), CamerasOf(members), form, isNewestOnly, isTimed);
     }

@@ -202,7 +202,7 @@ internal sealed class StreamSession : IDisposable
                 await SendTimesAsync(answer.Times).ConfigureAwait(false);
             }
 
-            AnswerPart image = answer.Parts[0];
+            AnswerPart image = answer.Joined();
             WriteHead(image.Content.GetBuffer(), settings);
             await _socket.SendAsync(image.Bytes, _gone.Token).ConfigureAwait(false);
         }

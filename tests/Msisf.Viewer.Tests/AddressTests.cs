@@ -7,7 +7,7 @@ namespace Msisf.Viewer.Tests;
 [Collection(Chromium.Collection)]
 public class AddressTests(Chromium chromium, ViewerServer server)
 {
-    private const string Small = "samples=1&fit=false&width=96&height=96";
+    private const string Small = "names=false&samples=1&fit=false&width=96&height=96";
 
     /// <summary>
     /// How much of the limb the grid's lines cover: of 180 points on the circle of a sphere of 1737.4 km, 6000 km from the camera, with a
@@ -71,7 +71,8 @@ public class AddressTests(Chromium chromium, ViewerServer server)
             ": layer=hight, grid=maybe, model=LDEM_5, latitude=95, seed=1.5, lat=3.",
             await viewer.Page.TextContentAsync("#notice"), StringComparison.Ordinal);
         Assert.True(await viewer.Page.IsVisibleAsync("#notice"));
-        Assert.Equal("LDEM_4", await viewer.Page.InputValueAsync("#model"));
+        Assert.Equal(string.Empty, await viewer.Page.InputValueAsync("#model"));
+        Assert.StartsWith("LDEM_4: cells of 7.581 km", await viewer.Page.TextContentAsync("#model-said"), StringComparison.Ordinal);
         Assert.Equal(0.0, await viewer.NumberAsync("latitude"));
 
         await viewer.Page.EvaluateAsync("text => location.hash = text", $"{Small}&reflectance=mirror");

@@ -18,7 +18,7 @@ public sealed class Chromium : IAsyncLifetime
 
     private static readonly string[] Arguments =
     [
-        "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run", "--disable-component-update",
+        "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-background-networking", "--no-first-run", "--disable-component-update",
         "--disable-sync",
     ];
 
@@ -51,12 +51,13 @@ public sealed class Chromium : IAsyncLifetime
     }
 
     /// <summary>A window with a memory of its own.</summary>
-    public async Task<IBrowserContext> WindowAsync(int width, int height)
+    public async Task<IBrowserContext> WindowAsync(int width, int height, bool hasTouch = false)
     {
         IBrowserContext window = await _browser!.NewContextAsync(new BrowserNewContextOptions
         {
             ViewportSize = new ViewportSize { Width = width, Height = height },
             AcceptDownloads = true,
+            HasTouch = hasTouch,
             Permissions = ["clipboard-read", "clipboard-write"],
         });
         window.SetDefaultTimeout(Limit);

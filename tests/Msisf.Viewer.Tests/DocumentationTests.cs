@@ -24,8 +24,7 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
     public async Task Screenshots_OfTheScenesOfThePage_AreThere()
     {
         const string overTycho = "latitude=-30&longitude=352&altitude=1100000&tilt=24&heading=180&mjd=55309.2";
-        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Samples}&{overTycho}", 1080, 720);
-        await viewer.Page.CheckAsync("#show-grid");
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Samples}&{overTycho}&grid=true", 1280, 800, hasPanel: false);
         await viewer.PointAsync(400, 400);
         await viewer.Page.Mouse.DownAsync();
         await viewer.Page.Mouse.UpAsync();
@@ -36,7 +35,9 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
         await viewer.PointAsync(330, 480);
         await TakeAsync(viewer, "viewer.png");
 
+        await viewer.Page.ClickAsync("[data-drawer=show]");
         await viewer.Page.UncheckAsync("#show-grid");
+        await viewer.Page.CheckAsync("#show-contours");
         await viewer.Page.SelectOptionAsync("#layer-choice", "height");
         await viewer.Page.Locator("#layer").WaitForAsync();
         await viewer.PointAsync(330, 480);
@@ -46,7 +47,8 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task Screenshot_OfATelephone_IsThere()
     {
-        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Samples}&altitude=5500000", 360, 720);
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(
+            chromium, server, $"{Samples}&altitude=5500000", 360, 720, hasPanel: false);
         await viewer.PointAsync(200, 150);
         await TakeAsync(viewer, "viewer-telephone.png");
     }
@@ -56,7 +58,7 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
     {
         await viewer.Page.EvaluateAsync("() => document.getElementById('settings').scrollTo(0, 0)");
         Assert.True(await viewer.Page.EvaluateAsync<bool>(
-            "() => document.getElementById('reading').scrollWidth <= document.getElementById('reading').clientWidth"));
+            "() => document.getElementById('settings').scrollWidth <= document.getElementById('settings').clientWidth"));
         string path = Path.Combine(TestParts.RepositoryRoot, "docs", "images", name);
         byte[] taken = await viewer.Page.ScreenshotAsync(new PageScreenshotOptions { Animations = ScreenshotAnimations.Disabled });
         if (IsWriting)

@@ -10,7 +10,7 @@ namespace Msisf.Viewer.Tests;
 [Collection(Chromium.Collection)]
 public class LayerTests(Chromium chromium, ViewerServer server)
 {
-    private const string Small = "samples=1&fit=false&width=160&height=120&latitude=-9&longitude=358&altitude=400000&mjd=55307";
+    private const string Small = "names=false&samples=1&fit=false&width=160&height=120&latitude=-9&longitude=358&altitude=400000&mjd=55307";
 
     private const string ColourAt = """
         ([x, y]) => [...document.getElementById('layer').getContext('2d').getImageData(x - 1, y - 1, 1, 1).data]

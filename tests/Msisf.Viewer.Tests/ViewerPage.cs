@@ -7,6 +7,9 @@ namespace Msisf.Viewer.Tests;
 /// <summary>The viewer in a window. When it is closed, nothing may have gone wrong, and no other host may have been asked.</summary>
 internal sealed class ViewerPage : IAsyncDisposable
 {
+    /// <summary>Where no graphics card is, each picture of WebGL is read back; Chromium warns of that.</summary>
+    private const string StallOfSoftware = "GL Driver Message";
+
     private readonly IBrowserContext _window;
     private readonly List<string> _troubles = [];
 
@@ -23,20 +26,33 @@ internal sealed class ViewerPage : IAsyncDisposable
 
     /// <summary>Opens the viewer with settings in its address, and waits for the picture at rest.</summary>
     public static async Task<ViewerPage> OpenAsync(
-        Chromium chromium, ViewerServer server, string settings, int width = 800, int height = 500, string? expected = null)
+        Chromium chromium, ViewerServer server, string settings, int width = 1300, int height = 600, string? expected = null,
+        bool hasPanel = true, string? before = null, bool hasTouch = false)
     {
         string address = server.Address;
-        IBrowserContext window = await chromium.WindowAsync(width, height);
+        IBrowserContext window = await chromium.WindowAsync(width, height, hasTouch);
         ViewerPage viewer = new(window, await window.NewPageAsync()) { Expected = expected };
-        viewer.Page.Console += (_, message) => viewer.Note(message.Type is "error" or "warning", $"{message.Type}: {message.Text}");
+        viewer.Page.Console += (_, message) => viewer.Note(
+            message.Type is "error" or "warning" && !message.Text.Contains(StallOfSoftware, StringComparison.Ordinal),
+            $"{message.Type}: {message.Text}");
         viewer.Page.PageError += (_, error) => viewer.Note(true, error);
         window.Request += (_, request) => viewer.Note(
             !request.Url.StartsWith(address, StringComparison.Ordinal)
                 && !request.Url.StartsWith($"blob:{address}", StringComparison.Ordinal),
             $"request to {request.Url}");
         viewer.Page.WebSocket += (_, socket) => socket.FrameReceived += (_, frame) => viewer.Images += frame.Binary is null ? 0 : 1;
+        if (before is not null)
+        {
+            await viewer.Page.AddInitScriptAsync(before);
+        }
+
         await viewer.Page.GotoAsync($"{address}/#{settings}");
         await viewer.AtRestAsync();
+        if (hasPanel)
+        {
+            await viewer.ShowAllAsync();
+        }
+
         return viewer;
     }
 
@@ -106,8 +122,14 @@ internal sealed class ViewerPage : IAsyncDisposable
         return await Page.InputValueAsync("#copied");
     }
 
-    /// <summary>Opens all sections of the panel.</summary>
-    public Task ShowAllAsync() => Page.EvaluateAsync("document.querySelectorAll('details').forEach(section => section.open = true)");
+    /// <summary>Shows the panel with all its drawers.</summary>
+    public Task ShowAllAsync() => Page.EvaluateAsync(
+        """
+        () => {
+            document.getElementById('panel').hidden = false;
+            document.querySelectorAll('details').forEach(drawer => drawer.open = true);
+        }
+        """);
 
     /// <summary>Closes the window; fails if something went wrong.</summary>
     public async ValueTask DisposeAsync()

@@ -118,8 +118,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
     public async Task KeyboardAlone_ReadsPinsMeasuresAndSwitches()
     {
         await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Small}&mjd=55292.85", 360, 700);
-        await viewer.Page.FocusAsync("#help-open");
-        await viewer.Page.Keyboard.PressAsync("Tab"); // the picture is next
+        await viewer.Page.Keyboard.PressAsync("Tab"); // the picture is first
         await viewer.Page.Keyboard.PressAsync("c");
         await viewer.Page.Keyboard.PressAsync("Shift+ArrowLeft");
         await viewer.Page.Keyboard.PressAsync("ArrowDown");
@@ -137,8 +136,8 @@ public class WayTests(Chromium chromium, ViewerServer server)
         Assert.Equal(GroundKilometres(await PlaceAsync(viewer, "A"), await PlaceAsync(viewer, "B")), Number(between.Split(' ')[4]), 0.002);
 
         Assert.Equal(
-            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('reading').clientWidth"),
-            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('reading').scrollWidth"));
+            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('drawer-reading').clientWidth"),
+            await viewer.Page.EvaluateAsync<int>("() => document.getElementById('drawer-reading').scrollWidth"));
 
         foreach ((string key, string field) in new[] { ("g", "show-grid"), ("t", "show-terminator") })
         {

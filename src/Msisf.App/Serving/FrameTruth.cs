@@ -25,6 +25,8 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
     /// <summary>m: some times the distance of the Sun.</summary>
     private const double MaxHeight = 1e12;
 
+    private const double RightAngle = 90.0; // degrees
+
     /// <summary>Half a pixel: the image begins at 0.5, since 1 is the middle of the first pixel.</summary>
     private const double HalfPixel = 0.5;
 
@@ -83,6 +85,30 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
             : !IsHidden(new Ray(eye, point - eye)) ? null
             : Vector3D.Dot(point, point - eye) > 0.0 ? "limb" : "terrain";
         return new PixelReading(seen.X, seen.Y, hiddenBy is null, hiddenBy, isLit);
+    }
+
+    /// <summary>How high the ground is at a place, m over the reference radius.</summary>
+    /// <exception cref="BadInputException">A number is out of its range.</exception>
+    public double HeightAt(double latitudeDegrees, double longitudeDegrees) => Ground(
+        new SurfacePlace(latitudeDegrees, longitudeDegrees, 0.0, isOverTerrain: false)
+            .ToPositionBodyFixed(_ => MoonConstants.ReferenceRadius)).PointBodyFixed.Length - MoonConstants.ReferenceRadius;
+
+    /// <summary>Says of a reading in shadow how far away what stands between it and the light's centre is.</summary>
+    /// <param name="reading">What is read.</param>
+    /// <param name="y">Row of the image in which it was read.</param>
+    public SurfaceReading WithShade(SurfaceReading reading, double y)
+    {
+        if (reading.Lit == IlluminationState.Shadow.Word() && reading.Incidence >= RightAngle)
+        {
+            return reading with { ShadedAt = 0.0 };
+        }
+
+        Vector3D point = new(reading.Position[0], reading.Position[1], reading.Position[2]);
+        Vector3D above = (1.0 + (SamePoint / point.Length)) * point;
+        Ray toLight = new(above, frame.Light.At(_camera, y).PositionBodyFixed - above);
+        return reading.Lit == IlluminationState.Shadow.Word() && tracer.TryTrace(toLight, out SurfaceHit hit)
+            ? reading with { ShadedAt = hit.RayParameter * toLight.Direction.Length }
+            : reading;
     }
 
     /// <summary>Refuses points outside the image.</summary>

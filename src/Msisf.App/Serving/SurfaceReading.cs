@@ -27,6 +27,12 @@ internal sealed record SurfaceReading(
     double Latitude, double Longitude, double Height, double[] Position, double Distance, double Incidence, double Emission, double Phase,
     double? IlluminationDirection, string Lit, double LitFraction, double PixelScale, double Slope, FacetReading Facet)
 {
+    /// <summary>
+    /// m, of a point in shadow: to the terrain that stands before the light's centre; 0 where the slope itself faces away from it. Null
+    /// elsewhere.
+    /// </summary>
+    public double? ShadedAt { get; init; }
+
     /// <summary>Reads what a ray of the camera meets.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="ray">Its ray.</param>

@@ -1,12 +1,15 @@
 // The page's address: it holds what is looked at and what is marked, so that a reload or a bookmark brings it back.
-// The pins, whose readings are long, are kept beside it: a reload has them, a bookmark has not.
+// Of the pins it has the places; what was read there is long, and kept beside it for a reload.
+
+import { pointAt } from './geometry.js';
 
 const $ = id => document.getElementById(id);
 
 /** Fields that the address holds by these names: what is shown over the picture. */
 const FIELDS = {
     layer: 'layer-choice', opacity: 'layer-opacity', craters: 'catalogue', landmarks: 'landmarks',
-    grid: 'show-grid', terminator: 'show-terminator', arrow: 'show-arrow',
+    grid: 'show-grid', terminator: 'show-terminator', arrow: 'show-arrow', names: 'show-names', contours: 'show-contours',
+    overview: 'show-overview', longitudes: 'longitudes', second: 'second-time',
 };
 
 const LONGEST = 40; // letters of a value that cannot be used, in a message
@@ -14,7 +17,7 @@ const LONGEST = 40; // letters of a value that cannot be used, in a message
 const valueOf = field => (field.type === 'checkbox' ? String(field.checked) : field.value);
 
 const firstValueOf = field => (field.type === 'checkbox' ? String(field.defaultChecked)
-    : field.type === 'range' ? field.defaultValue : field.options[0].value);
+    : field.options ? field.options[0].value : field.defaultValue);
 
 function put(field, value) {
     if (field.type === 'checkbox') {
@@ -30,6 +33,16 @@ function set(field, value) {
     const isTaken = put(field, value) || !put(field, firstValueOf(field));
     field.dispatchEvent(new Event(field.type === 'range' ? 'input' : 'change'));
     return isTaken;
+}
+
+/** The place of a pin: degrees, m. */
+const pinText = ({ latitude, longitude, height }) => [latitude, longitude, height].map(number => Number(number.toFixed(7))).join(',');
+
+/** A pin from a text of the address; null where it is none. */
+function pinOf(text) {
+    const [latitude, longitude, height = 0, ...more] = text.split(',').map(word => (word.trim() === '' ? NaN : Number(word)));
+    return more.length === 0 && Math.abs(latitude) <= 90 && Number.isFinite(longitude) && Number.isFinite(height)
+        ? { latitude, longitude, height, position: pointAt(latitude, longitude, height) } : null;
 }
 
 export class Address {
@@ -53,7 +66,28 @@ export class Address {
                 parameters.set(name, valueOf($(id)));
             }
         }
+        const { A, B } = this.readings.pins;
+        if (A) {
+            parameters.set('pins', [A, B].filter(Boolean).map(pinText).join(';'));
+        }
         history.replaceState({ pins: this.readings.pins }, '', `#${parameters}`);
+    }
+
+    /** Takes the pins of the address, with all that was read there if the browser still has it. Answers whether it could. */
+    #readPins(text) {
+        if (!text) {
+            this.readings.pins = {};
+            return true;
+        }
+        const kept = history.state?.pins;
+        if (kept?.A && [kept.A, kept.B].filter(Boolean).map(pinText).join(';') === text) {
+            this.readings.pins = kept;
+            return true;
+        }
+        const [A, B, ...more] = text.split(';').map(pinOf);
+        const isRight = A && B !== null && more.length === 0;
+        this.readings.pins = isRight ? { A, B } : {};
+        return isRight;
     }
 
     /** Takes over what was written, once the fields have their choices. @returns words about what cannot be used; null if all can. */
@@ -67,7 +101,10 @@ export class Address {
             }
             parameters.delete(name);
         }
-        this.readings.pins = history.state?.pins ?? this.readings.pins;
+        if (!this.#readPins(parameters.get('pins'))) {
+            unused.push(['pins', parameters.get('pins')]);
+        }
+        parameters.delete('pins');
         unused.push(...this.state.fromText(parameters, models));
         this.#isRead = true;
         const words = unused.map(([name, value]) => `${name}=${value}`.slice(0, LONGEST));

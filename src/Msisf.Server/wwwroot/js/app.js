@@ -2,27 +2,36 @@
 
 import { Address } from './address.js';
 import { Compare } from './compare.js';
+import { sayModel, showCompass, showScaleBar } from './compass.js';
+import { Connection } from './connection.js';
+import { Contours } from './contours.js';
 import { copy } from './copy.js';
+import { Drawers } from './drawers.js';
 import { Frames } from './frames.js';
+import { Hover } from './hover.js';
 import { LayerView } from './layer-view.js';
 import { Marks } from './marks.js';
+import { Names } from './names.js';
 import { Navigation } from './navigation.js';
+import { Overview } from './overview.js';
 import { Panel } from './panel.js';
 import { Picture } from './picture.js';
-import { Reader, Readings } from './readings.js';
-import { getJson, readPixels } from './server.js';
+import { Pins } from './pins.js';
+import { Pointing } from './pointing.js';
+import { Readings } from './readings.js';
+import { getJson } from './server.js';
+import { sphereImage } from './sphere.js';
 import { Stage } from './stage.js';
 import { State } from './state.js';
 import { Sun } from './sun.js';
 import { TakeAway } from './takeaway.js';
-import { lengthText } from './text.js';
+import { TimeBar } from './timebar.js';
+import { Undo } from './undo.js';
 
 const $ = id => document.getElementById(id);
 
 const state = new State();
 let offers = { models: [] };
-let crosshair = null;
-let groundHeight = 0;
 
 /** Words about the address, which stay until something is changed; others go when the next picture is there. */
 let aboutAddress = null;
@@ -33,10 +42,18 @@ const notice = words => {
     $('notice').hidden = !text;
 };
 
+const isHalved = () => $('longitudes').value === '180';
 const stage = new Stage($('stage'), $('picture'), (width, height) => state.fitTo(width, height));
-const readings = new Readings($('readings'), $('between'), () => marks.draw());
+const connection = new Connection(notice, () => {
+    notice(null);
+    start();
+});
+const readings = new Readings($('readings'), $('between'), () => {
+    marks.draw();
+    pins.show();
+});
 const sun = new Sun(() => {
-    sun.showOver(state);
+    overlook();
     marks.draw();
 });
 const picture = new Picture(stage, state, () => navigation.isMoving, {
@@ -44,129 +61,110 @@ const picture = new Picture(stage, state, () => navigation.isMoving, {
     onRest: atRest,
     onStatus: words => $('status').textContent = words,
     onNotice: notice,
+    onLost: () => connection.lose(),
+    onWork: isWorking => $('progress').hidden = !isWorking,
 });
 const layer = new LayerView(stage, notice);
+const contours = new Contours(() => marks.draw(), notice);
+const names = new Names(state, () => marks.draw(), notice, isHalved);
+const frames = new Frames(state, picture, () => offers, notice);
+const hover = new Hover(stage, () => sun.position, isHalved);
+const pointing = new Pointing(stage, picture, readings, reading => {
+    hover.show(reading);
+    marks.draw();
+}, () => address.write());
 const marks = new Marks(
     stage,
-    () => ({ shown: picture.shown, isAtRest: picture.isAtRest, sunPosition: sun.position, readings, crosshair }),
+    () => ({
+        shown: picture.shown, isAtRest: picture.isAtRest, sunPosition: sun.position, readings, crosshair: pointing.crosshair,
+        names: names.byWeight, states: frames.states, contours,
+    }),
     notice);
 const panel = new Panel(state);
+const timeBar = new TimeBar(state);
 const address = new Address(state, readings);
-const ask = async pixel => (await readPixels(picture.shown.frame, [pixel])).at(0);
-const reader = new Reader(
-    ask,
-    reading => {
-        readings.set('here', reading);
-        if (crosshair) {
-            $('spoken').textContent = readings.sentence;
-        }
-    });
 const navigation = new Navigation(stage, state, {
-    ground: () => groundHeight,
-    onPoint: pixel => !crosshair && point(pixel),
-    onCrosshair: moveCrosshair,
-    onPin: pin,
+    ground: () => pointing.groundHeight,
+    onPoint: pixel => !pointing.crosshair && pointing.point(pixel),
+    onCrosshair: way => pointing.moveCrosshair(way),
+    onPin: () => pointing.pin(),
 });
 const compare = new Compare(stage, notice);
-const frames = new Frames(state, picture, () => offers, notice);
-new TakeAway(
-    () => ({ ...(picture.isStored ? picture.shown.frame : state.frame()), samples: state.picture.samples }), () => offers.models, notice);
-
-/** Reads a pixel of the picture, as soon as it is at rest. */
-let pointed = null;
-function point(pixel) {
-    pointed = pixel;
-    if (picture.shown?.frame && picture.isAtRest) {
-        reader.read(pixel);
-    }
-}
+const frameNow = () => (picture.isStored ? picture.shown.frame : state.frame());
+const pins = new Pins(() => readings.pins, frameNow, notice);
+const overview = new Overview(state);
+const drawers = new Drawers(() => overlook());
+const undo = new Undo(state, $('undo'));
+new TakeAway(() => ({ ...frameNow(), samples: state.picture.samples }), () => offers.models, notice);
 
 function atRest(frame) {
     address.write();
+    undo.keep();
     layer.show(frame);
     marks.know(frame);
-    point(crosshair ?? pointed);
-    findGround();
+    contours.know(state.frame(state.movingSize), state.size);
+    pointing.again();
+    pointing.findGround(state);
+    overview.know(frame);
+    compare.know(frame);
 }
 
-/** How high the terrain below the camera is: one pixel that looks straight down. */
-async function findGround() {
-    const { view } = state;
-    const down = new State();
-    down.picture = { ...state.picture };
-    down.look({ ...view, tilt: 0, roll: 0, fov: 1 });
-    const [reading] = await readPixels(down.frame({ width: 1, height: 1 }), [[1, 1]]).catch(() => [null]);
-    if (reading && view === state.view) {
-        groundHeight = reading.height;
-        $('over-terrain').textContent = lengthText(view.altitude - groundHeight);
+/** Shows numbers and what belongs to the middle of the picture: once for all changes between two pictures of the screen. */
+let isOverlooking = false;
+function overlook() {
+    if (!isOverlooking) {
+        isOverlooking = true;
+        requestAnimationFrame(() => {
+            isOverlooking = false;
+            overlookNow();
+        });
     }
 }
 
-/** Pins what is read; a click may come before its reading does. */
-async function pin() {
-    const pixel = crosshair ?? pointed;
-    if (!pixel || !picture.shown?.frame || !picture.isAtRest) {
-        return;
-    }
-    const here = readings.get('here');
-    const isRead = here?.pixel.every((number, axis) => number === pixel[axis]);
-    const reading = isRead ? here : await ask(pixel).catch(() => null);
-    readings.pin(reading && { ...reading, pixel });
-    address.write();
-    $('spoken').textContent = reading ? $('between').textContent : 'There is no Moon to pin here.';
-}
-
-function unpin() {
-    readings.unpin();
-    address.write();
-}
-
-function setCrosshair(pixel) {
-    crosshair = pixel;
-    $('crosshair').setAttribute('aria-pressed', pixel !== null);
-    point(pixel);
-    marks.draw();
-}
-
-function toggleCrosshair() {
-    const { width, height } = picture.shown?.size ?? state.size;
-    setCrosshair(crosshair ? null : [Math.ceil(width / 2), Math.ceil(height / 2)]);
-}
-
-function moveCrosshair([dx, dy]) {
-    if (!crosshair) {
-        return false;
-    }
-    const { width, height } = picture.shown.size;
-    setCrosshair([Math.min(Math.max(crosshair[0] + dx, 1), width), Math.min(Math.max(crosshair[1] + dy, 1), height)]);
-    return true;
+function overlookNow() {
+    const { view, size } = state;
+    panel.show();
+    timeBar.show();
+    timeBar.say(showCompass(view, size, sun.position));
+    sun.showOver(state);
+    overview.draw(sun.position);
+    showScaleBar(view, size, stage.picture.clientWidth);
+    sayModel(view, size, offers.models.find(({ name }) => name === state.model));
 }
 
 const KEYS = {
-    c: toggleCrosshair,
-    p: pin,
-    u: unpin,
+    c: () => pointing.toggleCrosshair(),
+    p: () => pointing.pin(),
+    u: () => pointing.unpin(),
     n: () => $('north-up').click(),
     0: () => $('look-down').click(),
     l: () => layer.next(),
     g: () => marks.toggle('show-grid'),
     t: () => marks.toggle('show-terminator'),
     b: () => compare.toggleBlink(),
-    ',': () => panel.stepTime(-1 / 24),
-    '.': () => panel.stepTime(1 / 24),
-    '<': () => panel.stepTime(-1),
-    '>': () => panel.stepTime(1),
+    h: () => drawers.switch(),
+    '/': () => $('search-text').focus(),
+    ',': () => timeBar.step(-1 / 24),
+    '.': () => timeBar.step(1 / 24),
+    '<': () => timeBar.step(-1),
+    '>': () => timeBar.step(1),
     '?': () => $('help').showModal(),
     PageUp: () => frames.step(-1),
     PageDown: () => frames.step(1),
-    ' ': () => frames.togglePlay(),
-    Escape: () => crosshair && toggleCrosshair(),
+    ' ': () => (frames.states.length ? frames.togglePlay() : timeBar.togglePlay()),
+    Escape: () => pointing.crosshair && pointing.toggleCrosshair(),
 };
 
 document.addEventListener('keydown', event => {
+    const isTyping = event.target.closest('input, select, textarea');
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'z' && !isTyping) {
+        event.preventDefault();
+        undo.back();
+        return;
+    }
     const isBusy = event.ctrlKey || event.metaKey || event.altKey || $('help').open;
     const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
-    const isHere = event.target === stage.stage || (event.key === '?' && !event.target.closest('input, select, textarea'));
+    const isHere = event.target === stage.stage || ('?/'.includes(event.key) && !isTyping);
     if (action && isHere && !isBusy) {
         event.preventDefault();
         action();
@@ -176,27 +174,31 @@ document.addEventListener('keydown', event => {
 function show(isStored) {
     aboutAddress = null;
     layer.hide();
-    readings.set('here', null);
+    contours.forget();
+    compare.forget();
+    hover.show(null);
+    if (readings.get('here')) {
+        readings.set('here', null);
+    }
     if (!isStored) {
         picture.draw();
     }
-    panel.show();
     sun.at(state.view.mjd);
-    sun.showOver(state);
+    overlook();
     frames.onView();
 }
 
 stage.onPlaced = () => marks.draw();
-$('crosshair').addEventListener('click', toggleCrosshair);
-$('pin').addEventListener('click', pin);
-$('unpin').addEventListener('click', unpin);
+$('crosshair').addEventListener('click', () => pointing.toggleCrosshair());
+$('pin').addEventListener('click', () => pointing.pin());
+$('unpin').addEventListener('click', () => pointing.unpin());
 $('readings-copy').addEventListener('click', () => copy(readings.json));
 $('help-open').addEventListener('click', () => $('help').showModal());
 window.addEventListener('hashchange', () => tellAboutAddress(readAddress()));
 
 function readAddress() {
     const words = address.read(offers.models);
-    panel.anchorTime();
+    timeBar.anchor();
     return words;
 }
 
@@ -205,22 +207,41 @@ function tellAboutAddress(words) {
     notice(null);
 }
 
-async function start() {
-    offers = await getJson('/v1/models');
-    Panel.offer($('model'), Panel.modelChoices(offers));
-    Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
-    for (const list of ['catalogue', 'landmarks']) {
-        Panel.offer($(list), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
-    }
-    await frames.offer();
-    const words = readAddress();
-    state.onChange(show);
-    if (location.hash.length < 2) {
-        panel.wholeMoon();
-    } else {
-        state.draw({});
-    }
-    tellAboutAddress(words);
+/** What is there before the server has said anything: the sphere, its size and its light about right. */
+function showSphere() {
+    readAddress();
+    stage.setSize(state.size);
+    Stage.paintGrey(stage.image, sphereImage(state.view, state.size));
+    overlook();
 }
 
-start().catch(error => notice(error.message));
+async function start() {
+    try {
+        if (offers.models.length === 0) {
+            offers = await getJson('/v1/models');
+            state.models = offers.models;
+            Panel.offer($('model'), Panel.modelChoices(offers));
+            Panel.offer($('reflectance'), (offers.reflectances ?? []).map(item => ({ value: item.name ?? item })));
+            for (const list of ['catalogue', 'landmarks']) {
+                Panel.offer($(list), (offers.catalogues ?? []).map(({ name }) => ({ value: name })));
+            }
+            await frames.offer();
+            const words = readAddress();
+            state.onChange(show);
+            if (location.hash.length < 2) {
+                panel.wholeMoon();
+            } else {
+                state.draw({});
+            }
+            tellAboutAddress(words);
+        } else {
+            state.draw({}); // the server is back
+        }
+    } catch (error) {
+        notice(error.message);
+        connection.lose();
+    }
+}
+
+showSphere();
+start();

@@ -1,11 +1,11 @@
 // A time line of frames: a finished folder or a batch file of the server, the user's batch file, or a recorded flight.
 
-import { readBatch } from './batch.js';
 import { Flight } from './flight.js';
 import { viewOf } from './geometry.js';
 import { metaRows } from './meta.js';
 import { bitmapOf, getBlob, getJson, getText } from './server.js';
 import { calendarOf } from './time.js';
+import { keplerOf, openDropped, statesOf } from './trajectory.js';
 
 const $ = id => document.getElementById(id);
 const LEAST_TIME = 100; // ms that each frame is shown while playing
@@ -23,6 +23,8 @@ export class Frames {
         this.flight = new Flight(state, states => this.open(this.#ofStates(states)), onProblem);
         $('folder').addEventListener('change', event => this.#try(this.#openFolder(event.target.value)));
         $('batch-file').addEventListener('change', event => event.target.files[0] && this.#try(this.#openFile(event.target.files[0])));
+        openDropped(file => this.#try(this.#openFile(file)));
+        $('kepler').addEventListener('change', event => event.target.value.trim() && this.#try(this.#openOrbit(event.target.value)));
         $('frame-slider').addEventListener('input', event => this.#try(this.show(event.target.valueAsNumber)));
         $('frame-first').addEventListener('click', () => this.#try(this.show(0)));
         $('frame-before').addEventListener('click', () => this.step(-1));
@@ -54,6 +56,11 @@ export class Frames {
             $('folder').value = '';
             this.state.draw({});
         }
+    }
+
+    /** The states of the frames. */
+    get states() {
+        return this.#list.map(({ state }) => state);
     }
 
     /** Goes frames on or back. */
@@ -135,11 +142,14 @@ export class Frames {
     }
 
     async #openFile(file) {
-        try {
-            this.open(this.#ofStates(readBatch(await file.text())));
-        } catch (error) {
-            this.onProblem(`${file.name}, ${error.message}`);
+        this.open(this.#ofStates(await statesOf(file.name, await file.text(), this.state.view.mjd)));
+    }
+
+    async #openOrbit(text) {
+        if (!keplerOf(text)) {
+            throw new Error('An orbit is six numbers in braces, {a, e, ω, Ω, i, M₀}: a in m and above 0, angles in rad.');
         }
+        this.open(this.#ofStates(await statesOf('The orbit', text, this.state.view.mjd)));
     }
 
     #ofStates(states) {

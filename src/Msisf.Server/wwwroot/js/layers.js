@@ -16,6 +16,7 @@ export const LAYERS = {
     height: { label: 'Height', text: value => lengthText(value) },
     slope: { label: 'Slope', range: [0, 45], text: value => degrees(value, 0) },
     incidence: { label: 'Incidence', range: [0, 90], text: value => degrees(value, 0) },
+    'pixel-scale': { label: 'Resolution: side of a pixel', text: value => lengthText(value) },
     depth: { label: 'Depth along the line of sight', text: value => lengthText(value) },
     mask: { label: 'Light and shadow', states: STATES },
 };

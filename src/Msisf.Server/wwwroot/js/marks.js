@@ -3,6 +3,7 @@
 import { Grid } from './grid.js';
 import { Overlay } from './overlay.js';
 import { getJson, renderMeta } from './server.js';
+import { drawTrajectory } from './trajectory.js';
 
 const $ = id => document.getElementById(id);
 
@@ -12,10 +13,10 @@ export class Marks {
     #frame = null;
     #abort = new AbortController();
 
-    /** @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair}. */
+    /** @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair, names, states, contours}. */
     constructor(stage, look, onProblem) {
         Object.assign(this, { stage, look, onProblem });
-        for (const id of ['show-grid', 'show-terminator', 'show-arrow']) {
+        for (const id of ['show-grid', 'show-terminator', 'show-arrow', 'show-names', 'show-trajectory']) {
             $(id).addEventListener('change', () => this.draw());
         }
         $('catalogue').addEventListener('change', event => this.#open(event.target.value).catch(error => onProblem(error.message)));
@@ -62,11 +63,15 @@ export class Marks {
     }
 
     draw() {
-        const { shown, isAtRest, sunPosition, readings, crosshair } = this.look();
+        const { shown, isAtRest, sunPosition, readings, crosshair, names, states, contours } = this.look();
         if (!shown) {
             return;
         }
         const overlay = new Overlay(this.stage.overlay, shown.view, shown.size);
+        if (isAtRest) {
+            contours.draw(overlay);
+        }
+        drawTrajectory(overlay, states, shown.size, shown.view.fov);
         const pins = ['A', 'B'].filter(letter => readings.get(letter));
         if (pins.length === 2) {
             overlay.drawWay(...pins.map(letter => readings.get(letter).position));
@@ -86,6 +91,9 @@ export class Marks {
             overlay.drawRims(truth.craters);
         } else {
             overlay.drawCraters(this.#craters);
+        }
+        if ($('show-names').checked) {
+            overlay.drawNames(names, sunPosition);
         }
         const here = readings.get('here');
         if (isAtRest && here && here.illumination_direction !== null && $('show-arrow').checked) {

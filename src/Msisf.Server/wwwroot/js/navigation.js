@@ -3,6 +3,8 @@
 import { REFERENCE_RADIUS, shifted, travelled } from './geometry.js';
 
 const LOOK_RATE = 40; // degrees a second, of heading, tilt and roll, by keys
+const LONG_PRESS = 500; // ms with a finger, which pins
+const DECISION = 12; // px that two fingers move before it is said what they do
 const MINIMUM_HEIGHT = 20; // m over the ground, which speeds and steps are measured by
 
 /** What a held key does, per second; a step is the height over the ground. */
@@ -18,6 +20,8 @@ export class Navigation {
     #held = new Set();
     #pointers = new Map();
     #lastTime = 0;
+    #pair = null;
+    #press = 0;
 
     /**
      * @param ground says how high the terrain below the camera is, m over the reference radius.
@@ -28,11 +32,12 @@ export class Navigation {
     constructor(stage, state, { ground, onPoint, onCrosshair, onPin }) {
         Object.assign(this, { stage, state, ground, onPoint, onCrosshair, onPin });
         const area = stage.stage;
-        area.addEventListener('pointerdown', event => this.#press(event));
+        area.addEventListener('pointerdown', event => this.#down(event));
         area.addEventListener('pointermove', event => this.#move(event));
         area.addEventListener('pointerup', event => this.#release(event));
         area.addEventListener('pointercancel', event => this.#release(event));
-        area.addEventListener('pointerleave', () => this.#pointers.size === 0 && onPoint(null));
+        area.addEventListener(
+            'pointerleave', event => event.pointerType === 'mouse' && this.#pointers.size === 0 && onPoint(null));
         area.addEventListener('contextmenu', event => event.preventDefault());
         area.addEventListener('wheel', event => this.#wheel(event), { passive: false });
         area.addEventListener('keydown', event => this.#keyDown(event));
@@ -55,13 +60,18 @@ export class Navigation {
         this.state.look({ altitude: this.ground() + this.#height * factor });
     }
 
-    #press(event) {
+    #down(event) {
         if (event.target.closest('button, input, select')) {
             return;
         }
         this.stage.stage.setPointerCapture(event.pointerId);
         const [x, y] = [event.clientX, event.clientY];
-        this.#pointers.set(event.pointerId, { x, y, startX: x, startY: y, moved: false });
+        this.#pointers.set(event.pointerId, { x, y, startX: x, startY: y, moved: false, startTime: performance.now() });
+        this.#pair = this.#pointers.size === 2 ? this.#pairNow() : null;
+        clearTimeout(this.#press);
+        if (event.pointerType === 'touch' && this.#pointers.size === 1) {
+            this.#press = setTimeout(() => this.#longPress(event), LONG_PRESS);
+        }
     }
 
     #move(event) {
@@ -71,14 +81,14 @@ export class Navigation {
             return;
         }
         const [dx, dy] = [event.clientX - pointer.x, event.clientY - pointer.y];
-        const before = this.#spread();
         Object.assign(pointer, { x: event.clientX, y: event.clientY });
         pointer.moved ||= Math.hypot(event.clientX - pointer.startX, event.clientY - pointer.startY) > 3;
         if (!pointer.moved) {
             return;
         }
+        clearTimeout(this.#press);
         if (this.#pointers.size === 2) {
-            this.climb(before / Math.max(this.#spread(), 1));
+            this.#movePair();
         } else if (event.shiftKey || (event.buttons & 2) !== 0) {
             this.#turn(dx, dy);
         } else {
@@ -86,19 +96,55 @@ export class Navigation {
         }
     }
 
-    /** A press without a way is a click: it pins the place. */
+    /** A press without a way is a click: it pins the place. A finger reads; one that stays pins. */
     #release(event) {
         const pointer = this.#pointers.get(event.pointerId);
         this.#pointers.delete(event.pointerId);
+        this.#pair = null;
+        clearTimeout(this.#press);
         if (pointer && !pointer.moved && event.type === 'pointerup') {
             this.onPoint(this.stage.pixelAt(event.clientX, event.clientY));
-            this.onPin();
+            if (event.pointerType !== 'touch') {
+                this.onPin();
+            }
         }
     }
 
-    #spread() {
+    #longPress(event) {
+        const pointer = this.#pointers.get(event.pointerId);
+        if (pointer && !pointer.moved) {
+            pointer.moved = true; // lifting the finger is no tap any more
+            this.onPoint(this.stage.pixelAt(event.clientX, event.clientY));
+            this.onPin();
+            this.#pointers.delete(event.pointerId);
+        }
+    }
+
+    /** How two fingers lie: distance, middle, direction. */
+    #pairNow() {
         const [a, b] = [...this.#pointers.values()];
-        return b ? Math.hypot(a.x - b.x, a.y - b.y) : 1;
+        return { spread: Math.hypot(a.x - b.x, a.y - b.y), y: (a.y + b.y) / 2, angle: Math.atan2(b.y - a.y, b.x - a.x), does: null };
+    }
+
+    /** Two fingers pinch and turn, or tilt when both go up or down; which of both they do is decided once. */
+    #movePair() {
+        const [before, now] = [this.#pair ?? this.#pairNow(), this.#pairNow()];
+        const [wider, lower] = [Math.abs(now.spread - before.spread), Math.abs(now.y - before.y)];
+        const turned = Math.abs(now.angle - before.angle) * now.spread / 2;
+        const does = before.does ?? (Math.max(wider, lower, turned) < DECISION ? null
+            : lower > Math.max(wider, turned) ? 'tilt' : 'pinch');
+        if (does === null) {
+            this.#pair = before;
+            return;
+        }
+        this.#pair = { ...now, does };
+        if (does === 'tilt') {
+            this.state.look({ tilt: this.state.view.tilt - (now.y - before.y) * 0.3 });
+        } else {
+            const turn = Math.atan2(Math.sin(now.angle - before.angle), Math.cos(now.angle - before.angle));
+            this.climb(Math.max(before.spread, 1) / Math.max(now.spread, 1));
+            this.state.look({ heading: this.state.view.heading - turn * 180 / Math.PI });
+        }
     }
 
     /** Degrees that a pixel of the page is in the image's middle, seen from the camera. */

@@ -1,13 +1,14 @@
 // What is drawn over the picture: terminator, craters, the light's arrow, pins, the crosshair.
 
 import {
-    cameraOf, circleAround, combine, focalLength, isOnNearSide, limbAngle, pointAt, project, scale, seenParts, REFERENCE_RADIUS,
+    cameraOf, circleAround, combine, focalLength, isOnNearSide, length, limbAngle, meetSphere, normalize, pointAt, project, scale,
+    seenParts, subtract, sunAt, REFERENCE_RADIUS,
 } from './geometry.js';
 import { fixed } from './text.js';
 
 const COLOURS = {
     terminator: '#ffb347', crater: '#b6f09c', hidden: '#9aa0a6', landmark: '#7cd5ff',
-    arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff',
+    arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff', name: '#f2f5fa', nightName: '#7f8aa0',
 };
 
 /** Points of the limb: between two it is at most 0.7 m off the circle. */
@@ -22,7 +23,7 @@ export class Overlay {
         this.camera = cameraOf(view);
         this.unit = canvas.width / size.width;
         const pageText = parseFloat(getComputedStyle(document.documentElement).fontSize);
-        this.text = Math.max(11, Math.round(13 / 16 * pageText * (window.devicePixelRatio || 1)));
+        this.text = Math.max(14, Math.round(14 / 16 * pageText * (window.devicePixelRatio || 1)));
         this.labels = [];
         this.context.clearRect(0, 0, canvas.width, canvas.height);
         this.context.font = `${this.text}px system-ui, sans-serif`;
@@ -44,6 +45,70 @@ export class Overlay {
     /** Draws the part of a line over the sphere that the camera sees. */
     line(points, colour, dash = []) {
         this.#stroke(seenParts(this.camera, points), colour, dash);
+    }
+
+    /** Draws a line through space, as far as the sphere does not hide it. */
+    free(points, colour, dash = []) {
+        const { position } = this.camera;
+        const isSeen = point => {
+            const way = subtract(point, position);
+            const met = meetSphere(position, normalize(way));
+            return !met || length(subtract(met, position)) > length(way);
+        };
+        const parts = [];
+        let part = null;
+        for (const point of points) {
+            if (isSeen(point)) {
+                if (part === null) {
+                    parts.push(part = []);
+                }
+                part.push(point);
+            } else {
+                part = null;
+            }
+        }
+        this.#stroke(parts, colour, dash);
+    }
+
+    /** Draws segments of the canvas: [x, y, x, y] of each. */
+    segments(list, isThick) {
+        const path = new Path2D();
+        for (const [ax, ay, bx, by] of list) {
+            path.moveTo(ax, ay);
+            path.lineTo(bx, by);
+        }
+        this.context.strokeStyle = isThick ? 'rgba(255, 217, 160, 0.9)' : 'rgba(255, 217, 160, 0.5)';
+        this.context.lineWidth = this.text / (isThick ? 9 : 14);
+        this.context.stroke(path);
+        this.context.lineWidth = this.text / 10;
+    }
+
+    /** Names of features in the middle of them, the largest first, where there is room. */
+    drawNames(features, sunPosition, most = 40) {
+        const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
+        const nearest = this.#nearest();
+        let drawn = 0;
+        for (const { name, latitude, longitude, diameter, weight } of features) {
+            if (4 * weight * focal / nearest < 2.2 * this.text) {
+                return;
+            }
+            const centre = pointAt(latitude, longitude);
+            const place = this.at(centre);
+            const size = diameter * focal / length(subtract(centre, this.camera.position));
+            const isFit = place && size > 2.2 * this.text && size < 2.5 * this.canvas.width;
+            const isNight = isFit && sunPosition && sunAt(centre, sunPosition).elevation < 0;
+            if (isFit && this.label(name, place, isNight ? COLOURS.nightName : COLOURS.name, 'center')) {
+                drawn += 1;
+            }
+            if (drawn === most) {
+                return;
+            }
+        }
+    }
+
+    /** m: no point of the sphere is nearer. */
+    #nearest() {
+        return Math.max(Math.abs(length(this.camera.position) - REFERENCE_RADIUS), 1);
     }
 
     /** Draws the sphere's limb: what ends there does not stand out into the sky. */
@@ -118,8 +183,12 @@ export class Overlay {
     /** Circles and names of the largest craters that are in the picture. */
     drawCraters(craters, most = 60) {
         const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
+        const nearest = this.#nearest();
         let drawn = 0;
         for (const { name, latitude, longitude, diameter } of craters) {
+            if (diameter * focal / nearest < 1.5 * this.text) {
+                return; // the others are smaller
+            }
             const centre = pointAt(latitude, longitude);
             const place = this.at(centre);
             const distance = Math.hypot(...combine([centre, 1], [this.camera.position, -1]));

@@ -1,6 +1,5 @@
-// The fields of the camera, the time and the picture: they show the state and change it.
+// The fields of the camera and the picture: they show the state and change it.
 
-import { calendarOf, mjdOf } from './time.js';
 import { REFERENCE_RADIUS } from './geometry.js';
 
 const $ = id => document.getElementById(id);
@@ -14,35 +13,22 @@ const NUMBERS = {
 const CHOICES = ['model', 'shading', 'sun', 'reflectance'];
 
 export class Panel {
-    #anchor;
-
     constructor(state) {
         this.state = state;
-        this.#anchor = state.view.mjd;
         for (const [name, { unit = 1 }] of Object.entries(NUMBERS)) {
             $(name).addEventListener('change', event => {
                 const number = event.target.valueAsNumber;
                 if (Number.isFinite(number) && event.target.validity.valid) {
                     state.look({ [name]: number * unit });
-                    if (name === 'mjd') {
-                        this.anchorTime();
-                    }
                 }
             });
         }
-        $('calendar').addEventListener('change', event => {
-            const mjd = mjdOf(event.target.value);
-            if (mjd !== null) {
-                state.look({ mjd });
-                this.anchorTime();
-            }
-        });
-        $('time-slider').addEventListener('input', event => state.look({ mjd: this.#anchor + event.target.valueAsNumber }));
-        $('time-steps').addEventListener('click', event => event.target.dataset.days && this.stepTime(Number(event.target.dataset.days)));
         for (const name of CHOICES) {
             $(name).addEventListener('change', event => state.draw({ [name]: event.target.value }));
         }
-        $('samples').addEventListener('change', event => state.draw({ samples: Number(event.target.value) }));
+        $('samples').addEventListener('change', event => state.draw({
+            samples: event.target.value === 'auto' ? 'auto' : Number(event.target.value),
+        }));
         $('refine').addEventListener('change', event => state.draw({ refine: event.target.checked }));
         $('seed').addEventListener('change', event => event.target.validity.valid && event.target.value
             && state.draw({ seed: event.target.valueAsNumber }));
@@ -70,13 +56,6 @@ export class Panel {
         this.state.look({ altitude: distance - REFERENCE_RADIUS, tilt: 0, roll: 0, heading: 0 });
     }
 
-    stepTime(days) {
-        this.state.look({ mjd: this.state.view.mjd + days });
-        if (Math.abs(this.state.view.mjd - this.#anchor) > 15) {
-            this.anchorTime();
-        }
-    }
-
     /** Offers the names of a list in a field of choices, the one chosen first or by its value. */
     static offer(select, options, chosen) {
         select.append(...options.map(({ value, label }) => new Option(label ?? value, value)));
@@ -87,6 +66,7 @@ export class Panel {
     static modelChoices({ models, one_surface: surface = [] }) {
         const whole = models.filter(model => model.whole_moon).map(({ name, pixels_per_degree: resolution }) => (
             { value: name, label: `${name} (${resolution} px/deg)` }));
+        whole.unshift({ value: '', label: 'By the size of a pixel' });
         return surface.length ? [...whole, { value: surface.join('+'), label: `${surface.join(' + ')} as one surface` }] : whole;
     }
 
@@ -102,12 +82,6 @@ export class Panel {
         for (const [name, { decimals, unit = 1 }] of Object.entries(NUMBERS)) {
             write(name, Number((view[name] / unit).toFixed(decimals)));
         }
-        write('calendar', calendarOf(view.mjd));
-        if (Math.abs(view.mjd - this.#anchor) > 15.01) {
-            this.#anchor = view.mjd;
-        }
-        $('time-slider').value = view.mjd - this.#anchor;
-        $('time-slider').setAttribute('aria-valuetext', `${calendarOf(view.mjd).replace('T', ' ')} UTC`);
         for (const name of CHOICES) {
             write(name, picture[name] || $(name).options[0]?.value || '');
         }
@@ -118,11 +92,5 @@ export class Panel {
         $('refine').checked = picture.refine;
         write('seed', picture.seed);
         $('refine-note').hidden = !picture.refine;
-    }
-
-    /** Makes the time the middle of the slider's half months. */
-    anchorTime() {
-        this.#anchor = this.state.view.mjd;
-        this.show();
     }
 }

@@ -7,7 +7,7 @@ import { degrees, fixed, latitudeText, lengthText } from './text.js';
 const ROWS = [
     ['Latitude', reading => latitudeText(reading.latitude)],
     ['Longitude E', reading => degrees(reading.longitude, 6)],
-    ['Height', reading => `${fixed(reading.height, 2)} m${reading.facet.invented ? ', INVENTED' : ''}`],
+    ['Height', reading => `${fixed(reading.height, 2)} m${reading.facet?.invented ? ', INVENTED' : ''}`],
     ['Incidence', reading => degrees(reading.incidence, 4)],
     ['Emission', reading => degrees(reading.emission, 4)],
     ['Phase', reading => degrees(reading.phase, 4)],
@@ -34,6 +34,9 @@ const HINTS = {
     Facet: 'Line, sample and half of the cell of the elevation model',
     Pixel: 'The first is 1, 1',
 };
+
+/** What is known of a pin that comes from the page's address. */
+const OF_PLACE = ['Latitude', 'Longitude E', 'Height'];
 
 const COLUMNS = ['here', 'A', 'B'];
 
@@ -116,7 +119,7 @@ export class Readings {
             for (const column of COLUMNS) {
                 const reading = this.#read[column];
                 const cell = this.#cells[name][column];
-                cell.textContent = reading ? textOf(reading) : '–';
+                cell.textContent = reading && (reading.facet || OF_PLACE.includes(name)) ? textOf(reading) : '–';
                 if (name === 'Light') {
                     cell.className = reading?.lit ?? '';
                 }

@@ -3,6 +3,9 @@
 /** The server refused or failed; the message has its words. */
 export class ServerError extends Error {}
 
+/** The server does not answer at all. */
+export class LostError extends ServerError {}
+
 async function checked(answer) {
     if (answer.ok) {
         return answer;
@@ -16,7 +19,7 @@ async function call(path, options) {
     try {
         answer = await fetch(path, options);
     } catch (error) {
-        throw error.name === 'AbortError' ? error : new ServerError('the server does not answer: is msis still running?');
+        throw error.name === 'AbortError' ? error : new LostError('the server does not answer: is msis still running?');
     }
     return checked(answer);
 }
@@ -30,6 +33,9 @@ const post = (path, body, accept, signal) => call(path, {
 
 /** Gets JSON. */
 export const getJson = async (path, signal) => (await call(path, { signal })).json();
+
+/** Sends JSON and gets JSON. */
+export const postJson = async (path, body, signal) => (await post(path, body, 'application/json', signal)).json();
 
 /** Gets a file's text. */
 export const getText = async (path, signal) => (await call(path, { signal })).text();
@@ -57,10 +63,15 @@ export async function renderPlane(frame, signal) {
 }
 
 /** What the meta file of a frame says, as JSON. */
-export const renderMeta = async (frame, signal) => (await post('/v1/render', frame, 'application/json', signal)).json();
+export const renderMeta = (frame, signal) => postJson('/v1/render', frame, signal);
 
 /** What points of an image show: a list of readings, null where the Moon is not. */
 export async function readPixels(frame, pixels, signal) {
-    const answer = await post('/v1/pixels', { frame, pixels }, 'application/json', signal);
-    return (await answer.json()).points;
+    return (await postJson('/v1/pixels', { frame, pixels }, signal)).points;
 }
+
+/** Heights of the ground at [latitude, longitude] of a list, m. */
+export const readGround = async (frame, points) => (await postJson('/v1/ground', { frame, points })).heights;
+
+/** The light at places, hour by hour, over the month around a frame's time: {from, places}. */
+export const readLight = (frame, points) => postJson('/v1/light', { frame, points });

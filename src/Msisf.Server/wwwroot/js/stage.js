@@ -6,6 +6,7 @@ export class Stage {
         this.stage = stage;
         this.picture = picture;
         this.image = picture.querySelector('#image');
+        this.warp = picture.querySelector('#warp');
         this.layer = picture.querySelector('#layer');
         this.other = picture.querySelector('#other');
         this.overlay = picture.querySelector('#overlay');
@@ -73,6 +74,12 @@ export class Stage {
         const x = Math.floor((clientX - box.left) / box.width * this.size.width) + 1;
         const y = Math.floor((clientY - box.top) / box.height * this.size.height) + 1;
         return x >= 1 && y >= 1 && x <= this.size.width && y <= this.size.height ? [x, y] : null;
+    }
+
+    /** Where the middle of a pixel is in the stage, px of the page. */
+    placeOf([x, y]) {
+        const unit = this.picture.clientWidth / this.size.width;
+        return [this.picture.offsetLeft + (x - 0.5) * unit, this.picture.offsetTop + (y - 0.5) * unit];
     }
 
     /** Pixels of the image in one of the page. */

@@ -1,12 +1,14 @@
 // What is looked at: the view, the picture's settings, and their form in the page's address, so that a reload brings them back.
 
 import { stateOf, turn } from './geometry.js';
+import { modelFor, pixelSize } from './models.js';
 
 /** The Moon's near side, a day after the first quarter of April 2010. */
 const FIRST_VIEW = { mjd: 55308, latitude: 0, longitude: 0, altitude: 3900000, heading: 0, tilt: 0, roll: 0, fov: 40 };
 
 const FIRST_PICTURE = {
-    fit: true, width: 1024, height: 1024, samples: 9, model: '', shading: 'facet', sun: 'point', reflectance: '', refine: false, seed: 1,
+    fit: true, width: 1024, height: 1024, samples: 'auto', model: '', shading: 'smooth', sun: 'point', reflectance: '',
+    refine: false, seed: 1,
 };
 
 /** The longer side of the images while the camera moves, px. */
@@ -16,10 +18,10 @@ export const MOVING_SIZE = 512;
 const MOST_PIXELS = 3840 * 2160;
 
 /** How msis draws what the options of a frame do not say otherwise. */
-const DEFAULT_PICTURE = { ...FIRST_PICTURE, fit: false, samples: 1 };
+const DEFAULT_PICTURE = { ...FIRST_PICTURE, fit: false, samples: 1, shading: 'facet' };
 
 /** Samples that the page offers; as others a frame of a folder is drawn anew with those that are chosen. */
-const SAMPLES = [1, 4, 9, 16, 25];
+const SAMPLES = ['auto', 1, 4, 9, 16, 25];
 
 /** Least and greatest numbers of the view. */
 const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: [15021, 69805] };
@@ -31,7 +33,7 @@ const isWithin = (number, [least, most] = [-Infinity, Infinity]) => Number.isFin
 
 /** What the address may hold of the picture. A law of reflectance may have parameters; only the server can tell which. */
 const CHECKS = {
-    samples: text => SAMPLES.includes(Number(text)),
+    samples: text => SAMPLES.map(String).includes(text),
     shading: text => ['facet', 'smooth'].includes(text),
     sun: text => ['point', 'disc'].includes(text),
     fit: text => ['true', 'false'].includes(text),
@@ -47,7 +49,9 @@ function readValue(name, text, first, models) {
     const isUsable = CHECKS[name] ? CHECKS[name](text, models)
         : name in WHOLE_LIMITS ? Number.isInteger(number) && isWithin(number, WHOLE_LIMITS[name])
         : isWithin(number, LIMITS[name]);
-    return !isUsable ? undefined : typeof first === 'number' ? number : typeof first === 'boolean' ? text === 'true' : text;
+    return !isUsable ? undefined
+        : typeof first === 'number' || (name === 'samples' && text !== 'auto') ? number
+        : typeof first === 'boolean' ? text === 'true' : text;
 }
 
 export class State {
@@ -60,6 +64,8 @@ export class State {
         /** Options of the picture that the page has no field for: those of a frame of a folder. */
         this.own = {};
         this.window = { width: 1024, height: 1024 };
+        /** The server's models, of which one is taken by the size of a pixel unless one is chosen. */
+        this.models = [];
     }
 
     /** Calls a function after each change, with whether the picture of it is there already. */
@@ -149,15 +155,22 @@ export class State {
         return { width: Math.max(1, Math.round(width * factor)), height: Math.max(1, Math.round(height * factor)) };
     }
 
+    /** Name of the model that is drawn; undefined where a frame of a folder names another, or before the models are known. */
+    get model() {
+        return this.picture.model
+            || (this.own.res === undefined ? modelFor(this.models, pixelSize(this.view, this.size))?.name : undefined);
+    }
+
     /** The frame of the view as the server takes it: options under the names of the command line. */
     frame({ width, height } = this.size, samples = 1) {
-        const { model, shading, sun, reflectance, refine, seed } = this.picture;
+        const { shading, sun, reflectance, refine, seed } = this.picture;
+        const { model } = this;
         return {
             'fixed-state': stateOf(this.view),
             ...(!this.own.camera && { fov: this.view.fov, width, height }),
             samples,
             ...(model && { model }),
-            ...(shading !== FIRST_PICTURE.shading && { shading }),
+            ...(shading !== DEFAULT_PICTURE.shading && { shading }),
             ...(sun !== FIRST_PICTURE.sun && { sun }),
             ...(reflectance && { reflectance }),
             ...(refine && { refine: seed }),

@@ -1,16 +1,17 @@
 // The images of a moving camera, by WebSocket: one is drawn at a time, and of the states that come meanwhile only the newest.
 
 const MAGIC = 0x4649534d; // "MSIF", little-endian
-const RETRY_AFTER = 1000; // ms
 
 export class ImageStream {
     /**
-     * @param onImage gets {number, width, height, values} of each image, and the milliseconds that it took.
-     * @param onProblem gets the server's words when a state cannot be drawn, or the connection is lost; null when all is well again.
+     * @param onImage gets {number, width, height, values} of each image, its depth alike or null, and the milliseconds that it took.
+     * @param onProblem gets the server's words when a state cannot be drawn; null when all is well again.
+     * @param onLost is called when the connection is lost.
      */
-    constructor(onImage, onProblem) {
+    constructor(onImage, onProblem, onLost) {
         this.onImage = onImage;
         this.onProblem = onProblem;
+        this.onLost = onLost;
         this.number = 0;
         this.next = null;
         this.isDrawing = false;
@@ -48,7 +49,7 @@ export class ImageStream {
         this.isDrawing = false;
         const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/v1/stream`);
         socket.binaryType = 'arraybuffer';
-        socket.onopen = () => socket.send(JSON.stringify({ frame, mode: 'newest-only', format: 'u8' }));
+        socket.onopen = () => socket.send(JSON.stringify({ frame, mode: 'newest-only', format: frame.layers ? 'u8+layers' : 'u8' }));
         socket.onmessage = event => this.socket === socket && this.#receive(event.data);
         socket.onclose = event => this.socket === socket && this.#lost(event);
         this.socket = socket;
@@ -71,12 +72,11 @@ export class ImageStream {
             }
             this.isDrawing = false;
             this.onProblem(null);
-            this.onImage({
-                number: header.getUint32(4, true),
-                width: header.getUint32(8, true),
-                height: header.getUint32(12, true),
-                values: new Uint8Array(data, 16),
-            }, performance.now() - this.sentAt);
+            const [number, width, height] = [4, 8, 12].map(place => header.getUint32(place, true));
+            const end = 16 + width * height;
+            const image = { number, width, height, values: new Uint8Array(data, 16, width * height) };
+            const depth = data.byteLength > end ? { width, height, values: new Float32Array(data.slice(end)) } : null;
+            this.onImage(image, depth, performance.now() - this.sentAt);
         }
         this.#send();
     }
@@ -101,11 +101,9 @@ export class ImageStream {
             this.next = null; // the server has said why; it would say it again
             return;
         }
-        this.onProblem(event.reason || 'The connection to msis is lost; trying again.');
-        setTimeout(() => {
-            if (!this.socket && this.next) {
-                this.show(this.next);
-            }
-        }, RETRY_AFTER);
+        if (event.reason) {
+            this.onProblem(event.reason);
+        }
+        this.onLost();
     }
 }

@@ -20,6 +20,9 @@ export class Sun {
 
     /** Asks for the Sun of a time: of the times that come while one is asked, only the newest counts. */
     async at(mjd) {
+        if (mjd === this.#mjd && this.position) {
+            return;
+        }
         this.#mjd = mjd;
         if (this.#isAsking) {
             return;

@@ -24,10 +24,13 @@ export class TakeAway {
         $('copy-batch').addEventListener('click', () => copy(batchLineOf(frame())));
         $('copy-python').addEventListener('click', () => copy(python(frame(), location.origin)));
         $('save-image').addEventListener('click', event => this.#save(event.target, {}, 'image/png', 'moon.png'));
+        $('save-deep').addEventListener('click', event => this.#save(event.target, { 'bit-depth': 16 }, 'image/png', 'moon-16.png'));
+        $('save-fits').addEventListener('click', event => this.#save(
+            event.target, { layers: ['radiance-factor'] }, 'application/fits', 'moon.fits'));
         $('save-meta').addEventListener('click', event => this.#save(
             event.target, { surface: 'terrain', samples: 1 }, 'application/xml', 'moon.xml'));
         $('save-layers').addEventListener('click', event => this.#save(
-            event.target, { layers: Object.keys(LAYERS), samples: 1 }, 'application/fits', 'moon.fits'));
+            event.target, { layers: Object.keys(LAYERS), samples: 1 }, 'application/fits', 'layers.fits'));
     }
 
     async #save(button, more, kind, name) {

@@ -35,3 +35,30 @@ export function roundBelow(number) {
     const digit = number / power;
     return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
 }
+
+const WINDS = ['N', 'NNE', 'NE', 'ENE', 'E', 'ESE', 'SE', 'SSE', 'S', 'SSW', 'SW', 'WSW', 'W', 'WNW', 'NW', 'NNW'];
+
+/** The wind from which an azimuth points: 67 is ENE. */
+export const windOf = azimuth => WINDS[Math.round(azimuth / 22.5) % 16];
+
+/** A longitude as chosen: 348.62° E, or 11.38° W. */
+export function longitudeText(longitude, decimals, isHalved) {
+    const east = longitude % 360 > 180 ? longitude % 360 - 360 : longitude % 360;
+    return isHalved ? `${fixed(Math.abs(east), decimals)}° ${east < 0 ? 'W' : 'E'}` : `${fixed(longitude, decimals)}° E`;
+}
+
+/** 43.312° S 348.621° E */
+export const placeText = ({ latitude, longitude }, isHalved, decimals = 3) =>
+    `${fixed(Math.abs(latitude), decimals)}° ${latitude < 0 ? 'S' : 'N'}  ${longitudeText(longitude, decimals, isHalved)}`;
+
+/** The place that a text names in numbers, such as 43.3 S 11.2 W or -43.3, 348.8; null where it is none. */
+export function placeOfText(text) {
+    const match = /^\s*([-−+]?\d+(?:\.\d*)?)\s*°?\s*([NS])?[\s,]+([-−+]?\d+(?:\.\d*)?)\s*°?\s*([EW])?\s*$/i.exec(text);
+    if (!match) {
+        return null;
+    }
+    const [, phi, northSouth, lambda, eastWest] = match;
+    const number = (digits, letter, negative) => Number(digits.replace('−', '-')) * (letter?.toUpperCase() === negative ? -1 : 1);
+    const [latitude, longitude] = [number(phi, northSouth, 'S'), number(lambda, eastWest, 'W')];
+    return Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360 ? { latitude, longitude: (longitude + 360) % 360 } : null;
+}

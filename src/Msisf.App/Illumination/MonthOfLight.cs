@@ -1,0 +1,46 @@
+using Msisf.App.Preparation;
+using Msisf.Core.Illumination;
+using Msisf.Core.Numerics;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Illumination;
+
+/// <summary>The light of places hour by hour over a month (from new Moon to new Moon it takes 29.5 days).</summary>
+/// <param name="From">MJD, UTC, of the first hour.</param>
+/// <param name="Places">The light of each place.</param>
+internal sealed record MonthOfLight(double From, IReadOnlyList<MonthOfLight.Place> Places)
+{
+    private const double HalfDays = 15.0;
+    private const int Steps = 721;
+    private const double HoursOfDay = 24.0;
+
+    /// <summary>Finds it.</summary>
+    /// <param name="model">The ground.</param>
+    /// <param name="directions">Places, BODY_FIXED, length 1.</param>
+    /// <param name="middle">Middle of the month.</param>
+    /// <param name="sunAt">Says where the Sun is at times, m, BODY_FIXED.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public static MonthOfLight Find(
+        ElevationModel model, Vector3D[] directions, ModifiedJulianDate middle,
+        Func<IEnumerable<ModifiedJulianDate>, Vector3D[]> sunAt, int threads, CancellationToken cancellation)
+    {
+        double from = middle.Days - HalfDays;
+        Vector3D[] suns = sunAt(Enumerable.Range(0, Steps).Select(hour => new ModifiedJulianDate(from + (hour / HoursOfDay))));
+        HorizonSurvey survey = new(model.Grid, model.Tracer, directions, isMoon: true);
+        LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true }, model.Tracer);
+        PlaceHorizons horizons = survey.Find(directions, 0.0, threads, null, cancellation);
+        return new MonthOfLight(from, [.. directions.Select((_, place) =>
+        {
+            (PlaceLight light, float[] parts) = lights.At(directions, horizons, place);
+            return new Place(parts, light.LitSteps / (double)Steps, light.Light.Count, light.Dark.Count);
+        })]);
+    }
+
+    /// <summary>The light of a place.</summary>
+    /// <param name="Parts">Visible part of the Sun's disc at each hour, by area, 0 to 1.</param>
+    /// <param name="Lit">Part of the hours with any of the Sun in view.</param>
+    /// <param name="LongestLight">h.</param>
+    /// <param name="LongestDark">h.</param>
+    internal sealed record Place(float[] Parts, double Lit, int LongestLight, int LongestDark);
+}
