@@ -9,7 +9,7 @@ using Xunit;
 
 namespace Msisf.Server.Tests;
 
-/// <summary>What the viewer asks beside images: the ground's heights, light over time, the Sun's path, trajectories, images with depth.</summary>
+/// <summary>What the viewer asks beside images: heights of the ground, light over time, trajectories, images with depth.</summary>
 public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<RunningServer>
 {
     private const double Radius = 1_737_400.0;
@@ -33,7 +33,7 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
         Assert.All(pixels.Zip(heights), pair => Assert.Equal(Of(pair.First, "height"), pair.Second.GetDouble(), 1e-3));
     }
 
-    /// <summary>What is named as standing before the Sun is ground: the ray has its height there, and none of its points lies below.</summary>
+    /// <summary>What is named as standing before the Sun is ground: the ray has its height there.</summary>
     [RequiresTheory(Part.Ldem4)]
     [InlineData("facet")]
     [InlineData("smooth")]
@@ -96,7 +96,8 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
         Assert.InRange(Of(month.GetProperty("places")[0], "lit"), 0.3, 0.7);
         for (int hour = 0; hour < parts.Length; hour += 24)
         {
-            string then = Frame.Replace("55289.25", (from + (hour / 24.0)).ToString("R", CultureInfo.InvariantCulture), StringComparison.Ordinal);
+            string time = (from + (hour / 24.0)).ToString("R", CultureInfo.InvariantCulture);
+            string then = Frame.Replace("55289.25", time, StringComparison.Ordinal);
             JsonElement point = (await AskAsync("points", $"{{\"frame\": {{{then}}}, \"points\": [{place}]}}")).GetProperty("pixels")[0];
             Assert.True(parts[hour] is > 0.0 and < 1.0 || point.GetProperty("lit").GetBoolean() == parts[hour] > 0.5, $"hour {hour}");
         }
@@ -105,7 +106,8 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
     [RequiresFact(Part.Ldem4)]
     public async Task Trajectory_OfTextAndOfAnOrbit_HasItsStates()
     {
-        JsonElement text = await AskAsync("trajectory", """{"name": "a.tab", "text": "55289 2e6 0 0 0 0 0 1\n55290 2.1e6 0 0 0 0 0 1\n"}""");
+        JsonElement text = await AskAsync(
+            "trajectory", """{"name": "a.tab", "text": "55289 2e6 0 0 0 0 0 1\n55290 2.1e6 0 0 0 0 0 1\n"}""");
         JsonElement orbit = await AskAsync(
             "trajectory", """{"frame": {"kepler-set": [2e6, 0.1, 0, 0, 0, 0], "epoch": 55289}, "times": [55289, 55289.05]}""");
         double[] first = [.. orbit.GetProperty("states")[0].EnumerateArray().Select(number => number.GetDouble())];

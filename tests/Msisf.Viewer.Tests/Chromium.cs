@@ -18,8 +18,8 @@ public sealed class Chromium : IAsyncLifetime
 
     private static readonly string[] Arguments =
     [
-        "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-background-networking", "--no-first-run", "--disable-component-update",
-        "--disable-sync",
+        "--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-background-networking", "--no-first-run",
+        "--disable-component-update", "--disable-sync",
     ];
 
     private IPlaywright? _playwright;

@@ -20,7 +20,8 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
         await viewer.Page.FocusAsync("#stage");
         await viewer.Page.Keyboard.PressAsync("/");
         await viewer.Page.Keyboard.TypeAsync("mare cris");
-        await viewer.WaitAsync("() => document.querySelector('#search-found [aria-selected=true]')?.textContent.startsWith('Mare Crisium')");
+        await viewer.WaitAsync(
+            "() => document.querySelector('#search-found [aria-selected=true]')?.textContent.startsWith('Mare Crisium')");
         await viewer.MoveAsync(() => viewer.Page.Keyboard.PressAsync("Enter"));
         Assert.Equal(16.2, await viewer.NumberAsync("latitude"), 1.0); // the IAU's Mare Crisium: 16.18 N, 59.1 E
         Assert.Equal(59.1, await viewer.NumberAsync("longitude"), 1.0);
@@ -169,7 +170,7 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
         Assert.True(second.X > first.X && second.Y > first.Y);
     }
 
-    private static Task DropAsync(ViewerPage viewer, string name, string text) => viewer.Page.EvaluateAsync(
+    private static async Task DropAsync(ViewerPage viewer, string name, string text) => await viewer.Page.EvaluateAsync(
         """
         ([name, text]) => {
             const dataTransfer = new DataTransfer();

@@ -85,7 +85,8 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
                     const depth = await renderPlane({ ...options, layers: ['depth'], 'layers-precision': 'single' });
                     return { view: state.view, image: await renderPlane(options), depth };
                 };
-                const [before, after] = [await frame({}), await frame({ latitude: -20.4, longitude: 10.5, heading: 43, tilt: 33, roll: 2 })];
+                const before = await frame({});
+                const after = await frame({ latitude: -20.4, longitude: 10.5, heading: 43, tilt: 33, roll: 2 });
                 const canvas = document.createElement('canvas');
                 const warp = new Warp(canvas, () => { });
                 const differences = view => {
@@ -122,7 +123,8 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task LostGraphics_MovesAsWithoutThem_AndComesBack()
     {
-        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, OverClavius, hasPanel: false, expected: "CONTEXT_LOST");
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(
+            chromium, server, OverClavius, hasPanel: false, expected: "CONTEXT_LOST");
         await viewer.Page.EvaluateAsync(
             "window.taken = document.getElementById('warp').getContext('webgl2').getExtension('WEBGL_lose_context'); taken.loseContext()");
         await viewer.MoveAsync(() => viewer.Page.Keyboard.PressAsync("Tab")); // nothing: the loss itself draws anew

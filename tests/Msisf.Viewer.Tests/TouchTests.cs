@@ -55,7 +55,7 @@ public class TouchTests(Chromium chromium, ViewerServer server)
         await SendAsync(session, "touchEnd");
     }
 
-    private static Task SendAsync(ICDPSession session, string type, params (int X, int Y)[] places) => session.SendAsync(
+    private static async Task SendAsync(ICDPSession session, string type, params (int X, int Y)[] places) => await session.SendAsync(
         "Input.dispatchTouchEvent",
         new Dictionary<string, object>
         {

@@ -1,7 +1,7 @@
 // The grid of latitude and longitude over the picture.
 
 import { meetSphere, placeOf, pointAt, rayThrough, turn } from './geometry.js';
-import { fixed } from './text.js';
+import { fixed, longitudeText } from './text.js';
 
 const COLOUR = 'rgba(120, 200, 255, 0.55)';
 const STEPS = [30, 15, 10, 5, 2, 1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -19,9 +19,9 @@ const nearest = (list, value) =>
 export class Grid {
     #seen;
 
-    /** @param overlay draws lines and labels. */
-    constructor(overlay) {
-        this.overlay = overlay;
+    /** @param overlay draws lines and labels; @param isHalved whether longitudes are east and west. */
+    constructor(overlay, isHalved = false) {
+        Object.assign(this, { overlay, isHalved });
         this.#seen = this.#placesSeen();
     }
 
@@ -72,7 +72,7 @@ export class Grid {
         const decimals = Math.max(0, -Math.floor(Math.log10(step)));
         const [alongLatitude, alongLongitude] = [nearest(parallels, middle.latitude), nearest(meridians, middle.longitude)];
         for (const longitude of meridians.sort((a, b) => Math.abs(a - middle.longitude) - Math.abs(b - middle.longitude))) {
-            this.#gridLabel(alongLatitude, longitude, `${fixed(turn(longitude), decimals)}° E`);
+            this.#gridLabel(alongLatitude, longitude, longitudeText(turn(longitude), decimals, this.isHalved));
         }
         for (const latitude of parallels) {
             const letter = latitude < 0 ? ' S' : latitude > 0 ? ' N' : '';

@@ -16,7 +16,7 @@ export class Marks {
     /** @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair, names, states, contours}. */
     constructor(stage, look, onProblem) {
         Object.assign(this, { stage, look, onProblem });
-        for (const id of ['show-grid', 'show-terminator', 'show-arrow', 'show-names', 'show-trajectory']) {
+        for (const id of ['show-grid', 'show-terminator', 'show-arrow', 'show-names', 'show-trajectory', 'longitudes']) {
             $(id).addEventListener('change', () => this.draw());
         }
         $('catalogue').addEventListener('change', event => this.#open(event.target.value).catch(error => onProblem(error.message)));
@@ -80,7 +80,7 @@ export class Marks {
             overlay.drawPin(readings.get(letter).position, letter);
         }
         if ($('show-grid').checked) {
-            new Grid(overlay).draw();
+            new Grid(overlay, $('longitudes').value === '180').draw();
         }
         if ($('show-terminator').checked && sunPosition) {
             overlay.drawTerminator(sunPosition);
