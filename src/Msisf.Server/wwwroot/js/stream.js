@@ -24,7 +24,9 @@ export class ImageStream {
     show(frame) {
         this.next = frame;
         const key = ImageStream.#fixedPart(frame);
-        if (!this.socket || this.key !== key) {
+        if (this.socket?.readyState === WebSocket.CONNECTING) {
+            [this.key, this.opening] = [key, frame]; // it has not said yet what it is for
+        } else if (!this.socket || this.key !== key) {
             this.#open(frame, key);
         } else {
             this.#send();
@@ -43,13 +45,15 @@ export class ImageStream {
 
     #open(frame, key) {
         this.socket?.close();
-        this.key = key;
+        [this.key, this.opening] = [key, frame];
         this.isReady = false;
         this.isRefused = false;
         this.isDrawing = false;
         const socket = new WebSocket(`${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/v1/stream`);
         socket.binaryType = 'arraybuffer';
-        socket.onopen = () => socket.send(JSON.stringify({ frame, mode: 'newest-only', format: frame.layers ? 'u8+layers' : 'u8' }));
+        socket.onopen = () => socket.send(JSON.stringify({
+            frame: this.opening, mode: 'newest-only', format: this.opening.layers ? 'u8+layers' : 'u8',
+        }));
         socket.onmessage = event => this.socket === socket && this.#receive(event.data);
         socket.onclose = event => this.socket === socket && this.#lost(event);
         this.socket = socket;
