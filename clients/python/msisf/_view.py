@@ -38,6 +38,7 @@ class SurfacePoint:
         slope: Degrees between the normal and the radius.
         facet: Line, sample and half of the facet.
         invented: Whether the ground is invented (``refine``), below the resolution of the elevation model.
+        shaded_at: m, in shadow: to the ground that stands before the Sun's centre; 0 where the slope faces away from it. None elsewhere.
     """
 
     latitude: float
@@ -55,6 +56,7 @@ class SurfacePoint:
     slope: float
     facet: Tuple[int, int, int]
     invented: bool = False
+    shaded_at: Optional[float] = None
 
     @staticmethod
     def _of(json: Mapping[str, Any]) -> "SurfacePoint":

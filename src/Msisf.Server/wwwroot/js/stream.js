@@ -1,5 +1,6 @@
 // The images of a moving camera, by WebSocket: one is drawn at a time, and of the states that come meanwhile only the newest.
 
+const PAUSE = 150; // ms between two images with their depth: between them the page draws by itself, for which it needs the processor
 const MAGIC = 0x4649534d; // "MSIF", little-endian
 
 export class ImageStream {
@@ -87,6 +88,12 @@ export class ImageStream {
 
     #send() {
         if (!this.isReady || this.isDrawing || !this.next || this.socket.readyState !== WebSocket.OPEN) {
+            return;
+        }
+        const wait = this.next.layers && this.sentAt ? this.sentAt + PAUSE - performance.now() : 0;
+        if (wait > 0) {
+            clearTimeout(this.timer);
+            this.timer = setTimeout(() => this.#send(), wait);
             return;
         }
         const { 'fixed-state': state, fov } = this.next; // fov is left out where a camera has it
