@@ -4,12 +4,14 @@ classdef MsisfStream < handle
     %   stream = MsisfStream('127.0.0.1', 8810, '{"width": 1024, "height": 1024, "fov": 40}');
     %   image = stream.render(55289.25, [1.9e6 0 0], [0 0 0 1]);
     %
-    % The third argument has the options of all images, as JSON (docs/server.md); a fourth one is the token of the server. Units: m,
-    % days (MJD, UTC); frame MOON_ME. docs/matlab.md says what was run in Octave and what was not in MATLAB.
+    % The third argument has the options of all images, as JSON (docs/server.md); a fourth one is the token of the server, or ''. A fifth
+    % one has several cameras, as a JSON list of what each has of its own, '[{"fov": 5, "quaternion": [0, 0, 0, 1], "offset": [0, 1, 0]}]'
+    % (docs/rigs.md): then an image is a cell array with that of each. Units: m, days (MJD, UTC); frame MOON_ME.
+    % docs/matlab.md says what was run in Octave and what was not in MATLAB.
 
     properties (SetAccess = private)
-        Width = 0;      % px
-        Height = 0;     % px
+        Width = 0;      % px, of each camera
+        Height = 0;     % px, of each camera
         IsOpen = false; % false after an error of the connection; errors 'msisf:request' leave the stream open
     end
 
@@ -20,10 +22,10 @@ classdef MsisfStream < handle
     end
 
     methods
-        function stream = MsisfStream(host, port, frame, token)
+        function stream = MsisfStream(host, port, frame, token, cameras)
             stream.Socket = tcpclient(host, port, 'Timeout', 120);
             authorization = '';
-            if nargin > 3
+            if nargin > 3 && ~isempty(token)
                 authorization = sprintf('Authorization: Bearer %s\r\n', token);
             end
             % The nonce only guards against caches between client and server, so the answer's hash of it is not looked at.
@@ -35,14 +37,22 @@ classdef MsisfStream < handle
                 error('msisf:server', 'the server refuses the stream: %s', strtok(head, sprintf('\r')));
             end
             stream.IsOpen = true;
-            stream.sendMessage(1, uint8(sprintf('{"frame": %s, "mode": "lock-step", "format": "u8"}', frame)));
+            several = '';
+            if nargin > 4
+                several = sprintf(', "cameras": %s', cameras);
+            end
+            stream.sendMessage(1, uint8(sprintf('{"frame": %s%s, "mode": "lock-step", "format": "u8"}', frame, several)));
             answer = stream.textOf(stream.receive());
             stream.IsOpen = isfield(answer, 'width');
             if ~stream.IsOpen
                 error('msisf:request', '%s', answer.error);
             end
-            stream.Width = answer.width;
-            stream.Height = answer.height;
+            sizes = answer;
+            if nargin > 4
+                sizes = answer.cameras;
+            end
+            stream.Width = [sizes.width];
+            stream.Height = [sizes.height];
         end
 
         function image = render(stream, mjd, position, quaternion, motion)
@@ -83,13 +93,25 @@ classdef MsisfStream < handle
             stream.IsOpen = false; % until the answer is here whole: a late one would be taken for that of the next state
             stream.sendMessage(kind, content);
             stream.Sent = stream.Sent + 1;
+            images = cell(1, numel(stream.Width));
+            for camera = 1:numel(images)
+                images{camera} = stream.next(stream.Width(camera), stream.Height(camera));
+            end
+            stream.IsOpen = true;
+            image = images;
+            if numel(images) == 1
+                image = images{1};
+            end
+        end
+
+        function image = next(stream, width, height)
             [message, isText] = stream.receive();
             if isText
                 stream.IsOpen = true;
                 answer = stream.textOf(message);
                 error('msisf:request', '%s', answer.error);
             end
-            pixels = stream.Width * stream.Height;
+            pixels = width * height;
             length = numel(message) - 16;
             if length < 0 || ~isequal(char(message(1:4)), 'MSIF') || ~any(length == [pixels, 2 * pixels])
                 error('msisf:server', 'the server''s message is no image of this stream');
@@ -102,8 +124,7 @@ classdef MsisfStream < handle
             if length == 2 * pixels
                 levels = typecast(levels, 'uint16');
             end
-            image = reshape(levels, stream.Width, stream.Height)';
-            stream.IsOpen = true;
+            image = reshape(levels, width, height)';
         end
 
         function sendMessage(stream, kind, content)

@@ -33,6 +33,19 @@ internal static class ApiSchemas
                 Description = "The camera's trajectory: [MJD, rx, ry, rz, vx, vy, vz] for each state, m and m/s along orbit-frame, or the "
                     + "name of an OEM of /v1/folders; time says when the image is taken",
             },
+            [ScanOptions.Trajectory.Key] = new OpenApiSchema
+            {
+                Type = JsonSchemaType.Array,
+                Items = ListOf(Of(JsonSchemaType.Number)),
+                Description = "States that are samples of the camera's motion, [MJD, rx, ry, rz, qx, qy, qz, q0] each, with six more for "
+                    + "its velocities; the image is taken between them, at time, or from the first one on",
+            },
+            [ScanOptions.Jitter.Key] = new OpenApiSchema
+            {
+                Type = JsonSchemaType.Array,
+                Items = ListOf(new OpenApiSchema { AnyOf = [Of(JsonSchemaType.Number), Of(JsonSchemaType.String)] }),
+                Description = "Small turns of the camera: [seconds, roll, pitch, yaw] (microradians) or [axis, Hz, microradians, rad] each",
+            },
         };
         foreach (OptionSpec option in CommandTable.OptionsOfRequest)
         {

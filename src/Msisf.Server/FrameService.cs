@@ -3,6 +3,7 @@ using System.Globalization;
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
+using Msisf.App.Preparation;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Ephemeris;
@@ -118,8 +119,10 @@ internal sealed class FrameService : IDisposable
     /// <param name="form">Form of the answer.</param>
     /// <param name="answer">Receives it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
+    /// <param name="suns">Positions of the Sun that other images of the same request know; null for none.</param>
     public async Task DrawAsync(
-        RequestedFrame requested, TrajectorySettings place, AnswerForm form, Answer answer, CancellationToken client)
+        RequestedFrame requested, TrajectorySettings place, AnswerForm form, Answer answer, CancellationToken client,
+        KnownSuns? suns = null)
     {
         AnswerPlan plan = AnswerPlan.Of(form, requested.Settings);
         plan.Check(form, requested.Settings, Settings.MaxMegabytes);
@@ -129,7 +132,7 @@ internal sealed class FrameService : IDisposable
             (session, threads, end) =>
             {
                 answer.Times.Add(("wait", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
-                FrameAnswers.Draw(answer, session, session.Prepare(place, end), form, threads, end);
+                FrameAnswers.Draw(answer, session, session.Prepare(place, end, suns), form, threads, end);
                 return true;
             },
             client,

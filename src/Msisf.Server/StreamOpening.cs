@@ -6,16 +6,13 @@ namespace Msisf.Server;
 
 /// <summary>What the first message of a stream says.</summary>
 /// <param name="Frame">Options of all images.</param>
-/// <param name="Cameras">For each camera the options in which its images differ; a stream of one camera has one without any.</param>
+/// <param name="Cameras">The cameras; a stream of one camera has one without options of its own.</param>
 /// <param name="Form">Form of the images.</param>
 /// <param name="IsNewestOnly">Whether states are left out that are older than another one that waits.</param>
 /// <param name="IsTimed">Whether the times of each image are told.</param>
 internal sealed record StreamOpening(
-    JsonElement Frame, IReadOnlyList<IReadOnlyDictionary<string, JsonElement>> Cameras, AnswerForm Form, bool IsNewestOnly, bool IsTimed)
+    JsonElement Frame, IReadOnlyList<StreamCamera> Cameras, AnswerForm Form, bool IsNewestOnly, bool IsTimed)
 {
-    /// <summary>More than a spacecraft carries.</summary>
-    private const int MostCameras = 16;
-
     /// <summary>Reads the message.</summary>
     /// <exception cref="UsageException">It is wrong.</exception>
     public static StreamOpening Read(JsonElement message)
@@ -43,18 +40,10 @@ internal sealed record StreamOpening(
             ? frame
             : throw new UsageException("the first message has no 'frame', the options of the images.");
 
-    private static IReadOnlyDictionary<string, JsonElement>[] CamerasOf(IReadOnlyDictionary<string, JsonElement> members)
-    {
-        if (!members.TryGetValue("cameras", out JsonElement cameras))
-        {
-            return [new Dictionary<string, JsonElement>()];
-        }
-
-        return cameras.ValueKind == JsonValueKind.Array && cameras.GetArrayLength() is > 0 and <= MostCameras
-            ? [.. cameras.EnumerateArray().Select(JsonText.Members)]
-            : throw new UsageException(
-                $"'cameras' is {JsonText.Shown(cameras)}; a list of 1 to {MostCameras} objects with the options of each camera is needed.");
-    }
+    private static IReadOnlyList<StreamCamera> CamerasOf(IReadOnlyDictionary<string, JsonElement> members) =>
+        members.TryGetValue("cameras", out JsonElement cameras)
+            ? StreamCamera.Read(cameras)
+            : [new StreamCamera(new Dictionary<string, JsonElement>(), Rig: null)];
 
     private static bool FlagOf(IReadOnlyDictionary<string, JsonElement> members, string name) =>
         members.TryGetValue(name, out JsonElement value)

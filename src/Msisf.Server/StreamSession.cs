@@ -2,6 +2,7 @@ using System.Buffers.Binary;
 using System.Net.WebSockets;
 using System.Text.Json;
 using System.Threading.Channels;
+using Msisf.App.Preparation;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
@@ -112,7 +113,8 @@ internal sealed class StreamSession : IDisposable
         {
             _document = JsonText.Parse(first.Bytes);
             _opening = StreamOpening.Read(_document.RootElement);
-            _cameras = [.. _opening.Cameras.Select(camera => _frames.Read(_opening.Frame, camera, needsPlace: false))];
+            _cameras = [.. _opening.Cameras.Select(
+                camera => _frames.Read(_opening.Frame, camera.Options, needsPlace: false).On(camera.Rig))];
             await _socket.SendAsync(
                 json =>
                 {
@@ -154,9 +156,10 @@ internal sealed class StreamSession : IDisposable
                 ? PlacesOf(message)
                 : ReadChanges(message);
             Task sending = Task.CompletedTask;
+            KnownSuns suns = []; // all images of a message have one time
             foreach ((RequestedFrame requested, TrajectorySettings place) in images)
             {
-                sending = await DrawAsync(requested, place, sending).ConfigureAwait(false);
+                sending = await DrawAsync(requested, place, suns, sending).ConfigureAwait(false);
             }
 
             await sending.ConfigureAwait(false);
@@ -170,14 +173,15 @@ internal sealed class StreamSession : IDisposable
     /// <summary>Draws an image while that of the camera before is sent.</summary>
     /// <param name="requested">The frame.</param>
     /// <param name="place">Where the camera is.</param>
+    /// <param name="suns">Positions of the Sun that are known.</param>
     /// <param name="before">The sending of the image before.</param>
     /// <returns>The sending of this one.</returns>
-    private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, Task before)
+    private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, KnownSuns suns, Task before)
     {
         Answer answer = _frames.Answers.InMemory(HeadLength);
         try
         {
-            await _frames.DrawAsync(requested, place, _opening!.Form, answer, _gone.Token).ConfigureAwait(false);
+            await _frames.DrawAsync(requested, place, _opening!.Form, answer, _gone.Token, suns).ConfigureAwait(false);
         }
         catch
         {
@@ -233,7 +237,8 @@ internal sealed class StreamSession : IDisposable
         [
             .. _opening!.Cameras
                 .Select(camera => _frames.Read(
-                    _opening.Frame, camera.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary()))
+                    _opening.Frame, camera.Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary())
+                    .On(camera.Rig))
                 .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested))),
         ];
     }

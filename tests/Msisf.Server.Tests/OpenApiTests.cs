@@ -113,7 +113,8 @@ public sealed class OpenApiTests(RunningServer server) : IClassFixture<RunningSe
             "properties");
 
         Assert.Equal(
-            CommandTable.OptionsOfRequest.Select(option => option.Key).Prepend("states").Prepend("model"),
+            CommandTable.OptionsOfRequest.Select(option => option.Key)
+                .Prepend("jitter").Prepend("trajectory").Prepend("states").Prepend("model"),
             options.EnumerateObject().Select(option => option.Name));
         Assert.Contains("number", TypesOf(options.GetProperty("fov")));
         Assert.Contains("integer", TypesOf(options.GetProperty("width")));

@@ -410,7 +410,10 @@ class Server {
 class Stream {
   public:
     /// frame: the options of all images, as JSON, without a state.
-    Stream(const Server& server, const std::string& frame) : connection_(server.address(), server.seconds()) {
+    /// cameras: several, as a JSON list of what each has of its own, e.g. {"fov": 5, "quaternion": [...], "offset": [...]} (docs/rigs.md);
+    /// render_all() has the image of each.
+    Stream(const Server& server, const std::string& frame, const std::string& cameras = "")
+        : connection_(server.address(), server.seconds()) {
         std::uint8_t nonce[16];
         for (std::uint8_t& byte : nonce) byte = static_cast<std::uint8_t>(random_());
         const std::string key = detail::base64(nonce, sizeof nonce);
@@ -423,21 +426,28 @@ class Stream {
         if (head.field("sec-websocket-accept") != detail::base64(digest.data(), digest.size())) {
             throw Error("the server's answer is not that of a WebSocket", 0);
         }
-        const std::string opening = "{\"frame\": " + frame + ", \"mode\": \"lock-step\", \"format\": \"u8\"}";
+        const std::string opening = "{\"frame\": " + frame + (cameras.empty() ? "" : ", \"cameras\": " + cameras)
+            + ", \"mode\": \"lock-step\", \"format\": \"u8\"}";
         send_message(Text, opening.data(), opening.size());
         std::vector<std::uint8_t> answer;
         receive(answer, LongestText);
         const std::string text(answer.begin(), answer.end());
         if (const std::string error = detail::json_text(text, "error"); !error.empty()) throw Error(error, 400);
-        width_ = static_cast<std::uint32_t>(detail::whole(detail::json_text(text, "width")));
-        height_ = static_cast<std::uint32_t>(detail::whole(detail::json_text(text, "height")));
+        for (std::size_t at = text.find("[{", text.find("\"cameras\"")); at != std::string::npos; at = text.find('{', at + 2)) {
+            const std::string camera = text.substr(at);
+            sizes_.push_back({size_of(camera, "width"), size_of(camera, "height")});
+        }
+        if (sizes_.empty()) sizes_.push_back({size_of(text, "width"), size_of(text, "height")});
     }
 
-    std::uint32_t width() const { return width_; }
-    std::uint32_t height() const { return height_; }
+    std::uint32_t width(std::size_t camera = 0) const { return sizes_.at(camera)[0]; }
+    std::uint32_t height(std::size_t camera = 0) const { return sizes_.at(camera)[1]; }
 
-    /// The image of a state.
-    Image render(const State& state) {
+    /// The image of a state; of several cameras that of the first, the others are left out.
+    Image render(const State& state) { return render_all(state).front(); }
+
+    /// The images of all cameras at a state, in their order.
+    std::vector<Image> render_all(const State& state) {
         double numbers[14] = {state.mjd};
         std::copy(state.position.begin(), state.position.end(), numbers + 1);
         std::copy(state.quaternion.begin(), state.quaternion.end(), numbers + 4);
@@ -446,29 +456,43 @@ class Stream {
         return next();
     }
 
-    /// The image of changed options, as JSON, e.g. {"position": [0, 30, 1e5], "time": 55289.5}; they hold for this image only.
-    Image render(const std::string& changes) {
+    /// The images of changed options, as JSON; they hold for these images only.
+    std::vector<Image> render_all(const std::string& changes) {
         send_message(Text, changes.data(), changes.size());
         return next();
     }
+
+    /// The image of changed options, as JSON, e.g. {"position": [0, 30, 1e5], "time": 55289.5}; they hold for this image only.
+    Image render(const std::string& changes) { return render_all(changes).front(); }
 
   private:
     enum Kind { Continued = 0, Text = 1, Binary = 2, Close = 8, Ping = 9, Pong = 10 };
     static constexpr std::size_t LongestText = 1 << 20, HeadLength = 16;
 
-    Image next() {
+    static std::uint32_t size_of(const std::string& camera, const std::string& name) {
+        return static_cast<std::uint32_t>(detail::whole(detail::json_text(camera, name)));
+    }
+
+    std::vector<Image> next() {
         if (is_broken_) throw Error("the stream is closed after an error; open another one", 0);
         is_broken_ = true;  // until the answer is here whole: a late one would be taken for that of the next state
         sent_++;
+        std::vector<Image> images;
+        for (const auto& size : sizes_) images.push_back(next(std::size_t{size[0]} * size[1]));
+        is_broken_ = false;
+        return images;
+    }
+
+    Image next(std::size_t pixels) {
         std::vector<std::uint8_t> message;
-        const int kind = receive(message, HeadLength + 2 * std::size_t{width_} * height_ + LongestText);
+        const int kind = receive(message, HeadLength + 2 * pixels + LongestText);
         if (kind == Text) {
             is_broken_ = false;
             throw Error(detail::json_text(std::string(message.begin(), message.end()), "error"), 400);
         }
         Image image;
         std::uint32_t head[3];
-        const std::size_t pixels = std::size_t{width_} * height_, length = message.size() - HeadLength;
+        const std::size_t length = message.size() - HeadLength;
         if (message.size() < HeadLength || std::memcmp(message.data(), "MSIF", 4) != 0 || (length != pixels && length != 2 * pixels)) {
             throw Error("the server's message is no image of this stream", 0);
         }
@@ -478,7 +502,6 @@ class Stream {
         image.bits = length == pixels ? 8 : 16;
         message.erase(message.begin(), message.begin() + HeadLength);
         image.data = std::move(message);
-        is_broken_ = false;
         return image;
     }
 
@@ -529,7 +552,8 @@ class Stream {
 
     detail::Connection connection_;
     std::random_device random_;
-    std::uint32_t width_ = 0, height_ = 0, sent_ = 0;
+    std::vector<std::array<std::uint32_t, 2>> sizes_;  // width and height of each camera
+    std::uint32_t sent_ = 0;
     bool is_broken_ = false;
 };
 

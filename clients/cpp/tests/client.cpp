@@ -20,7 +20,8 @@ msisf::State state_of(const char* const* words, int count) {
 
 }  // namespace
 
-/// client ADDRESS TOKEN SECONDS COMMAND FRAME [ARGUMENTS]: image, layer NAME, get, or stream with 8 or 14 numbers a state.
+/// client ADDRESS TOKEN SECONDS COMMAND FRAME [ARGUMENTS]: image, layer NAME, get, rig CAMERAS, or stream; the last two with 8 or 14
+/// numbers a state.
 int main(int count, char** words) {
     try {
         const msisf::Server server(words[1], words[2], std::stod(words[3]));
@@ -33,6 +34,10 @@ int main(int count, char** words) {
             write(layer.values);
         } else if (command == "get") {
             std::cout << server.get(frame);
+        } else if (command == "rig") {
+            msisf::Stream stream(server, frame, words[6]);
+            for (const msisf::Image& image : stream.render_all(state_of(words + 7, count - 7))) write(image.data);
+            std::cerr << stream.width(1) << ' ' << stream.height(1) << '\n';
         } else {
             const int size = command == "stream" ? 8 : 14;
             msisf::Stream stream(server, frame);

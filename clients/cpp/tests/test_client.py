@@ -138,6 +138,19 @@ def test_motion_of_a_shutter(programs, address):
     assert resting.max() > 1000 and (moving != resting).mean() > 0.3
 
 
+def test_images_of_a_rig_are_the_files_of_msis(programs, address, tmp_path):
+    (tmp_path / "rig.yaml").write_text(
+        "cameras:\n  a:\n    fov: 33.5\n    width: 75\n    height: 40\n    quaternion: [0, 0, 0, 1]\n    offset: [0, -2000, 5]\n"
+        "  b:\n    fov: 20\n    width: 31\n    height: 17\n    quaternion: [0, 0, 0.28, 0.96]\n")
+    cameras = ('[{"fov": 33.5, "width": 75, "height": 40, "offset": [0, -2000, 5]}, '
+               '{"fov": 20, "width": 31, "height": 17, "quaternion": [0, 0, 0.28, 0.96]}]')
+    run = call(programs, address, "rig", "{}", cameras, *map(repr, STATE))
+    assert run.returncode == 0 and run.stderr.split() == [b"31", b"17"], run.stderr
+    folder = files_of_msis(
+        tmp_path, "--fixed-state", "{" + ",".join(map(repr, STATE)) + "}", "--rig", tmp_path / "rig.yaml", "--output-name", "{camera}")
+    assert run.stdout == levels_of(folder / "a.png").tobytes() + levels_of(folder / "b.png").tobytes()
+
+
 def test_refused_states_leave_the_stream_open(programs, address):
     frame = '{"width": 16, "height": 16}'
     inside = [55289.25, 1e5, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]

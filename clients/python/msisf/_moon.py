@@ -13,7 +13,7 @@ from urllib.parse import urlencode
 
 import numpy as np
 
-from ._camera import AnyCamera, Camera, options_of
+from ._camera import AnyCamera, Camera, Mounted, options_of
 from ._errors import MsisfError, answers_of
 from ._frame import Frame
 from ._http import Http, parts_of
@@ -105,7 +105,8 @@ class Moon:
             nadir: In place of the quaternion: look straight down.
             camera: A Camera, the name of a preset, or a mapping with the keys of a camera file.
             layers: Names of ground truth layers, e.g. ["depth", "normal"], or one name; ``models()["layers"]`` has all.
-            options: Further options of the command line, "-" as "_": ``samples=9``, ``sun="disc"``.
+            options: Further options of the command line, "-" as "_": ``samples=9``, ``sun="disc"``. Of cameras that scan ``lines=1000``,
+                and as lists of what stands in the lines of their files ``jitter`` and, in place of where the camera is, ``trajectory``.
 
         Raises:
             RequestError: The server refuses the request, and says why.
@@ -156,7 +157,7 @@ class Moon:
         self,
         *,
         camera: Optional[AnyCamera] = None,
-        cameras: Optional[Sequence[AnyCamera]] = None,
+        cameras: Optional[Sequence[Union[AnyCamera, Mounted]]] = None,
         newest_only: bool = False,
         timing: bool = False,
         **options: Any,
@@ -165,7 +166,8 @@ class Moon:
 
         Args:
             camera: As for ``render``; the same for all images.
-            cameras: Several in its place, all at the state that is sent: ``render_all`` has the image of each.
+            cameras: Several in its place: ``render_all`` has the image of each. All are at the state that is sent, or, as ``Mounted``, on
+                the body whose state that is.
             newest_only: Leave out states that are older than another one that waits; the default draws all, in their order.
             timing: Ask the server what each image took: ``last_times`` of the stream.
             options: As for ``render``.
@@ -229,6 +231,11 @@ class Moon:
         options: Mapping[str, Any],
         states: Union[str, "ArrayLike", None] = None,
     ) -> Dict[str, Any]:
+        if "trajectory" in options:
+            if any(given is not None for given in (position, orientation, look_at, states)) or nadir:
+                raise MsisfError("a trajectory says where the camera is and how it points; leave the other arguments out")
+            moving = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
+            return moving if time is None else {**moving, "time": time_text(time)}
         if (orientation is not None) + (look_at is not None) + bool(nadir) != 1:
             raise MsisfError("give one of orientation_xyz0, look_at and nadir=True: it says how the camera points")
         if (position is None) == (states is None):

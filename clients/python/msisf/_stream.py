@@ -66,30 +66,37 @@ class Stream:
             self._close("it did not open")
             raise
 
-    def render(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> "NDArray[Any]":
+    def render(
+        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
+    ) -> "NDArray[Any]":
         """Sends a state and waits for its image.
 
         Args:
             position: m, MOON_ME.
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
             mjd: Time, days, UTC.
+            motion: m/s over the Moon and rad/s about the camera's axes, six numbers; only for a camera with a shutter, or one that scans.
         """
         if len(self._sizes) > 1:
             raise MsisfError(f"the stream has {len(self._sizes)} cameras; render_all() has the images of all")
-        return self.render_all(position, orientation_xyz0, mjd)[0]
+        return self.render_all(position, orientation_xyz0, mjd, motion)[0]
 
-    def render_all(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> "List[NDArray[Any]]":
+    def render_all(
+        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
+    ) -> "List[NDArray[Any]]":
         """As ``render``: the images of all cameras, in the order in which ``Moon.stream`` got them."""
-        state = _state(position, orientation_xyz0, mjd)
+        state = _state(position, orientation_xyz0, mjd, motion)
         if self._sent != self._answered and self._end is None:
             raise MsisfError(f"{self._sent - self._answered} images of send() are not received yet; receive() them before render()")
         with self._exchange():
             self._send_state(state)
             return [self._next().image for _ in self._sizes]
 
-    def send(self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float) -> None:
+    def send(
+        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
+    ) -> None:
         """Sends a state; ``receive`` gives its image, of several cameras one after another."""
-        state = _state(position, orientation_xyz0, mjd)
+        state = _state(position, orientation_xyz0, mjd, motion)
         with self._exchange():
             self._send_state(state)
 
@@ -161,7 +168,7 @@ class Stream:
 
     def _send_state(self, state: List[float]) -> None:
         self._sent += 1
-        self._socket.send(BINARY, struct.pack("<8d", *state))
+        self._socket.send(BINARY, struct.pack(f"<{len(state)}d", *state))
 
     def _next(self) -> StreamImage:
         camera, size = self._camera, self._sizes[self._camera]
@@ -193,5 +200,8 @@ class Stream:
         self._number = number
 
 
-def _state(position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: "ArrayLike") -> List[float]:
-    return [*numbers(mjd, "mjd", 1), *numbers(position, "position", 3), *numbers(orientation_xyz0, "orientation_xyz0", 4)]
+def _state(
+    position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: "ArrayLike", motion: "Optional[ArrayLike]"
+) -> List[float]:
+    state = [*numbers(mjd, "mjd", 1), *numbers(position, "position", 3), *numbers(orientation_xyz0, "orientation_xyz0", 4)]
+    return state if motion is None else [*state, *numbers(motion, "motion", 6)]

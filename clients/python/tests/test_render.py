@@ -70,6 +70,74 @@ def test_images_of_several_cameras_are_those_of_each(moon):
         moon.stream(camera=SMALL, cameras=[SMALL])
 
 
+RIG = """cameras:
+  left:
+    width: 64
+    height: 48
+    fov: 40
+    quaternion: [0.02, -0.3, 0.1, 0.9484724561103501]
+    offset: [3, -250, 40]
+  line:
+    camera: line.yaml
+    lines: 12
+    quaternion: [0, 0, 0.28, 0.96]
+"""
+LINE = {"width": 40, "height": 1, "focal-length-px": 90, "scan": {"kind": "line-scan", "period": 0.6}}
+MOTION = (10.0, 1600.0, -30.0, 0.001, 0.02, -0.003)
+
+
+def test_images_of_a_rig_are_those_of_msis(moon, tmp_path):
+    (tmp_path / "rig.yaml").write_text(RIG)
+    (tmp_path / "line.yaml").write_text(json.dumps(LINE))
+    subprocess.run(
+        [_process.find_program(), "--fixed-state", "{55289,1.9e6,1e5,0,0,0.28,0,0.96}", "--motion", "{10,1600,-30,0.001,0.02,-0.003}",
+         "--rig", tmp_path / "rig.yaml", "--renderer", "native", "--layers", "radiance-factor", "--layers-format", "npy", "--transfer",
+         "linear", "--exposure", "1", "--output-name", "{camera}", "--output-dir", tmp_path, "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    left = msisf.Mounted(SMALL, (0.02, -0.3, 0.1, 0.9484724561103501), (3, -250, 40), "left")
+    line = msisf.Mounted(LINE, (0.0, 0.0, 0.28, 0.96), name="line", options={"lines": 12})
+    with moon.stream(cameras=[left, line], transfer="linear", exposure=1) as stream:
+        images = stream.render_all((1.9e6, 1e5, 0.0), (0.0, 0.28, 0.0, 0.96), 55289.0, MOTION)
+    for name, image in zip(("left", "line"), images):
+        factor = np.load(tmp_path / f"{name}.radiance-factor.npy").reshape(image.shape)
+        np.testing.assert_array_equal(image, np.floor(255.0 * np.clip(np.nan_to_num(factor), 0.0, 1.0) + 0.5))
+        assert image.max() > 5
+    for wrong, said in (
+        ([left, left], "one name"), ([msisf.Mounted(SMALL, (0, 0, 0, 2))], "has length 2, and a rotation"),
+        ([msisf.Mounted(SMALL, name="a b")], "is no name of a camera"),
+        ([msisf.Mounted(SMALL, options={"lines": 3})], "--lines needs a camera"),
+    ):  # fmt: skip
+        with pytest.raises(msisf.RequestError, match=said):
+            moon.stream(cameras=wrong)
+
+
+def test_scan_is_that_of_msis(moon, tmp_path):
+    """A scan along samples of a motion, with jitter: the same lists that the files of msis have."""
+    samples = [[55289 + k / 86400, 1.9e6, 2e5 + 1600.0 * k, 3.0 * k * k, 0.0, 0.0, 0.0, 1.0] for k in range(20)]
+    jitter = [["pitch", 0.4, 9000, 1], ["roll", 0.1, 9000, 0]]
+    for name, rows in (("a.path", samples), ("a.jitter", jitter)):
+        (tmp_path / name).write_text("".join(" ".join(x if isinstance(x, str) else repr(x) for x in row) + "\n" for row in rows))
+    (tmp_path / "line.yaml").write_text(json.dumps(LINE))
+    subprocess.run(
+        [_process.find_program(), "--trajectory", tmp_path / "a.path", "--time", "55289.00002", "--jitter", tmp_path / "a.jitter",
+         "--camera", tmp_path / "line.yaml", "--lines", "16", "--scan-period", "0.5", "--trajectory-attitudes", "squad", "--renderer",
+         "native", "--layers", "depth", "--layers-format", "npy", "--output-name", "a", "--output-dir", tmp_path, "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    frame = moon.render(
+        time=55289.00002, trajectory=samples, jitter=jitter, camera=LINE, lines=16, scan_period=0.5, trajectory_attitudes="squad",
+        layers=["depth"])  # fmt: skip
+
+    np.testing.assert_array_equal(frame.depth, np.load(tmp_path / "a.depth.npy"))
+    frame.save(tmp_path / "saved.png")
+    assert (tmp_path / "saved.png").read_bytes() == (tmp_path / "a.png").read_bytes()
+    for wrong, said in (({"jitter": [["pitch", 1]]}, "jitter, line 1"), ({"jitter": "a.txt"}, "'jitter' is"),
+                        ({"trajectory": samples[:1]}, "one state only"), ({"lines": 60}, "its states reach from")):  # fmt: skip
+        with pytest.raises(msisf.RequestError, match=said):
+            moon.render(**{**dict(time=55289.00002, trajectory=samples, camera=LINE, lines=16), **wrong})
+
+
 @pytest.mark.parametrize("options", [{"bit_depth": 16}, {"transfer": "linear"}, {"width": 1, "height": 1}])
 def test_file_is_that_of_the_server_without_it(moon, options, tmp_path):
     """The file is made here, from the levels as they came."""

@@ -124,6 +124,11 @@ internal sealed class StateReader
 
     private IReadOnlyList<SpacecraftState> BatchFile(BatchFileSettings file, ISceneGeometry scene)
     {
+        if (file.Content is { } content)
+        {
+            return States(new StringReader(content), file, scene);
+        }
+
         if (file.IsStandardInput)
         {
             return States(_host.StandardInput(), file, scene);

@@ -7,26 +7,26 @@ namespace Msisf.App.Preparation;
 /// <summary>Where the Sun is at the times of images. Not for several threads, as CSPICE is not.</summary>
 /// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
 /// <param name="aberration">Which effects of light's finite speed are included.</param>
-/// <param name="isShared">Whether several cameras ask for the same times: then each is computed once, and kept.</param>
-internal sealed class SunPositions(Func<IEphemeris> ephemeris, Aberration aberration, bool isShared = false)
+/// <param name="known">Keeps what several cameras ask for; null where one does.</param>
+internal sealed class SunPositions(Func<IEphemeris> ephemeris, Aberration aberration, KnownSuns? known = null)
 {
-    private readonly Dictionary<double, Vector3D> _known = [];
-
     /// <summary>m, body-fixed.</summary>
     public Vector3D At(ModifiedJulianDate time)
     {
-        if (!isShared)
+        IEphemeris engine = ephemeris();
+        if (known is null)
         {
-            return Compute(time);
+            return engine.SunPositionBodyFixed(time, aberration);
         }
 
-        if (!_known.TryGetValue(time.Days, out Vector3D position))
+        if (!known.TryGetValue((time.Days, aberration, engine), out Vector3D position))
         {
-            _known.Add(time.Days, position = Compute(time));
+            known.Add((time.Days, aberration, engine), position = engine.SunPositionBodyFixed(time, aberration));
         }
 
         return position;
     }
-
-    private Vector3D Compute(ModifiedJulianDate time) => ephemeris().SunPositionBodyFixed(time, aberration);
 }
+
+/// <summary>Positions of the Sun by time (MJD), aberration and ephemeris.</summary>
+internal sealed class KnownSuns : Dictionary<(double Days, Aberration Aberration, IEphemeris Engine), Vector3D>;

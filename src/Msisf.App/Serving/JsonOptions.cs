@@ -13,8 +13,8 @@ namespace Msisf.App.Serving;
 
 /// <summary>
 /// Reads a frame's options from JSON: keys are the names of the command line without dashes, values what would be typed there, lists as
-/// arrays and flags as true or false. Beside them there are "model" and "states", and "camera" may be an object with the keys of a
-/// camera file.
+/// arrays and flags as true or false. Beside them there are "model" and "states", "camera" may be an object with the keys of a camera file,
+/// and "trajectory" and "jitter" are lists of what stands in the lines of their files.
 /// </summary>
 internal sealed class JsonOptions
 {
@@ -30,13 +30,15 @@ internal sealed class JsonOptions
     private static readonly string[] Ways =
     [
         CameraOptions.FixedState.Key, CameraOptions.KeplerSet.Key, CameraOptions.StateVectors.Key, PointingOptions.Position.Key,
-        RequestStates.Key,
+        RequestStates.Key, ScanOptions.Trajectory.Key,
     ];
 
     private readonly ServedNames _names;
     private readonly Dictionary<string, OptionValue> _values = new(StringComparer.Ordinal);
     private ServedModel? _model;
     private JsonElement? _states;
+    private JitterFile? _jitter;
+    private string? _samples;
     private CameraFile? _camera;
 
     private JsonOptions(ServedNames names, ServeSettings settings)
@@ -111,7 +113,10 @@ internal sealed class JsonOptions
 
         TrajectorySettings? place = ReadPlace(needsPlace);
         values = new OptionValues(_values);
-        RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution);
+        RenderSettings settings = RenderSettingsReader.Read(values, name => _camera ?? _names.Camera(name), known: model.Resolution) with
+        {
+            Jitter = _jitter,
+        };
         if (settings.Native.FindsExposureTime)
         {
             throw new UsageException(
@@ -135,9 +140,10 @@ internal sealed class JsonOptions
         }
 
         OptionValues values = new(_values);
-        return isNeeded
+        TrajectorySettings? place = isNeeded
             ? TrajectorySettingsReader.Read(values)
             : TrajectorySettingsReader.ReadIfGiven(values, CameraOptions.BatchFile);
+        return place is SampledSettings sampled ? sampled with { Samples = sampled.Samples with { Content = _samples } } : place;
     }
 
     private SampledPosition ReadStates(JsonElement states)
@@ -181,6 +187,16 @@ internal sealed class JsonOptions
         else if (key == RequestStates.Key)
         {
             _states = value;
+        }
+        else if (key == ScanOptions.Jitter.Key)
+        {
+            string lines = RequestRows.Text(value, key, "a list of [seconds, roll, pitch, yaw], or of [axis, Hz, microradians, rad]");
+            _jitter = ScanOptions.Jitter.NamedInErrors(() => JitterFile.Of(key, Encoding.UTF8.GetBytes(lines)));
+        }
+        else if (key == ScanOptions.Trajectory.Key)
+        {
+            _samples = RequestRows.Text(value, key, "a list of states, [MJD, rx, ry, rz, qx, qy, qz, q0] each");
+            Put(ScanOptions.Trajectory, key);
         }
         else if (key == ImageOptions.Camera.Key && value.ValueKind == JsonValueKind.Object)
         {
@@ -247,7 +263,8 @@ internal sealed class JsonOptions
                 $"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
         }
 
-        string question = NearestName.Question(key, [.. Allowed.Keys, ModelKey, RequestStates.Key]);
+        string question = NearestName.Question(
+            key, [.. Allowed.Keys, ModelKey, RequestStates.Key, ScanOptions.Jitter.Key, ScanOptions.Trajectory.Key]);
         throw new UsageException($"{NumberText.Shown(key)} is no option{(question.Length > 0 ? question : ".")}");
     }
 }

@@ -56,8 +56,11 @@ internal sealed class RenderSession : IDisposable
         _maps.Value.WholeAlbedo);
 
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
+    /// <param name="place">Where it is.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <param name="suns">Positions of the Sun that other cameras of the same request know; null for none.</param>
     /// <exception cref="MsisfException">There is no such frame.</exception>
-    public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation)
+    public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation, KnownSuns? suns = null)
     {
         RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
         StateReader reader = new(() => Engine, geometry, _host)
@@ -66,7 +69,8 @@ internal sealed class RenderSession : IDisposable
             Kernels = () => _ephemeris.Of(Settings).Kernels(),
         };
         SpacecraftState state = reader.Read(place, cancellation)[0];
-        Frame[] frames = FrameSetup.Of([state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration), cancellation);
+        Frame[] frames = FrameSetup.Of(
+            [state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration, suns), cancellation);
         GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, trajectory: place);
         return new PreparedFrame(state, frames[0]);
     }
@@ -117,6 +121,7 @@ internal sealed class RenderSession : IDisposable
         .. _ephemeris.InputsOf(_model, Settings),
         .. _maps.Value.Files,
         .. _lists,
+        .. Settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
         .. Settings.Camera is { } camera ? [RunInputs.Of(camera)] : (InputFile[])[],
     ];
 }

@@ -1,4 +1,5 @@
 using Msisf.App.Settings;
+using Msisf.Core.Camera;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 
@@ -21,6 +22,12 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
     /// <summary>What the maps of the session are told apart by.</summary>
     public string MapsKey => MapsKeyOf(Settings);
 
+    /// <summary>The same frame as a camera of a rig has it.</summary>
+    /// <param name="rig">The camera; null for one that is where the state is.</param>
+    public RequestedFrame On(RigCamera? rig) => rig is null
+        ? this
+        : new RequestedFrame(Model, Place, Settings with { Rig = rig }) { Noise = Noise }; // with a session key of its own
+
     /// <summary>Whether single rays tell what the image shows: the Sun is a point, and the normals are those of facets.</summary>
     public bool IsTraceable => Settings.Native.Render is { Sun: SunModel.Point, Normals: NormalModel.Facet };
 
@@ -29,11 +36,16 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
         bool hasTruth = settings.Native.Render.KeepGroundTruth;
         bool hasDetector = settings.Native.Detector is not null;
         return $"{FrameArguments.OfSettings(settings, settings.Ephemeris)} {MapsKeyOf(settings)} {settings.Camera?.Sha256} {hasTruth} "
-            + $"{hasDetector} {ListsKeyOf(settings)}";
+            + $"{hasDetector} {ListsKeyOf(settings)} {RigKeyOf(settings.Rig)}";
     }
 
     private static string MapsKeyOf(RenderSettings settings) =>
         $"{settings.Albedo.Key} {settings.Native.ReflectanceText} {settings.Native.HapkeMap}";
+
+    private static string RigKeyOf(RigCamera? rig) => rig is null ? string.Empty : string.Join(' ', rig.Cameras
+        .Select(camera => FormattableString.Invariant(
+            $"{camera.Name} {camera.Mounting.BodyFromCamera} {camera.Mounting.OffsetBody}"))
+        .Prepend(rig.Name));
 
     private static string ListsKeyOf(RenderSettings settings) =>
         $"{settings.Native.Navigation?.Craters} {settings.Native.Navigation?.Landmarks}";

@@ -18,7 +18,7 @@ internal static class DetectorChoice
     public static CameraFileDetector? Of(CameraFile? camera, OptionValues values)
     {
         if (values.IsGiven(CameraOptions.Motion) && camera?.Detector?.Settings.Shutter is null
-            && camera?.Scan is null)
+            && camera?.Scan is null && !values.IsGiven(RigOptions.Rig))
         {
             throw new UsageException(
                 $"{CameraOptions.Motion.Name} has no meaning without a camera file whose section 'detector' has a 'shutter' "

@@ -47,11 +47,15 @@ internal static class RigOptions
             ? RigFile.Read(path, [.. OfCamera.Select(option => option.Key)])
             : throw new BadInputException($"{Rig.Name} {path}: there is no such file."));
         MountedCamera[] cameras = [.. file.Cameras.Select(camera => camera.Mounted)];
-        return [.. file.Cameras.Select((camera, index) => Read(values, file, camera, geoTiffs) with
+        RenderSettings[] settings = [.. file.Cameras.Select((camera, index) => Read(values, file, camera, geoTiffs) with
         {
             Rig = new RigCamera(cameras, index),
             RigFile = file.Input,
         })];
+        return !values.IsGiven(CameraOptions.Motion) || settings.Any(camera => camera.Shutter is not null || camera.Scan is not null)
+            ? settings
+            : throw new UsageException($"{CameraOptions.Motion.Name} has no meaning for the cameras of {path}: none has a shutter or "
+                + "scans. Remove it.").About(CameraOptions.Motion, Rig);
     }
 
     /// <summary>Reads the settings of a run that draws with one camera.</summary>

@@ -18,18 +18,18 @@ internal static class ScanOptions
     /// <summary>Lines of a line-scan camera.</summary>
     public static WholeNumberSpec Lines { get; } = new(
         "--lines",
-        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.LineScan } scan ? scan.Count : null).OfRuns(),
+        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.LineScan } scan ? scan.Count : null),
         "N", 1, MaxExposures, "Lines of the image, for a camera file whose section 'scan' is a line-scan: each has its own time and state");
 
     /// <summary>Framelets of a push-frame camera.</summary>
     public static WholeNumberSpec Framelets { get; } = new(
         "--framelets",
-        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.PushFrame } scan ? scan.Count : null).OfRuns(),
+        DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.PushFrame } scan ? scan.Count : null),
         "N", 1, MaxExposures, "Framelets of the image, for a camera file whose section 'scan' is a push-frame");
 
     /// <summary>Time between exposures.</summary>
     public static NumberSpec Period { get; } = new(
-        "--scan-period", DecidesBytes.UnlessDefault(frame => frame.Settings.GivenScanPeriod).OfRuns(), "SECONDS",
+        "--scan-period", DecidesBytes.UnlessDefault(frame => frame.Settings.GivenScanPeriod), "SECONDS",
         "Time from line to line, or from framelet to framelet, in place of the camera file's 'period'")
     {
         Limits = new NumberRange(0.0, 1e6) { ExcludesMin = true },
@@ -47,7 +47,7 @@ internal static class ScanOptions
 
     /// <summary>How positions between samples are found.</summary>
     public static ChoiceSpec<InterpolationMethod> Positions { get; } = new(
-        "--trajectory-positions", DecidesBytes.ByStatesOfRun,
+        "--trajectory-positions", DecidesBytes.ByStates,
         [("lagrange", InterpolationMethod.Lagrange), ("hermite", InterpolationMethod.Hermite), ("linear", InterpolationMethod.Linear)],
         "With --trajectory: positions by a polynomial of degree 7 through eight samples, through four and their velocities, or by straight "
             + "lines")
@@ -57,7 +57,7 @@ internal static class ScanOptions
 
     /// <summary>How attitudes between samples are found.</summary>
     public static ChoiceSpec<bool> Attitudes { get; } = new(
-        "--trajectory-attitudes", DecidesBytes.ByStatesOfRun, [("slerp", false), ("squad", true)],
+        "--trajectory-attitudes", DecidesBytes.ByStates, [("slerp", false), ("squad", true)],
         "With --trajectory: attitudes by turns at a constant rate from sample to sample, or by squad, whose rate does not jump")
     {
         Default = false,
@@ -123,13 +123,7 @@ internal static class ScanOptions
     /// <summary>Reads the file of jitter; null if none is given.</summary>
     public static JitterFile? ReadJitter(OptionValues values) => Jitter.ReadIfGiven(values) is not { } path ? null
         : !File.Exists(path) ? throw new BadInputException($"{Jitter.Name} {path}: there is no such file.")
-        : FileErrors.ToBadInput($"{Jitter.Name} {path}: can't be read", () =>
-        {
-            byte[] bytes = File.ReadAllBytes(path);
-            using StreamReader reader = new(new MemoryStream(bytes));
-            string checksum = Convert.ToHexStringLower(SHA256.HashData(bytes));
-            return new JitterFile(path, checksum, JitterFileReader.Read(reader, path), bytes.Length);
-        });
+        : FileErrors.ToBadInput($"{Jitter.Name} {path}: can't be read", () => JitterFile.Of(path, File.ReadAllBytes(path)));
 }
 
 /// <summary>A file of jitter.</summary>
@@ -139,6 +133,17 @@ internal static class ScanOptions
 /// <param name="Bytes">Its length.</param>
 internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, long Bytes)
 {
+    /// <summary>Reads a content.</summary>
+    /// <param name="path">For messages.</param>
+    /// <param name="content">The bytes.</param>
+    /// <exception cref="BadInputException">What is wrong in it.</exception>
+    public static JitterFile Of(string path, byte[] content)
+    {
+        using StreamReader reader = new(new MemoryStream(content));
+        string checksum = Convert.ToHexStringLower(SHA256.HashData(content));
+        return new JitterFile(path, checksum, JitterFileReader.Read(reader, path), content.Length);
+    }
+
     /// <summary>Name and the beginning of the checksum, as the arguments of a frame have it.</summary>
     public string Text => $"{System.IO.Path.GetFileName(Path)}#{Sha256[..16]}";
 

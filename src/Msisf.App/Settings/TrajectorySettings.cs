@@ -38,6 +38,9 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
     /// <summary>Whether the states come from standard input, which can be read only once.</summary>
     public bool IsStandardInput => Path == "-";
 
+    /// <summary>Its content, where it is no file; null for a file.</summary>
+    public string? Content { get; init; }
+
     /// <summary>How its numbers are meant, as far as the options say it.</summary>
     public BatchConventions Conventions { get; init; } = new();
 }

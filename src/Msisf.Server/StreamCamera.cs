@@ -1,0 +1,78 @@
+using System.Text.Json;
+using Msisf.App.Serving;
+using Msisf.Core.Camera;
+using Msisf.Core.Errors;
+
+namespace Msisf.Server;
+
+/// <summary>A camera of a stream.</summary>
+/// <param name="Options">The options in which its images differ from those of the other cameras.</param>
+/// <param name="Rig">How it and the others sit on the body whose states come; null for cameras that are all where the state is.</param>
+internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Options, RigCamera? Rig)
+{
+    /// <summary>More than a spacecraft carries.</summary>
+    private const int Most = 16;
+
+    private const string NameKey = "name";
+    private const string QuaternionKey = "quaternion";
+    private const string OffsetKey = "offset";
+
+    /// <summary>Reads the cameras; a rig if one of them has a name or a mounting.</summary>
+    /// <param name="cameras">A list of objects.</param>
+    /// <exception cref="UsageException">They are wrong.</exception>
+    public static IReadOnlyList<StreamCamera> Read(JsonElement cameras)
+    {
+        if (cameras.ValueKind != JsonValueKind.Array || cameras.GetArrayLength() is < 1 or > Most)
+        {
+            throw new UsageException(
+                $"'cameras' is {JsonText.Shown(cameras)}; a list of 1 to {Most} objects with the options of each camera is needed.");
+        }
+
+        IReadOnlyDictionary<string, JsonElement>[] members = [.. cameras.EnumerateArray().Select(JsonText.Members)];
+        string[] keys = [NameKey, QuaternionKey, OffsetKey];
+        if (!members.Any(camera => keys.Any(camera.ContainsKey)))
+        {
+            return [.. members.Select(camera => new StreamCamera(camera, Rig: null))];
+        }
+
+        MountedCamera[] mounted = [.. members.Select(MountedOf)];
+        return mounted.Select(camera => camera.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() == mounted.Length
+            ? [.. members.Select((camera, index) => new StreamCamera(
+                camera.Where(option => !keys.Contains(option.Key)).ToDictionary(), new RigCamera(mounted, index)))]
+            : throw new UsageException("two of the 'cameras' have one name. Give each its own, or none.");
+    }
+
+    private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
+    {
+        string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : $"camera{index + 1}";
+        if (!MountedCamera.IsName(name))
+        {
+            throw new UsageException($"'{name}' is no name of a camera: {MountedCamera.Names}.");
+        }
+
+        try
+        {
+            return new MountedCamera(
+                name, Mounting.Of(Numbers(camera, QuaternionKey, [0.0, 0.0, 0.0, 1.0]), Numbers(camera, OffsetKey, [0.0, 0.0, 0.0])));
+        }
+        catch (BadInputException wrong)
+        {
+            throw new UsageException($"camera '{name}': {wrong.Message}", wrong);
+        }
+    }
+
+    private static double[] Numbers(IReadOnlyDictionary<string, JsonElement> camera, string key, double[] otherwise)
+    {
+        if (!camera.TryGetValue(key, out JsonElement list))
+        {
+            return otherwise;
+        }
+
+        double[] numbers = list.ValueKind == JsonValueKind.Array
+            ? [.. list.EnumerateArray().Select(value => value.ValueKind == JsonValueKind.Number ? value.GetDouble() : double.NaN)]
+            : [];
+        return numbers.Length == otherwise.Length && numbers.All(double.IsFinite)
+            ? numbers
+            : throw new UsageException($"'{key}' of a camera is {JsonText.Shown(list)}; a list of {otherwise.Length} numbers is needed.");
+    }
+}
