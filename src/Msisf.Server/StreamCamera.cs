@@ -42,6 +42,16 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             : throw new UsageException("two of the 'cameras' have one name. Give each its own, or none.");
     }
 
+    /// <summary>The camera's frame.</summary>
+    /// <param name="frames">Reads it.</param>
+    /// <param name="frame">The options of all cameras.</param>
+    /// <param name="changes">What a later message says in their place, with where the camera is; null for none.</param>
+    /// <exception cref="MsisfException">An option is wrong.</exception>
+    public RequestedFrame Of(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) => frames.Read(
+        frame,
+        changes is null ? Options : Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary(),
+        needsPlace: changes is not null).On(Rig);
+
     private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
     {
         string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : $"camera{index + 1}";

@@ -113,8 +113,7 @@ internal sealed class StreamSession : IDisposable
         {
             _document = JsonText.Parse(first.Bytes);
             _opening = StreamOpening.Read(_document.RootElement);
-            _cameras = [.. _opening.Cameras.Select(
-                camera => _frames.Read(_opening.Frame, camera.Options, needsPlace: false).On(camera.Rig))];
+            _cameras = [.. _opening.Cameras.Select(camera => camera.Of(_frames, _opening.Frame))];
             await _socket.SendAsync(
                 json =>
                 {
@@ -233,14 +232,9 @@ internal sealed class StreamSession : IDisposable
         }
 
         bool hasOwnNoise = changes.ContainsKey(NativeOptions.NoiseSeed.Key);
-        return
-        [
-            .. _opening!.Cameras
-                .Select(camera => _frames.Read(
-                    _opening.Frame, camera.Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary())
-                    .On(camera.Rig))
-                .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested))),
-        ];
+        return [.. _opening!.Cameras
+            .Select(camera => camera.Of(_frames, _opening.Frame, changes))
+            .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested)))];
     }
 
     /// <summary>The number of a state in the stream is its step in the series of noises that the first message chooses.</summary>

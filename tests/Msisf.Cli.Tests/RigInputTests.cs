@@ -1,0 +1,62 @@
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Cli.Tests;
+
+/// <summary>Rig files and options that are wrong: one line that says what and where, and no output.</summary>
+public sealed class RigInputTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("", 2, "rig.yaml, line 1, column 1: a rig needs 'cameras': below it the name of each camera")]
+    [InlineData("cameras: {}\n", 2, "rig.yaml, line 1, column 1: the rig has no camera. Add the name of one below 'cameras'")]
+    [InlineData("cameras:\n", 2, "rig.yaml, line 1, column 9: 'cameras' has no value")]
+    [InlineData(
+        "cameras:\n  a:\n    fov: 5\n    quaternion: [0, 0, 0, 1]\n  a:\n    fov: 4\n", 2,
+        "line 5, column 3: 'a' is there already")]
+    [InlineData("cameras:\n  a:\n    fov: 5\n    quaternion: [0, 0, 0.5, 1]\n", 2, "line 4, column 5: 'quaternion' has length 1.118")]
+    [InlineData("cameras:\n  a:\n    fov: 5\n    quaternion: [0, 0, 1]\n", 2, "line 4, column 5: 'quaternion' has 3 numbers; 4 are needed")]
+    [InlineData("cameras:\n  a:\n    fov: 5\n", 2, "line 2, column 3: a camera of a rig needs 'quaternion'")]
+    [InlineData(
+        "cameras:\n  a:\n    quaternoin: [0, 0, 0, 1]\n", 2, "'quaternoin' is no key of a camera of a rig: did you mean quaternion?")]
+    [InlineData("camera:\n  a:\n    fov: 5\n", 2, "'camera' is no key of a rig: did you mean cameras?")]
+    [InlineData("cameras:\n  a b:\n    quaternion: [0, 0, 0, 1]\n", 2, "'a b' is no name of a camera: 1 to 40 letters")]
+    [InlineData("cameras:\n  a: 5\n", 2, "'a' is a camera of a rig: put its keys below it")]
+    [InlineData("cameras:\n  a:\n    width: x\n    quaternion: [0, 0, 0, 1]\n", 2, "rig.yaml, camera a: --width is 'x'")]
+    [InlineData(
+        "cameras:\n  a:\n    camera: no.yaml\n    quaternion: [0, 0, 0, 1]\n", 2,
+        "camera a: --camera no.yaml: there is no such file.")]
+    [InlineData("cameras:\n  a:\n    lines: 5\n    quaternion: [0, 0, 0, 1]\n", 2, "camera a: --lines needs a camera that scans")]
+    [InlineData(
+        "cameras:\n  a:\n    quaternion: [0, 0, 0, 1]\n  A:\n    quaternion: [0, 0, 0, 1]\n", 2,
+        "line 4, column 3: 'A' differs from another name in its capitals only, and files would differ so")]
+    public void Run_WrongRig_SaysWhatAndWhere(string content, int exitCode, string message)
+    {
+        string rig = _folder.Write("rig.yaml", content);
+        CommandLineRun run = CommandLineRun.Of(
+            ["--fixed-state", "{55289,1.9E6,0,0,0,0,0,1}", "--rig", rig, "--renderer", "native", "--output-dir", _folder["wrong"]]);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Equal(exitCode, run.ExitCode);
+        Assert.False(Directory.Exists(_folder["wrong"]));
+    }
+
+    [Theory]
+    [InlineData("--rig FILE --renderer native --fov 5", 1, "--fov and --rig exclude each other: the rig file says it of each camera.")]
+    [InlineData("--rig FILE", 1, "--rig draws with the program's own renderer. Add --renderer native.")]
+    [InlineData("--rig no.yaml --renderer native", 2, "--rig no.yaml: there is no such file.")]
+    [InlineData("--output-name {camera} --renderer native", 1, "and {camera} with --rig.")]
+    [InlineData("states --rig FILE --renderer native --to a.tab", 1, "Give --to a path with {camera} in it")]
+    public void Run_RigWithOtherOptions_IsRefused(string words, int exitCode, string message)
+    {
+        string rig = _folder.Write("rig.yaml", "cameras:\n  plain:\n    fov: 25\n    quaternion: [0, 0, 0, 1]\n");
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. words.Split(' ').Select(word => word == "FILE" ? rig : word), "--fixed-state", "{55289,1.9E6,0,0,0,0,0,1}",
+        ]);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Equal(exitCode, run.ExitCode);
+    }
+}
