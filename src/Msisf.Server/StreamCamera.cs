@@ -47,10 +47,11 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
     /// <param name="frame">The options of all cameras.</param>
     /// <param name="changes">What a later message says in their place, with where the camera is; null for none.</param>
     /// <exception cref="MsisfException">An option is wrong.</exception>
-    public RequestedFrame Of(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) => frames.Read(
-        frame,
-        changes is null ? Options : Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary(),
-        needsPlace: changes is not null).On(Rig);
+    public RequestedFrame Of(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) =>
+        frames.Read(
+            frame,
+            changes is null ? Options : Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary(),
+            needsPlace: changes is not null).On(Rig);
 
     private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
     {
