@@ -16,6 +16,7 @@ internal sealed record AnswerForm(string Main, string Image, string Meta)
     public const string Fits = "application/fits";
     public const string Json = "application/json";
     public const string Xml = "application/xml";
+    public const string Text = "text/plain";
     public const string Multipart = "multipart/mixed";
 
     private static readonly string[] Images = [Png, Raw, Npy];

@@ -51,8 +51,16 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
     public void Check(AnswerForm form, RenderSettings settings, int maxMegabytes)
     {
         int layers = settings.Native.Layers?.Layers.Count ?? 0;
+        if (settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } wrong)
+        {
+            throw new RefusedException(
+                StatusCodes.Status400BadRequest, $"'camera-model' {wrong.Word} holds the image too, and is for runs of msis. Leave it out.");
+        }
+
         string? problem = form.Main switch
         {
+            _ when settings.CameraFormats.Count > 0 && !form.IsMultipart =>
+                $"'camera-model' is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
             AnswerForm.Fits when layers == 0 && settings.Native.Detector is null =>
                 $"{form.Main} is for layers, and the request {LayersNeeded}",
             AnswerForm.Raw or AnswerForm.Npy when layers > 1 =>

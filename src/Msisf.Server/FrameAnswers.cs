@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using Microsoft.AspNetCore.Http;
+using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
 using Msisf.App.Rendering;
@@ -83,7 +84,8 @@ internal sealed class FrameAnswers
         CancellationToken cancellation)
     {
         AnswerPlan plan = AnswerPlan.Of(form, session.Settings);
-        if (plan is { HasImage: true, Layers: null, HasNumbers: false, Meta: { } both, IsSentAsMade: false } && threads > 1)
+        bool hasCameras = session.Settings.CameraFormats.Count > 0;
+        if (plan is { HasImage: true, Layers: null, HasNumbers: false, Meta: { } both, IsSentAsMade: false } && threads > 1 && !hasCameras)
         {
             WriteBoth(answer, session, frame, image, form, both, threads, cancellation);
             return;
@@ -112,6 +114,11 @@ internal sealed class FrameAnswers
         {
             answer.Add("dn.fits", AnswerForm.Fits, stream => DetectorFitsWriter.Write(
                 stream, image.Detected!, session.Settings.Native.Detector!.Settings, metadata, provenance));
+        }
+
+        if (hasCameras)
+        {
+            AddCameraModels(answer, session, frame, rendered, metadata, cancellation);
         }
 
         if (plan.Meta is { } meta)
@@ -149,6 +156,25 @@ internal sealed class FrameAnswers
 
     private static void AddMeta(Answer answer, string form, Action<MemoryStream> write) =>
         answer.Add(form == AnswerForm.Xml ? "xml" : "json", form, write);
+
+    /// <summary>Adds the files of msis, each as "csm.json", "tsai", ...</summary>
+    private static void AddCameraModels(
+        Answer answer, RenderSession session, PreparedFrame frame, RenderedFrame rendered, FrameMetadata metadata,
+        CancellationToken cancellation)
+    {
+        using MemoryStream metaFile = new();
+        WriteMeta(metaFile, AnswerForm.Xml, session, frame, rendered, metadata, cancellation);
+        metaFile.Position = 0;
+        ExportedFrame exported = CameraOfMetaFile.Read(
+            metaFile, $"{frame.Frame.Name}.xml", frame.Frame, metadata, session.Settings) with
+        {
+            Ephemeris = session.Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? session.Engine : null,
+        };
+        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(session.Settings.CameraFormats, exported, _ => { }, _ => { }))
+        {
+            answer.Add(ending[1..], AnswerForm.Text, write);
+        }
+    }
 
     private static void AddLayers(
         Answer answer, RenderSession session, AnswerPlan plan, LayerSet layers, AnswerForm form, LayersOf of,

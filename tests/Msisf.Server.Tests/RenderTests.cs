@@ -56,6 +56,40 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         }
     }
 
+    [RequiresFact(Part.Ldem4)]
+    public async Task CameraModels_HaveTheBytesOf_Msis()
+    {
+        using TemporaryFolder folder = new();
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. CommandLine, "--camera-model", "csm,colmap,isd", "--output-name", "frame", "--output-dir", folder.Path,
+            "--ldem", TestParts.Ldem4Label!,
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+
+        string answer = Encoding.Latin1.GetString(
+            await server.RenderAsync($"{Options}, \"camera-model\": [\"csm\", \"colmap\", \"isd\"]", "multipart/mixed"));
+
+        foreach (string name in new[] { "csm.json", "cameras.txt", "images.txt", "points3D.txt", "isd.json", "xml" })
+        {
+            string content = File.ReadAllText(folder[$"frame.{name}"], Encoding.Latin1);
+            Assert.Contains($"filename=\"{name}\"\r\nContent-Length: {content.Length}\r\n\r\n{content}\r\n--", answer);
+        }
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("csm", "image/png", HttpStatusCode.NotAcceptable, "'camera-model' is for answers of several parts")]
+    [InlineData("csm,isis", "multipart/mixed", HttpStatusCode.BadRequest, "'camera-model' isis holds the image too")]
+    [InlineData("tsa", "multipart/mixed", HttpStatusCode.BadRequest, "'tsa' is no format of camera models")]
+    public async Task CameraModelsThatCannotBeSent_AreRefused(string formats, string accept, HttpStatusCode status, string problem)
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render", $"{{{RunningServer.SmallFrame}, \"camera-model\": \"{formats}\"}}", accept);
+
+        Assert.Equal(status, answer.StatusCode);
+        Assert.Contains(problem, JsonDocument.Parse(await answer.Content.ReadAsByteArrayAsync()).RootElement.ToString());
+    }
+
     [RequiresFact(Part.Ldem4, Part.CFitsio)]
     public async Task Fits_HasTheBytesOf_Msis()
     {

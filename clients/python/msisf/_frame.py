@@ -36,6 +36,7 @@ class Frame(View):
         utc: Time, ISO 8601.
         meta: The meta file; read when it is first asked for, as are craters and landmarks.
         warnings: What the server finds strange about the request.
+        camera_models: With ``camera_model="csm,tsai"`` the texts of the files that msis writes so, by their endings: "csm.json", "tsai".
         craters: With ``craters="NAME"`` a record array of the craters in the image: id, name, latitude, longitude, diameter, h, v,
             semiMajor, semiMinor, turn (degrees), inside, hidden, lit, incidence, emission; NaN where a number is not defined.
         landmarks: With ``landmarks="NAME"`` a record array of the landmarks: id, name, x, y, z, h, v, visible, lit, range, pixelScale, and
@@ -65,6 +66,7 @@ class Frame(View):
         self.image = self._levels.copy()
         self.layers: Dict[str, "NDArray[Any]"] = dict(layers)
         self.warnings = list(warnings)
+        self.camera_models: Dict[str, str] = {}
         quaternion = general["CameraOrientation"]["Quaternion"]
         self.quaternion: "NDArray[np.float64]" = np.array([quaternion[name] for name in ("x", "y", "z", "r")], dtype=float)
         self.sun_position = _vector(general["SunPosition"])

@@ -122,7 +122,11 @@ class Moon:
             arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
             warning = headers.get("X-Msisf-Warning")
             meta = str(parts["json"].content, "utf-8")
-            return Frame(self, request, parts["image.raw"], arrays, meta, [warning] if warning else [])
+            frame = Frame(self, request, parts["image.raw"], arrays, meta, [warning] if warning else [])
+            frame.camera_models = {
+                name: str(part.content, "utf-8") for name, part in parts.items() if part.headers["content-type"] == "text/plain"
+            }
+            return frame
 
     def view(
         self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any

@@ -29,6 +29,7 @@ def test_image_is_that_of_msis(moon, tmp_path):
 
     frame = moon.render(**STATE, camera=SMALL, layers=["depth", "radiance-factor"])
 
+    assert frame.camera_models == {}
     assert frame.image.shape == (48, 64) and frame.image.dtype == np.uint8
     for name in ("depth", "radiance-factor"):
         (path,) = tmp_path.glob(f"*.{name}.npy")
@@ -37,6 +38,19 @@ def test_image_is_that_of_msis(moon, tmp_path):
     frame.save(tmp_path / "saved.png")
     (path,) = tmp_path.glob("Moon*.png")
     assert (tmp_path / "saved.png").read_bytes() == path.read_bytes()
+
+
+def test_camera_models_are_those_of_msis(moon, tmp_path):
+    subprocess.run(
+        [_process.find_program(), "--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--width", "64", "--height", "48", "--renderer", "native",
+         "--camera-model", "csm,tsai", "--output-name", "frame", "--output-dir", str(tmp_path), "--batch"],
+        check=True, capture_output=True,
+    )  # fmt: skip
+
+    frame = moon.render(**STATE, camera=SMALL, camera_model=["csm", "tsai"], layers="depth")
+
+    assert frame.camera_models == {name: (tmp_path / f"frame.{name}").read_text() for name in ("csm.json", "tsai")}
+    assert frame.depth.shape == (48, 64)
 
 
 def test_invented_detail_is_that_of_msis_and_says_so(moon, tmp_path):

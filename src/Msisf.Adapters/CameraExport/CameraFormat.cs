@@ -111,28 +111,42 @@ public sealed class CameraFormat
         IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame, Action<string> note,
         Action<string> warn)
     {
-        if (frame.Scan is { } scan && formats.Any(format => format.IsCsm))
-        {
-            CsmScan csm = CsmScan.Of(frame.Camera.Model, scan);
-            frame = frame with { Csm = csm };
-            (csm.Misfit > CsmScan.Promised ? warn : note)(csm.Describe(frame.Name, scan.Period));
-        }
-
         List<string> paths = [];
-        foreach (ExportedFile file in formats.SelectMany(format => format._files))
+        foreach ((string ending, Action<Stream> write) in FilesOf(formats, frame, note, warn))
         {
-            file.Write(files, stem + file.Ending, frame);
-            paths.Add(stem + file.Ending);
+            files.Write(stem + ending, write);
+            paths.Add(stem + ending);
         }
 
         return paths;
     }
 
+    /// <summary>The files of formats: their endings, and what writes them.</summary>
+    /// <inheritdoc cref="Write" path="/param"/>
+    public static IEnumerable<(string Ending, Action<Stream> Write)> FilesOf(
+        IEnumerable<CameraFormat> formats, ExportedFrame frame, Action<string> note, Action<string> warn)
+    {
+        ExportedFrame written = frame;
+        if (frame.Scan is { } scan && formats.Any(format => format.IsCsm))
+        {
+            CsmScan csm = CsmScan.Of(frame.Camera.Model, scan);
+            written = frame with { Csm = csm };
+            (csm.Misfit > CsmScan.Promised ? warn : note)(csm.Describe(frame.Name, scan.Period));
+        }
+
+        return formats.SelectMany(format => format._files)
+            .Select(file => (file.Ending, (Action<Stream>)(stream => file.Write(stream, written))));
+    }
+
     private static ExportedFile Text(string ending, Action<TextWriter, ExportedFrame> write) =>
-        new(ending, (files, path, frame) => files.WriteText(path, writer => write(writer, frame)));
+        new(ending, (stream, frame) =>
+        {
+            using StreamWriter writer = AtomicFileSet.TextWriterOn(stream);
+            write(writer, frame);
+        });
 
     private static ExportedFile Bytes(string ending, Action<Stream, ExportedFrame> write) =>
-        new(ending, (files, path, frame) => files.Write(path, stream => write(stream, frame)));
+        new(ending, write);
 
-    private sealed record ExportedFile(string Ending, Action<AtomicFileSet, string, ExportedFrame> Write);
+    private sealed record ExportedFile(string Ending, Action<Stream, ExportedFrame> Write);
 }

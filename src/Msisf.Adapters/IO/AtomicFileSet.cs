@@ -38,11 +38,13 @@ public sealed class AtomicFileSet : IDisposable
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void WriteText(string path, Action<TextWriter> write) => Write(path, stream =>
     {
-        using StreamWriter writer = new(
-            stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true);
-        writer.NewLine = "\n";
+        using StreamWriter writer = TextWriterOn(stream);
         write(writer);
     });
+
+    /// <summary>Writes text on a stream, which stays open: UTF-8 without byte order mark, LF.</summary>
+    internal static StreamWriter TextWriterOn(Stream stream) =>
+        new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true) { NewLine = "\n" };
 
     /// <summary>Length and checksum of a file that is written but not committed.</summary>
     /// <param name="path">Its final name.</param>

@@ -90,8 +90,10 @@ internal sealed class FrameFiles
 
         if (_settings.CameraFormats.Count > 0)
         {
-            ExportedFrame exported = Exported(files, $"{stem}.xml", frame, metadata) with
+            ExportedFrame exported = files.Read(
+                $"{stem}.xml", stream => CameraOfMetaFile.Read(stream, $"{stem}.xml", frame, metadata, _settings)) with
             {
+                Ephemeris = _ephemeris,
                 Image = _settings.CameraFormats.Any(format => format.HasPixels)
                     ? ExportedImage.Of(rendered.Truth!, rendered.Detected)
                     : null,
@@ -126,20 +128,6 @@ internal sealed class FrameFiles
             files.Commit();
         });
         return paths;
-    }
-
-    /// <summary>The camera as the meta file has it, so that it is the same afterwards; it does not have a detector's shutter.</summary>
-    private ExportedFrame Exported(AtomicFileSet files, string metaFile, Frame frame, FrameMetadata metadata)
-    {
-        ExportedFrame exported = files.Read(
-            metaFile, stream => MetaFileFrame.Read(stream, metaFile, () => RowStates.Of(metadata)));
-        return exported with
-        {
-            Ephemeris = _ephemeris,
-            Scan = _settings.Shutter is { IsRolling: true } shutter && frame is { Scan: null, Motion: { IsRest: false } motion }
-                ? ExportedScan.OfShutter(exported.Camera, motion, shutter.LineTime, metadata.HeightOverTerrain)
-                : exported.Scan,
-        };
     }
 
     private IReadOnlyList<string> WriteLayers(

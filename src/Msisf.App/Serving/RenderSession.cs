@@ -112,7 +112,8 @@ internal sealed class RenderSession : IDisposable
     /// <summary>Gives the maps back.</summary>
     public void Dispose() => _maps.Dispose();
 
-    private IEphemeris Engine => _ephemeris.Of(Settings).Engine();
+    /// <summary>Where the Sun is, what time TDB is, and how the body is turned.</summary>
+    public IEphemeris Engine => _ephemeris.Of(Settings).Engine();
 
     private string ArgumentsOf(PreparedFrame frame) => FrameArguments.Of(frame.State, Arguments);
 

@@ -14,7 +14,7 @@ internal static class CameraModelOptions
 
     /// <summary>Camera models beside each image of a run.</summary>
     public static TextSpec OfRun { get; } = new(
-        "--camera-model", DecidesBytes.UnlessDefault(frame => frame.Settings.CameraFormats.Select(format => format.Word)).OfRuns(), "LIST",
+        "--camera-model", DecidesBytes.UnlessDefault(frame => frame.Settings.CameraFormats.Select(format => format.Word)), "LIST",
         $"Write the camera of each image for other programs, in formats separated by commas: {Formats}")
     {
         Separator = ",",
