@@ -54,7 +54,8 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
         if (settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } wrong)
         {
             throw new RefusedException(
-                StatusCodes.Status400BadRequest, $"'camera-model' {wrong.Word} holds the image too, and is for runs of msis. Leave it out.");
+                StatusCodes.Status400BadRequest,
+                $"'camera-model' {wrong.Word} holds the image too, and is for runs of msis. Leave it out.");
         }
 
         string? problem = form.Main switch

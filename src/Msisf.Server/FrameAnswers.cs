@@ -170,7 +170,8 @@ internal sealed class FrameAnswers
         {
             Ephemeris = session.Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? session.Engine : null,
         };
-        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(session.Settings.CameraFormats, exported, _ => { }, _ => { }))
+        IReadOnlyList<CameraFormat> formats = session.Settings.CameraFormats;
+        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(formats, exported, _ => { }, _ => { }))
         {
             answer.Add(ending[1..], AnswerForm.Text, write);
         }
