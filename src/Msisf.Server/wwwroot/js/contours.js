@@ -71,7 +71,9 @@ export class Contours {
             for (let level = Math.ceil(range[0] / step) * step; level <= range[1]; level += step) {
                 lines.push({ level, isThick: Math.round(level / step) % 5 === 0, segments: segmentsOf(plane, level) });
             }
-            this.#lines = { lines, unit, step };
+            this.#lines = { lines, unit };
+            $('contour-said').textContent = `Contour lines every ${lengthText(step).replace(/\.0+ /, ' ')}`;
+            $('contour-said').hidden = false;
             this.onReady();
         } catch (error) {
             if (!signal.aborted) {
@@ -83,6 +85,7 @@ export class Contours {
     /** The lines belong to another picture. */
     forget() {
         this.#abort.abort();
+        $('contour-said').hidden = true;
         this.#lines = null;
         this.#last = null;
     }
@@ -90,14 +93,13 @@ export class Contours {
     /** Draws them over the picture. */
     draw(overlay) {
         for (const { level, isThick, segments } of this.#lines?.lines ?? []) {
-            const { unit, step } = this.#lines;
+            const { unit } = this.#lines;
             const place = (x, y) => overlay.of([(x - 0.5) * unit + 0.5, (y - 0.5) * unit + 0.5]);
             overlay.segments(segments.map(([ax, ay, bx, by]) => [...place(ax, ay), ...place(bx, by)]), isThick);
             const middle = segments[Math.floor(segments.length / 2)];
             if (isThick && middle && segments.length > 40) {
                 overlay.label(lengthText(level).replace(/\.0+ /, ' '), place(middle[0], middle[1]), '#ffd9a0', 'center');
             }
-            this.step = step;
         }
     }
 }

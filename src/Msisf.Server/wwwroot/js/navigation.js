@@ -66,7 +66,7 @@ export class Navigation {
         }
         this.stage.stage.setPointerCapture(event.pointerId);
         const [x, y] = [event.clientX, event.clientY];
-        this.#pointers.set(event.pointerId, { x, y, startX: x, startY: y, moved: false, startTime: performance.now() });
+        this.#pointers.set(event.pointerId, { x, y, startX: x, startY: y, moved: false });
         this.#pair = this.#pointers.size === 2 ? this.#pairNow() : null;
         clearTimeout(this.#press);
         if (event.pointerType === 'touch' && this.#pointers.size === 1) {

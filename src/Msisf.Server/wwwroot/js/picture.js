@@ -7,7 +7,10 @@ import { LostError, renderPlane } from './server.js';
 import { Stage } from './stage.js';
 import { Warp } from './warp.js';
 
-const REST_AFTER = 120; // ms without a movement
+const REST_AFTER = 80; // ms without a movement
+
+/** Pixels of a picture that is drawn once, with all its samples: twice would take longer than anybody waits. */
+const LARGE = 4e6;
 
 /** Samples of a whole picture: more take longer than anybody waits to look around. As many as are needed is not many. */
 const MOST_SAMPLES = 16e6;
@@ -149,7 +152,7 @@ export class Picture {
             + `${Math.round(milliseconds)} ms each.`);
     }
 
-    /** Full size with one sample a pixel, then with as many as are wanted. */
+    /** Full size with one sample a pixel, then with as many as are wanted; a large one with these at once. */
     async #rest() {
         if (this.isMoving()) {
             this.#timer = setTimeout(() => this.#rest(), REST_AFTER);
@@ -161,7 +164,8 @@ export class Picture {
         const truth = this.state.frame(size);
         const most = samplesFor(this.state.picture.samples, size);
         try {
-            for (const samples of most === 1 ? [1] : [1, most]) {
+            const isOnce = most === 1 || size.width * size.height > LARGE;
+            for (const [step, samples] of (isOnce ? [most] : [1, most]).entries()) {
                 const start = performance.now();
                 const words = `${size.width} × ${size.height}, ${samples} ${samples === 1 ? 'sample' : 'samples'} a pixel`;
                 this.hooks.onStatus(`Drawing: ${words}.`);
@@ -176,7 +180,7 @@ export class Picture {
                 this.#show(view, size, truth);
                 this.hooks.onNotice(null);
                 this.hooks.onStatus(`At rest: ${words}, ${Math.round(performance.now() - start)} ms.`);
-                if (samples === 1) {
+                if (step === 0) {
                     this.hooks.onRest(truth);
                     this.#prepareWarp(image, view, signal);
                 }

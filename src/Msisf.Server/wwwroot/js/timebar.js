@@ -9,6 +9,7 @@ import { calendarOf, mjdOf } from './time.js';
 const $ = id => document.getElementById(id);
 
 const HALF = 15; // days on each side
+const LEAST_HEIGHT = 5; // degrees, of the bar's half height: at a pole the Sun stays low
 const COUNT = 361; // times of the Sun: every two hours
 const COLOURS = { ground: '#0b0f16', night: '#141d33', day: '#3a2f1b', line: '#ffc46b', horizon: '#4a5670', text: '#aab4c6' };
 
@@ -118,9 +119,11 @@ export class TimeBar {
         const centre = centreOf(this.state.view, this.state.size);
         const text = 0.875 * parseFloat(getComputedStyle(document.documentElement).fontSize) * ratio;
         const low = height - text * 1.25;
-        const at = elevation => low / 2 - elevation / 90 * (low / 2 - ratio);
-        if (centre && this.#path) {
-            const heights = this.#path.positions.map(position => at(sunAt(centre, position).elevation));
+        const elevations = centre && this.#path ? this.#path.positions.map(position => sunAt(centre, position).elevation) : [];
+        const most = elevations.reduce((all, elevation) => Math.max(all, Math.abs(elevation)), LEAST_HEIGHT);
+        const at = elevation => low / 2 - elevation / most * (low / 2 - 2 * ratio);
+        if (elevations.length > 0) {
+            const heights = elevations.map(at);
             const x = index => index / (COUNT - 1) * width;
             const curve = () => {
                 pen.beginPath();
