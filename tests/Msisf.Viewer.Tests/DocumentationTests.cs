@@ -50,7 +50,7 @@ public class DocumentationTests(Chromium chromium, ViewerServer server)
     {
         await using ViewerPage viewer = await ViewerPage.OpenAsync(
             chromium, server, $"{Samples}&altitude=5500000", 360, 720, hasPanel: false);
-        await viewer.PointAsync(200, 150);
+        await viewer.PointAsync(200, 250);
         await TakeAsync(viewer, "viewer-telephone.png");
     }
 

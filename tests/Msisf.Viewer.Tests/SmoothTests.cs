@@ -159,14 +159,18 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task LostServer_IsSaid_AndComesBack()
     {
-        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, OverClavius, hasPanel: false, expected: "ERR_FAILED");
-        await viewer.Page.RouteAsync("**/{v1/*,healthz}", route => route.AbortAsync());
+        (RunningProgram first, string address) = ViewerServer.StartProgram(["serve", "--listen", "127.0.0.1:0"], server.Folder);
+        await using ViewerPage viewer = await ViewerPage.OpenAtAsync(chromium, address, OverClavius, expected: "ERR_", hasPanel: false);
+        first.Dispose();
         await viewer.Page.FocusAsync("#stage");
         await viewer.Page.Keyboard.PressAsync(".");
         await viewer.WaitAsync("() => /trying again/.test(document.getElementById('notice').textContent)");
         string mjd = await viewer.Page.InputValueAsync("#mjd");
 
-        await viewer.MoveAsync(() => viewer.Page.UnrouteAllAsync());
+        (RunningProgram second, string same) = ViewerServer.StartProgram(["serve", "--listen", address["http://".Length..]], server.Folder);
+        using RunningProgram running = second;
+        Assert.Equal(address, same);
+        await viewer.AtRestAsync();
         Assert.True(await viewer.Page.IsHiddenAsync("#notice"));
         Assert.Equal(mjd, await viewer.Page.InputValueAsync("#mjd"));
     }

@@ -25,11 +25,16 @@ internal sealed class ViewerPage : IAsyncDisposable
     public string? Expected { get; init; }
 
     /// <summary>Opens the viewer with settings in its address, and waits for the picture at rest.</summary>
-    public static async Task<ViewerPage> OpenAsync(
+    public static Task<ViewerPage> OpenAsync(
         Chromium chromium, ViewerServer server, string settings, int width = 1300, int height = 600, string? expected = null,
+        bool hasPanel = true, string? before = null, bool hasTouch = false) =>
+        OpenAtAsync(chromium, server.Address, settings, width, height, expected, hasPanel, before, hasTouch);
+
+    /// <summary>Opens the page of any server.</summary>
+    public static async Task<ViewerPage> OpenAtAsync(
+        Chromium chromium, string address, string settings, int width = 1300, int height = 600, string? expected = null,
         bool hasPanel = true, string? before = null, bool hasTouch = false)
     {
-        string address = server.Address;
         IBrowserContext window = await chromium.WindowAsync(width, height, hasTouch);
         ViewerPage viewer = new(window, await window.NewPageAsync()) { Expected = expected };
         viewer.Page.Console += (_, message) => viewer.Note(

@@ -62,14 +62,18 @@ public sealed class ViewerServer : IDisposable
         CommandLineRun run = CommandLineRun.Of([.. OptionsOfRun, "--batch-file", batch, "--output-dir", Run, "--batch"]);
         Assert.True(run.ExitCode == 0, run.Error);
 
+        return StartProgram(["view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues", $"{craters},{landmarks}"], Folder);
+    }
+
+    /// <summary>Starts a server in a process of its own, and waits for its address.</summary>
+    /// <param name="arguments">Of msis.</param>
+    /// <param name="folder">Its working directory.</param>
+    internal static (RunningProgram Program, string Address) StartProgram(IReadOnlyList<string> arguments, string folder)
+    {
         StringBuilder output = new();
-        string[] arguments =
-        [
-            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "view", "--no-browser", Run, "--folders", $"{batch},{oem}", "--catalogues",
-            $"{craters},{landmarks}",
-        ];
         RunningProgram program = RunningProgram.Start(
-            TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"), arguments, Folder,
+            TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"),
+            [Path.Combine(AppContext.BaseDirectory, "msis.dll"), .. arguments], folder,
             onOutput: text =>
             {
                 lock (output)
@@ -77,7 +81,7 @@ public sealed class ViewerServer : IDisposable
                     output.Append(text);
                 }
             });
-        Within.Seconds(StartSeconds, "the address of msis view", () => Text().Contains('\n', StringComparison.Ordinal))
+        Within.Seconds(StartSeconds, "the address of the server", () => Text().Contains('\n', StringComparison.Ordinal))
             .GetAwaiter().GetResult();
         return (program, Text().Split('\n')[0].Trim());
 

@@ -12,8 +12,8 @@ export class Connection {
 
     /** The server did not answer. */
     lose() {
+        this.onLost('The connection to msis is lost; trying again.');
         if (this.#timer === 0) {
-            this.onLost('The connection to msis is lost; trying again.');
             this.#timer = setInterval(() => this.#try(), EVERY);
         }
     }

@@ -1,5 +1,6 @@
 // Which marks lie over the picture, and the fields that switch them.
 
+import { drawCraters, drawLandmarks, drawNames, drawRims } from './features.js';
 import { Grid } from './grid.js';
 import { Overlay } from './overlay.js';
 import { getJson, renderMeta } from './server.js';
@@ -86,14 +87,14 @@ export class Marks {
             overlay.drawTerminator(sunPosition);
         }
         const truth = isAtRest && this.#truth;
-        overlay.drawLandmarks(truth ? truth.landmarks : []);
+        drawLandmarks(overlay, truth ? truth.landmarks : []);
         if (truth?.craters) {
-            overlay.drawRims(truth.craters);
+            drawRims(overlay, truth.craters);
         } else {
-            overlay.drawCraters(this.#craters);
+            drawCraters(overlay, this.#craters);
         }
         if ($('show-names').checked) {
-            overlay.drawNames(names, sunPosition);
+            drawNames(overlay, names, sunPosition);
         }
         const here = readings.get('here');
         if (isAtRest && here && here.illumination_direction !== null && $('show-arrow').checked) {

@@ -1,15 +1,11 @@
-// What is drawn over the picture: terminator, craters, the light's arrow, pins, the crosshair.
+// What is drawn over the picture: lines, labels, terminator, the light's arrow, pins, the crosshair.
 
 import {
-    cameraOf, circleAround, combine, focalLength, isOnNearSide, length, limbAngle, meetSphere, normalize, pointAt, project, scale,
-    seenParts, subtract, sunAt, REFERENCE_RADIUS,
+    cameraOf, circleAround, combine, isOnNearSide, length, limbAngle, meetSphere, normalize, project, scale, seenParts, subtract,
+    REFERENCE_RADIUS,
 } from './geometry.js';
-import { fixed } from './text.js';
 
-const COLOURS = {
-    terminator: '#ffb347', crater: '#b6f09c', hidden: '#9aa0a6', landmark: '#7cd5ff',
-    arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff', name: '#f2f5fa', nightName: '#7f8aa0',
-};
+const COLOURS = { terminator: '#ffb347', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff' };
 
 /** Points of the limb: between two it is at most 0.7 m off the circle. */
 const LIMB_POINTS = 3600;
@@ -83,31 +79,8 @@ export class Overlay {
         this.context.lineWidth = this.text / 10;
     }
 
-    /** Names of features in the middle of them, the largest first, where there is room. */
-    drawNames(features, sunPosition, most = 40) {
-        const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
-        const nearest = this.#nearest();
-        let drawn = 0;
-        for (const { name, latitude, longitude, diameter, weight } of features) {
-            if (4 * weight * focal / nearest < 2.2 * this.text) {
-                return;
-            }
-            const centre = pointAt(latitude, longitude);
-            const place = this.at(centre);
-            const size = diameter * focal / length(subtract(centre, this.camera.position));
-            const isFit = place && size > 2.2 * this.text && size < 2.5 * this.canvas.width;
-            const isNight = isFit && sunPosition && sunAt(centre, sunPosition).elevation < 0;
-            if (isFit && this.label(name, place, isNight ? COLOURS.nightName : COLOURS.name, 'center')) {
-                drawn += 1;
-            }
-            if (drawn === most) {
-                return;
-            }
-        }
-    }
-
     /** m: no point of the sphere is nearer. */
-    #nearest() {
+    get nearest() {
         return Math.max(Math.abs(length(this.camera.position) - REFERENCE_RADIUS), 1);
     }
 
@@ -180,65 +153,6 @@ export class Overlay {
             [this.text / 2, this.text / 2]);
     }
 
-    /** Circles and names of the largest craters that are in the picture. */
-    drawCraters(craters, most = 60) {
-        const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
-        const nearest = this.#nearest();
-        let drawn = 0;
-        for (const { name, latitude, longitude, diameter } of craters) {
-            if (diameter * focal / nearest < 1.5 * this.text) {
-                return; // the others are smaller
-            }
-            const centre = pointAt(latitude, longitude);
-            const place = this.at(centre);
-            const distance = Math.hypot(...combine([centre, 1], [this.camera.position, -1]));
-            const size = diameter * focal / distance;
-            const isInside = place && place[0] > 0 && place[1] > 0 && place[0] < this.canvas.width && place[1] < this.canvas.height;
-            if (!isInside || size < 1.5 * this.text || size > 1.5 * this.canvas.width) {
-                continue;
-            }
-            const angle = diameter / 2 / REFERENCE_RADIUS * 180 / Math.PI;
-            if (this.label(name ?? `${fixed(diameter / 1000, diameter < 1e4 ? 1 : 0)} km`, place, COLOURS.crater, 'center')) {
-                this.line(circleAround(centre, angle, 48).map(point => scale(point, REFERENCE_RADIUS)), COLOURS.crater);
-                drawn += 1;
-            }
-            if (drawn === most) {
-                return;
-            }
-        }
-    }
-
-    /** The rims of craters as the frame's own truth has them: ellipses in pixels; grey where most is hidden. */
-    drawRims(craters) {
-        for (const { id, name, h, v, semiMajor, semiMinor, turn, hidden } of craters) {
-            const [x, y] = this.of([h, v]);
-            const colour = hidden > 0.5 ? COLOURS.hidden : COLOURS.crater;
-            const path = new Path2D();
-            path.ellipse(x, y, semiMajor * this.unit, semiMinor * this.unit, turn * Math.PI / 180, 0, 2 * Math.PI);
-            this.context.strokeStyle = colour;
-            this.context.stroke(path);
-            if (semiMajor * this.unit > 1.5 * this.text) {
-                this.label(name ?? id, [x, y], colour, 'center');
-            }
-        }
-    }
-
-    /** Crosses where landmarks are, by the frame's own truth; grey where they are hidden. */
-    drawLandmarks(landmarks) {
-        for (const { id, name, h, v, visible } of landmarks) {
-            const [x, y] = this.of([h, v]);
-            const colour = visible === 'yes' ? COLOURS.landmark : COLOURS.hidden;
-            const path = new Path2D();
-            const arm = this.text / 2;
-            path.moveTo(x - arm, y);
-            path.lineTo(x + arm, y);
-            path.moveTo(x, y - arm);
-            path.lineTo(x, y + arm);
-            this.#strokeTwice(path, colour);
-            this.label(name ?? id, [x + this.text * 0.8, y - this.text * 0.6], colour);
-        }
-    }
-
     /** An arrow from a pixel towards the light: an angle from straight down, counter-clockwise. */
     drawArrow(pixel, angleDegrees) {
         const [x, y] = this.of(pixel);
@@ -254,7 +168,7 @@ export class Overlay {
             path.moveTo(tipX, tipY);
             path.lineTo(tipX - head * (dx + side * dy * 0.6), tipY - head * (dy - side * dx * 0.6));
         }
-        this.#strokeTwice(path, COLOURS.arrow);
+        this.strokeTwice(path, COLOURS.arrow);
     }
 
     /** A pin with its letter where a point of the surface is now. */
@@ -263,7 +177,7 @@ export class Overlay {
         if (place) {
             const path = new Path2D();
             path.arc(place[0], place[1], this.text / 2, 0, 2 * Math.PI);
-            this.#strokeTwice(path, COLOURS.pin);
+            this.strokeTwice(path, COLOURS.pin);
             this.label(letter, [place[0] + this.text * 0.8, place[1] - this.text * 0.6], COLOURS.pin);
         }
     }
@@ -282,11 +196,11 @@ export class Overlay {
             path.moveTo(x + dx * this.text * 0.4, y + dy * this.text * 0.4);
             path.lineTo(x + dx * this.text * 1.4, y + dy * this.text * 1.4);
         }
-        this.#strokeTwice(path, COLOURS.crosshair);
+        this.strokeTwice(path, COLOURS.crosshair);
     }
 
     /** In a dark line and in a bright one over it: to be seen on every ground. */
-    #strokeTwice(path, colour) {
+    strokeTwice(path, colour) {
         this.context.lineCap = 'round';
         for (const [style, width] of [['rgba(0, 0, 0, 0.8)', 3.2], [colour, 1.6]]) {
             this.context.strokeStyle = style;

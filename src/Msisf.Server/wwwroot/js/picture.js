@@ -190,9 +190,10 @@ export class Picture {
             if (!signal.aborted) {
                 this.hooks.onWork(false);
                 this.hooks.onStatus('Not drawn.');
-                this.hooks.onNotice(error.message);
                 if (error instanceof LostError) {
                     this.hooks.onLost();
+                } else {
+                    this.hooks.onNotice(error.message);
                 }
             }
         }
