@@ -10,7 +10,7 @@ namespace Msisf.App.Illumination;
 internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlacement placement, ProgramHost host)
 {
     /// <summary>days: the Moon's nodes go around once; what gets no light in that time is called permanently shadowed.</summary>
-    private const double LongEnough = 18.6 * 365.25;
+    public const double LongEnough = 18.6 * 365.25;
 
     /// <summary>Writes the maps of each height, and a page that shows them.</summary>
     public void Write(IReadOnlyList<(double Height, PlaceLight[] Lights, float[] Slopes)> results)

@@ -21,22 +21,25 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
 {
     private const double LowestPolarLatitude = 45.0;
 
-    /// <summary>m: over it degrees become metres.</summary>
-    public const double Radius = MoonConstants.ReferenceRadius;
+    /// <summary>m: of the sphere of the models, over which degrees become metres.</summary>
+    public required double Radius { get; init; }
 
     /// <summary>Cells.</summary>
     public int Count => Lines * Samples;
 
     /// <summary>PROJ's name of the projection.</summary>
-    public string Proj4 => Polar is { } polar
-        ? $"+proj=stere +lat_0={(polar.IsSouth ? -90 : 90)} +lon_0=0 +k=1 +x_0=0 +y_0=0 +R=1737400 +units=m +no_defs"
-        : "+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +x_0=0 +y_0=0 +R=1737400 +units=m +no_defs";
+    public string Proj4 => string.Create(
+        CultureInfo.InvariantCulture,
+        $"{(Polar is null ? "+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0"
+            : Polar.IsSouth ? "+proj=stere +lat_0=-90 +lon_0=0 +k=1" : "+proj=stere +lat_0=90 +lon_0=0 +k=1")} "
+            + $"+x_0=0 +y_0=0 +R={Radius:R} +units=m +no_defs");
 
     /// <summary>Finds the cells that are asked for.</summary>
     /// <param name="settings">The settings, with a place.</param>
     /// <param name="finestCell">m: width of the cells of the finest model.</param>
+    /// <param name="radius">m: of the sphere of the models.</param>
     /// <exception cref="UsageException">There are too many, or none.</exception>
-    public static IlluminationRegion Of(IlluminationSettings settings, double finestCell)
+    public static IlluminationRegion Of(IlluminationSettings settings, double finestCell, double radius)
     {
         double[] place = settings.Place!;
         foreach (double latitude in (double[])[place[0], place[^2]])
@@ -46,9 +49,10 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
 
         double cell = settings.Cell ?? finestCell;
         double middle = 0.5 * (place[0] + place[^2]);
-        PolarStereographic? polar = Math.Abs(middle) >= LowestPolarLatitude ? new PolarStereographic(middle < 0.0, 1.0, 0.0, 0.0) : null;
-        (double x, double y) = OnMap(polar, place[0], place[1]);
-        (double otherX, double otherY) = OnMap(polar, place[^2], place[^1]);
+        PolarStereographic? polar = Math.Abs(middle) >= LowestPolarLatitude ? new PolarStereographic(
+            middle < 0.0, MoonConstants.ReferenceRadius / radius, 0.0, 0.0) : null;
+        (double x, double y) = OnMap(polar, radius, place[0], place[1]);
+        (double otherX, double otherY) = OnMap(polar, radius, place[^2], place[^1]);
         (double width, double height) = settings.Size ?? (Math.Abs(otherX - x), Math.Abs(otherY - y));
         (double centreX, double centreY) = (0.5 * (x + otherX), 0.5 * (y + otherY));
         double samples = Math.Round(width / cell);
@@ -62,7 +66,10 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
         }
 
         return new IlluminationRegion(
-            (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), centreY + (0.5 * lines * cell), polar);
+            (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), centreY + (0.5 * lines * cell), polar)
+        {
+            Radius = radius,
+        };
     }
 
     /// <summary>Direction of a cell's middle, body-fixed.</summary>
@@ -88,12 +95,12 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
     }
 
     /// <summary>m: X to the right and Y upwards, as GDAL has them.</summary>
-    private static (double X, double Y) OnMap(PolarStereographic? polar, double latitudeDegrees, double longitudeDegrees)
+    private static (double X, double Y) OnMap(PolarStereographic? polar, double radius, double latitudeDegrees, double longitudeDegrees)
     {
         SelenographicPoint point = new(double.DegreesToRadians(latitudeDegrees), double.DegreesToRadians(longitudeDegrees));
         if (polar is null)
         {
-            return (Radius * point.Longitude, Radius * point.Latitude);
+            return (radius * point.Longitude, radius * point.Latitude);
         }
 
         (double line, double sample) = polar.PixelOf(point.ToDirectionBodyFixed());

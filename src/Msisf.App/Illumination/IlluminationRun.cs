@@ -97,8 +97,10 @@ internal sealed class IlluminationRun
 
     private void MakeMaps()
     {
-        double finest = _model.Grid.Models[^1].Projection.Resolution.MetresPerPixel;
-        IlluminationRegion region = IlluminationRegion.Of(_settings, finest);
+        double finest = _model.Grid.Models[^1].Projection.Resolution.OnSphere(_model.Grid.ReferenceRadius).MetresPerPixel;
+        IlluminationRegion region = IlluminationRegion.Of(_settings, finest, _model.Grid.ReferenceRadius);
+        NasaLightMap[] maps = [.. _settings.Compared.Select(path => IlluminationOptions.Compare.NamedInErrors(
+            () => NasaLightMap.Read(path)))];
         int lines = Math.Max(1, PieceCells / region.Samples);
         int pieces = (region.Lines + lines - 1) / lines;
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, Corners(region), _isMoon);
@@ -134,8 +136,34 @@ internal sealed class IlluminationRun
 
         if (_settings.Piece.Parts == 1)
         {
+            CompareMaps(region, maps, results[0].Lights);
             MapPlacement placement = new(region.Lines, region.Samples, region.Cell, region.Left, region.Top, region.Proj4);
             new IlluminationMaps(_settings, placement, _host).Write(results);
+        }
+    }
+
+    private void CompareMaps(IlluminationRegion region, NasaLightMap[] maps, PlaceLight[] lights)
+    {
+        if (maps.Length == 0)
+        {
+            return;
+        }
+
+        NasaComparison comparison = new(region, region.DirectionsOf(0, region.Lines));
+        foreach (NasaLightMap map in maps)
+        {
+            _host.Log.Note(IlluminationOptions.Compare.NamedInErrors(() => comparison.Add(map, lights)));
+        }
+
+        string path = Path.Combine(_settings.Folder, "comparison.csv");
+        comparison.Write(path);
+        _host.Results.WriteLine(path);
+        if (_settings.Times.LengthDays < IlluminationMaps.LongEnough || _settings.Heights[0] != 0.0)
+        {
+            _host.Log.Note(string.Create(
+                CultureInfo.InvariantCulture,
+                $"LOLA's maps are of the ground over 18.6 years; these are of {_settings.Heights[0]:R} m over it and "
+                    + $"{_settings.Times.LengthDays:R} days."));
         }
     }
 
@@ -174,7 +202,7 @@ internal sealed class IlluminationRun
                     + $"for a region, whose cells may be {IlluminationOptions.MaxCells}.")).About(IlluminationOptions.Points);
         }
 
-        HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon);
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon) { IsFine = true };
         LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
         PointTables tables = new(_settings, survey, lights, _model, _conditions, time => _engine.SunPositionBodyFixed(time), _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);

@@ -45,6 +45,9 @@ internal sealed record IlluminationSettings
     /// <summary>Form of the maps.</summary>
     public MapFormat Format { get; init; }
 
+    /// <summary>Maps of LOLA's archive with which the maps are compared.</summary>
+    public IReadOnlyList<string> Compared { get; init; } = [];
+
     /// <summary>The part of the work that is done, from 0, and how many there are.</summary>
     public (int Part, int Parts) Piece { get; init; } = (0, 1);
 
@@ -117,6 +120,7 @@ internal sealed record IlluminationSettings
             Plane = plane is null ? null : NormalOf(plane[0], plane[1]),
             NightLimit = IlluminationOptions.NightLimit.Read(values),
             Format = IlluminationOptions.Format.Read(values),
+            Compared = ReadCompared(values, hasRegion: (corners ?? centre) is not null),
             Piece = ReadPiece(values),
             Folder = IlluminationOptions.Folder.Read(values),
             Unattended = RunOptions.Batch.Read(values),
@@ -148,6 +152,14 @@ internal sealed record IlluminationSettings
         (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(tiltDegrees));
         (double east, double north) = Math.SinCos(double.DegreesToRadians(azimuthDegrees));
         return new Vector3D(sine * east, sine * north, cosine);
+    }
+
+    private static IReadOnlyList<string> ReadCompared(OptionValues values, bool hasRegion)
+    {
+        IReadOnlyList<string> compared = IlluminationOptions.Compare.ReadAll(values);
+        return compared.Count == 0 || hasRegion ? compared : throw new UsageException(
+            $"{IlluminationOptions.Compare.Name} compares maps: give a region by {IlluminationOptions.Centre.Name} and "
+                + $"{IlluminationOptions.Size.Name} or {IlluminationOptions.Corners.Name}.").About(IlluminationOptions.Compare);
     }
 
     private static (int Part, int Parts) ReadPiece(OptionValues values)

@@ -61,6 +61,12 @@ internal static class DryRun
         }).ToArray());
         notes.Write(settings.Rig is null or { Index: 0 } ? trajectory : null, host.Log);
         signal?.WriteNote(host.Log);
+        if (model is not null && !settings.IgnoreSun && LandingLight.IsLanding([.. rows.Select(row => row.HeightOverGround)]))
+        {
+            new LandingLight(model, ephemeris.Engine(), settings.Body.IsMoon).Write(
+                run.Frames[^1].Camera.PositionBodyFixed, run.Frames[^1].Time, host.Log, cancellation);
+        }
+
         return rows;
     }
 

@@ -85,6 +85,16 @@ internal static class IlluminationOptions
         Default = MapFormat.Npy,
     };
 
+    /// <summary>Maps of Mazarico et al.</summary>
+    public static PathSpec Compare { get; } = new(
+        "--compare", Role, PathKind.File,
+        "Compare the maps with LOLA's: a label LPSR_*.LBL (permanent shadow) or AVGVISIB_*.LBL (mean light) with its image; several times "
+            + "for several")
+    {
+        TakesSeveral = true,
+        DefaultNote = "none",
+    };
+
     /// <summary>Which pieces are made.</summary>
     public static TextSpec Piece { get; } = new(
         "--piece", OptionRole.HowItRuns, "K/N",
@@ -125,8 +135,8 @@ internal static class IlluminationOptions
         new OptionGroup("Where", [Centre, Size, Corners, Cell, Points, Heights]),
         new OptionGroup("When and what", [TimeInterval, Sun, Exact, Plane, NightLimit]),
         new OptionGroup("Models and kernels", [
-            SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.NestBlend, LightOptions.Ephemeris, LightOptions.Kernels]),
-        new OptionGroup("Output", [Format, Folder, Piece]),
+            SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.Body, SurfaceOptions.NestBlend, LightOptions.Ephemeris, LightOptions.Kernels]),
+        new OptionGroup("Output", [Format, Compare, Folder, Piece]),
     ];
 }
 

@@ -13,11 +13,14 @@ internal sealed class HorizonBuffer
     /// <summary>Columns of a group.</summary>
     public const int Group = 32;
 
-    /// <summary>rad: shorter edges are straight in azimuth and tangent: the bulge of a great circle is below 2e-5 of the tangent.</summary>
-    private const double NarrowSpan = 0.0125;
+    /// <summary>By how much of its tangent the great circle of an edge of one group bulges, at most: 4.7e-6 in 1024 groups.</summary>
+    public const float NarrowBulge = 1e-5f;
+
+    /// <summary>Columns that are raised at once; so many more are there, so that nobody has to ask for the end.</summary>
+    private const int Lanes = 16;
 
     /// <summary>Columns: above the rounding of a column in float.</summary>
-    private const double ColumnRounding = 0.01;
+    private const float ColumnRounding = 0.01f;
 
     private readonly float[] _tangents;
     private readonly float[] _least;
@@ -31,10 +34,10 @@ internal sealed class HorizonBuffer
     public HorizonBuffer(int columns)
     {
         Columns = columns;
-        (_tangents, _least) = (new float[columns], new float[columns / Group]);
+        (_tangents, _least) = (new float[columns + Lanes], new float[columns / Group]);
         (_sines, _cosines) = (new float[columns], new float[columns]);
         _tops = new float[columns / Group];
-        _owners = new int[columns];
+        _owners = new int[columns + Lanes];
         Array.Fill(_owners, -1);
         Array.Fill(_tops, float.PositiveInfinity);
         for (int column = 0; column < columns; column++)
@@ -51,10 +54,10 @@ internal sealed class HorizonBuffer
     public int Owner { get; set; }
 
     /// <summary>For each column the <see cref="Owner"/> that raised it last; -1 for none.</summary>
-    public ReadOnlySpan<int> Owners => _owners;
+    public ReadOnlySpan<int> Owners => _owners.AsSpan(0, Columns);
 
     /// <summary>Tangents of the elevation at the columns.</summary>
-    public ReadOnlySpan<float> Tangents => _tangents;
+    public ReadOnlySpan<float> Tangents => _tangents.AsSpan(0, Columns);
 
     /// <summary>Begins a place.</summary>
     /// <param name="bottom">Tangent of an elevation below which nothing needs to be known.</param>
@@ -91,7 +94,7 @@ internal sealed class HorizonBuffer
                     lanes = Vector512.MinNative(lanes, Vector512.LoadUnsafe(ref _least[group]));
                 }
 
-                least = Math.Min(least, LeastOf(lanes));
+                least = Math.Min(least, LaneMasks.Min(lanes));
             }
 
             for (; group < from + run; group++)
@@ -103,6 +106,63 @@ internal sealed class HorizonBuffer
         }
 
         return least;
+    }
+
+    /// <summary>Raises the horizon to an edge of the terrain, if it is a narrow one that does not cross the north.</summary>
+    /// <param name="column">Azimuth of one end, in columns.</param>
+    /// <param name="tangent">Tangent of its elevation.</param>
+    /// <param name="otherColumn">Azimuth of the other.</param>
+    /// <param name="otherTangent">Tangent of its elevation.</param>
+    /// <returns>Whether that is done.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryRaise(float column, float tangent, float otherColumn, float otherTangent)
+    {
+        float width = otherColumn - column;
+        if (width < 0.0f)
+        {
+            (column, tangent, otherTangent, width) = (otherColumn, otherTangent, tangent, -width);
+        }
+
+        int first = (int)MathF.Ceiling(column - ColumnRounding);
+        int last = (int)MathF.Floor(column + width + ColumnRounding);
+        if (last < first)
+        {
+            return true;
+        }
+
+        if (width > Group || first < 0 || last >= Columns)
+        {
+            return false;
+        }
+
+        (int group, int lastGroup) = (first / Group, last / Group);
+        float top = Math.Max(tangent, otherTangent);
+        if (top + (NarrowBulge * Math.Abs(top)) > Math.Min(_least[group], _least[lastGroup]))
+        {
+            float slope = width > ColumnRounding ? (otherTangent - tangent) / width : 0.0f;
+            float from = width > ColumnRounding ? tangent + (slope * (first - column)) : top;
+            RaiseNarrow(first, last - first + 1, from, slope, top);
+        }
+
+        return true;
+    }
+
+    private void RaiseNarrow(int first, int count, float value, float slope, float top)
+    {
+        Vector512<float> most = Vector512.Create(top);
+        Vector512<float> line = Vector512.Create(value) + (Vector512.Create(slope) * Vector512<float>.Indices);
+        Vector512<int> lanes = Vector512<int>.Indices;
+        bool isRaised = false;
+        for (int done = 0; done < count; done += Lanes)
+        {
+            Vector512<float> isThere = Vector512.LessThan(lanes, Vector512.Create(count - done)).AsSingle();
+            isRaised |= Raise(
+                first + done,
+                Vector512.ConditionalSelect(isThere, Vector512.MinNative(line, most), Vector512.Create(float.NegativeInfinity)));
+            line += Vector512.Create(Lanes * slope);
+        }
+
+        Renew(isRaised, first, count);
     }
 
     /// <summary>Raises the horizon to an edge of the terrain.</summary>
@@ -125,15 +185,13 @@ internal sealed class HorizonBuffer
             return;
         }
 
-        if (width * (2.0 * Math.PI / Columns) < NarrowSpan)
+        if (width <= Group)
         {
-            double slope = width > ColumnRounding ? (right.Tangent - left.Tangent) / width : 0.0;
-            double atFirst = width > ColumnRounding
-                ? left.Tangent + (slope * (first - left.Column))
-                : top;
+            float slope = width > ColumnRounding ? (float)((right.Tangent - left.Tangent) / width) : 0.0f;
+            float atFirst = width > ColumnRounding ? left.Tangent + (slope * (first - left.Column)) : top;
             int here = Math.Min(count, Columns - start);
-            RaiseLine(start, here, (float)atFirst, (float)slope, top);
-            RaiseLine(0, count - here, (float)(atFirst + (slope * here)), (float)slope, top);
+            RaiseNarrow(start, here, atFirst, slope, top);
+            RaiseNarrow(0, count - here, atFirst + (slope * here), slope, top);
             return;
         }
 
@@ -167,32 +225,7 @@ internal sealed class HorizonBuffer
         return top <= 0.0f ? top : half > 1.0 ? float.PositiveInfinity : (float)(top / (1.0 - (0.5 * half * half)));
     }
 
-    private void RaiseTo(int column, float tangent)
-    {
-        Renew(Raise(column, tangent), column, 1);
-    }
-
-    private void RaiseLine(int first, int count, float value, float slope, float top)
-    {
-        Vector512<float> lanes = Vector512.Create(0f, 1f, 2f, 3f, 4f, 5f, 6f, 7f, 8f, 9f, 10f, 11f, 12f, 13f, 14f, 15f);
-        Vector512<float> most = Vector512.Create(top);
-        Vector512<float> line = Vector512.Create(value) + (Vector512.Create(slope) * lanes);
-        Vector512<float> step = Vector512.Create(16f * slope);
-        bool isRaised = false;
-        int done = 0;
-        for (; done + 16 <= count; done += 16, line += step)
-        {
-            isRaised |= Raise(first + done, Vector512.MinNative(line, most));
-        }
-
-        for (; done < count; done++)
-        {
-            float raised = value + (slope * done);
-            isRaised |= Raise(first + done, raised < top ? raised : top);
-        }
-
-        Renew(isRaised, first, count);
-    }
+    private void RaiseTo(int column, float tangent) => Renew(Raise(column, tangent), column, 1);
 
     private void RaisePlane(int first, int count, float alongSine, float alongCosine)
     {
@@ -259,16 +292,9 @@ internal sealed class HorizonBuffer
         for (int group = first / Group; group <= (first + count - 1) / Group; group++)
         {
             nuint at = (nuint)(group * Group);
-            float least = LeastOf(
+            float least = LaneMasks.Min(
                 Vector512.MinNative(Vector512.LoadUnsafe(ref start, at), Vector512.LoadUnsafe(ref start, at + 16)));
             _least[group] = least >= _tops[group] ? float.PositiveInfinity : least;
         }
-    }
-
-    private static float LeastOf(Vector512<float> lanes)
-    {
-        Vector256<float> eight = Vector256.MinNative(lanes.GetLower(), lanes.GetUpper());
-        Vector128<float> four = Vector128.MinNative(eight.GetLower(), eight.GetUpper());
-        return Math.Min(Math.Min(four[0], four[1]), Math.Min(four[2], four[3]));
     }
 }

@@ -21,8 +21,10 @@ internal sealed class HorizonFinder
     private readonly List<PatchPlace> _raised = [];
     private readonly List<PatchPlace> _before = [];
     private readonly HashSet<int> _kept = [];
+    private readonly HorizonWindows _windows;
     private LocalFrame _frame;
     private bool _hasBefore;
+    private bool _hasWindows;
     private double _radius;
     private int _part;
 
@@ -32,7 +34,7 @@ internal sealed class HorizonFinder
     public HorizonFinder(HorizonTerrain terrain, int columns)
     {
         _terrain = terrain;
-        Buffer = new HorizonBuffer(columns);
+        (Buffer, _windows) = (new HorizonBuffer(columns), new HorizonWindows(columns));
     }
 
     /// <summary>The horizon that was found last.</summary>
@@ -56,14 +58,22 @@ internal sealed class HorizonFinder
         KeepOwners();
         Buffer.Clear((float)bottom, tops);
         _done.Clear();
+        _hasWindows = false;
 
         // What made the horizon of the place before mostly makes this one too.
         foreach (PatchPlace place in _before)
         {
-            if (MayRise(See(_terrain.NodeOf(place.Part, new NodePlace(SquareLayout.PatchLevel, place.Row, place.Column)))))
+            SeenNode node = See(_terrain.NodeOf(place.Part, new NodePlace(SquareLayout.PatchLevel, place.Row, place.Column)));
+            if (MayRise(node))
             {
-                RaiseTo(place);
+                RaiseTo(place, node);
             }
+        }
+
+        _hasWindows = _before.Count > 0;
+        if (_hasWindows)
+        {
+            _windows.Take(Buffer.Tangents);
         }
 
         for (_part = _terrain.Surface.Parts.Count - 1; _part >= 0; _part--)
@@ -134,7 +144,7 @@ internal sealed class HorizonFinder
             }
             else
             {
-                RaiseTo(new PatchPlace(_part, node.Row, node.Column));
+                RaiseTo(new PatchPlace(_part, node.Row, node.Column), node);
             }
         }
     }
@@ -207,24 +217,30 @@ internal sealed class HorizonFinder
     private bool MayRise(in SeenNode node) => node.Bound > Buffer.LeastFrom(node.First, node.Count);
 
     /// <summary>Raises the horizon to the edges of a patch of 8 x 8 cells, unless that was done before.</summary>
-    private void RaiseTo(PatchPlace place)
+    private void RaiseTo(PatchPlace place, in SeenNode node)
     {
         if (!_done.Add(place))
         {
             return;
         }
 
-        Patches++;
         const int PerBlock = CellBlock.Size / PatchPoints.Cells;
         GridPatch part = _terrain.Surface.Parts[place.Part];
         CellRange cells = part.Layout.Cells(SquareLayout.PatchLevel, place.Row, place.Column);
         (BlockVertices vertices, Vector3D origin) = _terrain.BlockAt(place.Part, place.Row / PerBlock, place.Column / PerBlock);
-        _points.Place(
-            vertices, origin, place.Row % PerBlock * PatchPoints.Cells, place.Column % PerBlock * PatchPoints.Cells, cells, _frame,
-            Buffer.Columns);
-        Buffer.Owner = _raised.Count;
-        _raised.Add(place);
-        _points.RaiseAll(Buffer, cells, part);
+        float highest = _points.Place(
+            vertices, origin, place.Row % PerBlock * PatchPoints.Cells, place.Column % PerBlock * PatchPoints.Cells, cells, _frame);
+        if (Buffer.HighestOf(highest, node.Count) > Buffer.LeastFrom(node.First, node.Count))
+        {
+            Patches++;
+            _points.FindColumns(cells.Lines + 1, Buffer.Columns);
+            if (_points.FindHigh(_hasWindows ? _windows : null, cells))
+            {
+                Buffer.Owner = _raised.Count;
+                _raised.Add(place);
+                _points.RaiseAll(Buffer, cells, part);
+            }
+        }
     }
 
     /// <summary>A node as it is seen from a place.</summary>

@@ -11,6 +11,8 @@ namespace Msisf.Core.Illumination;
 internal sealed record HorizonProfile(int Columns, double BottomDegrees, double TopDegrees)
 {
     private readonly float[] _inverse = [.. Enumerable.Range(0, Columns + 1).Select(count => count == 0 ? 0.0f : 1.0f / count)];
+    private readonly float[] _tangents = [.. Enumerable.Range(0, ushort.MaxValue + 1).Select(
+        level => (float)Math.Tan(double.DegreesToRadians(BottomDegrees + (level * (TopDegrees - BottomDegrees) / ushort.MaxValue))))];
 
     /// <summary>degrees: the step of stored elevations.</summary>
     public double StepDegrees => (TopDegrees - BottomDegrees) / ushort.MaxValue;
@@ -87,5 +89,5 @@ internal sealed record HorizonProfile(int Columns, double BottomDegrees, double 
     private ushort LevelOf(float tangent) =>
         (ushort)Math.Round((double.RadiansToDegrees(Math.Atan(tangent)) - BottomDegrees) / StepDegrees);
 
-    private float TangentOf(ushort level) => (float)Math.Tan(double.DegreesToRadians(BottomDegrees + (level * StepDegrees)));
+    private float TangentOf(ushort level) => _tangents[level];
 }

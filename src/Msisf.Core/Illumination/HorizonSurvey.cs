@@ -26,6 +26,9 @@ public sealed class HorizonSurvey
 
     private const double StoredErrorDegrees = 0.0015;
 
+    /// <summary>degrees: the same for horizons that are not kept in files.</summary>
+    private const double FineErrorDegrees = 1e-4;
+
     private readonly HorizonTerrain _terrain;
     private readonly ITerrainTracer _tracer;
     private readonly double _start;
@@ -43,6 +46,9 @@ public sealed class HorizonSurvey
         Band = new HorizonBand(directions, isMoon, Columns);
         Profile = new HorizonProfile(Columns, HorizonBand.BottomDegrees, Band.TopDegrees);
     }
+
+    /// <summary>Whether horizons are stored more exactly, with some ten times as many corners; for few places.</summary>
+    public bool IsFine { get; init; }
 
     /// <summary>degrees: horizons that are higher are stored as this.</summary>
     public double TopDegrees => Band.TopDegrees;
@@ -100,7 +106,7 @@ public sealed class HorizonSurvey
 
                 finder.Find(frame, bottom, Band.Tops);
                 found.Clear();
-                Profile.Store(finder.Buffer.Tangents, StoredErrorDegrees, found);
+                Profile.Store(finder.Buffer.Tangents, IsFine ? FineErrorDegrees : StoredErrorDegrees, found);
                 corners[place] = [.. found];
                 (radii[place], slopes[place]) = (frame.PositionBodyFixed.Length, (float)slope);
             }

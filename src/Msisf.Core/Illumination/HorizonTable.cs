@@ -12,6 +12,9 @@ internal sealed class HorizonTable
 {
     private const int Group = HorizonBuffer.Group;
 
+    /// <summary>Groups that may count on each side of one.</summary>
+    public const int Edge = 32;
+
     private readonly float[] _least;
     private readonly float[] _most;
 
@@ -21,7 +24,8 @@ internal sealed class HorizonTable
     {
         Columns = columns;
         Tangents = new float[columns + 1];
-        (_least, _most) = (new float[columns / Group], new float[columns / Group]);
+        int groups = columns / Group;
+        (_least, _most) = (new float[groups + (4 * Edge)], new float[groups + (4 * Edge)]);
     }
 
     /// <summary>Columns of a turn.</summary>
@@ -30,40 +34,61 @@ internal sealed class HorizonTable
     /// <summary>The tangent at each column; after the last one that of the first again.</summary>
     public float[] Tangents { get; }
 
+    /// <summary>The greatest tangent.</summary>
+    public float Highest { get; private set; }
+
+    /// <summary>The least tangent.</summary>
+    public float Lowest { get; private set; }
+
     /// <summary>Finds the limits after <see cref="Tangents"/> was filled.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void FindLimits()
     {
-        for (int group = 0; group < _least.Length; group++)
+        int groups = Columns / Group;
+        Vector512<float> lowest = Vector512.Create(float.PositiveInfinity);
+        Vector512<float> highest = -lowest;
+        for (int group = 0; group < groups; group++)
         {
-            (float least, float most) = (float.PositiveInfinity, float.NegativeInfinity);
-            foreach (float tangent in Tangents.AsSpan(group * Group, Group + 1))
-            {
-                (least, most) = (tangent < least ? tangent : least, tangent > most ? tangent : most);
-            }
+            int from = group * Group;
+            Vector512<float> first = Vector512.LoadUnsafe(ref Tangents[from]);
+            Vector512<float> second = Vector512.LoadUnsafe(ref Tangents[from + Vector512<float>.Count]);
+            float next = Tangents[from + Group];
+            _least[Edge + group] = Math.Min(next, LaneMasks.Min(Vector512.MinNative(first, second)));
+            _most[Edge + group] = Math.Max(next, LaneMasks.Max(Vector512.MaxNative(first, second)));
+            lowest = Vector512.MinNative(lowest, Vector512.MinNative(first, second));
+            highest = Vector512.MaxNative(highest, Vector512.MaxNative(first, second));
+        }
 
-            (_least[group], _most[group]) = (least, most);
+        (Lowest, Highest) = (LaneMasks.Min(lowest), LaneMasks.Max(highest));
+        foreach (float[] limits in (float[][])[_least, _most])
+        {
+            limits.AsSpan(groups, Edge).CopyTo(limits);
+            for (int group = Edge + groups; group < limits.Length; group++)
+            {
+                limits[group] = limits[group - groups];
+            }
         }
     }
 
     /// <summary>Limits of the tangents around each group.</summary>
-    /// <param name="groups">How many groups to each side count too.</param>
-    /// <param name="least">Receives a lower bound for each group.</param>
+    /// <param name="groups">How many groups to each side count too, at most <see cref="Edge"/>.</param>
+    /// <param name="least">Receives a lower bound for each group, and then those of the first ones again.</param>
     /// <param name="most">Receives an upper bound.</param>
     public void Widen(int groups, float[] least, float[] most)
     {
-        int mask = _least.Length - 1;
-        for (int group = 0; group < _least.Length; group++)
+        for (int group = 0; group < least.Length; group += Vector512<float>.Count)
         {
-            (float low, float high) = (_least[group], _most[group]);
-            for (int away = 1; away <= groups; away++)
+            int from = group + Edge - groups;
+            Vector512<float> low = Vector512.LoadUnsafe(ref _least[from]);
+            Vector512<float> high = Vector512.LoadUnsafe(ref _most[from]);
+            for (int away = 1; away <= 2 * groups; away++)
             {
-                (int left, int right) = ((group - away) & mask, (group + away) & mask);
-                low = Math.Min(low, Math.Min(_least[left], _least[right]));
-                high = Math.Max(high, Math.Max(_most[left], _most[right]));
+                low = Vector512.MinNative(low, Vector512.LoadUnsafe(ref _least[from + away]));
+                high = Vector512.MaxNative(high, Vector512.LoadUnsafe(ref _most[from + away]));
             }
 
-            (least[group], most[group]) = (low, high);
+            low.StoreUnsafe(ref least[group]);
+            high.StoreUnsafe(ref most[group]);
         }
     }
 

@@ -18,12 +18,16 @@ internal static class LaneMasks
     /// <summary>The greatest of the numbers.</summary>
     public static float Max(Vector512<float> values)
     {
-        float max = values[0];
-        for (int lane = 1; lane < Vector512<float>.Count; lane++)
-        {
-            max = Math.Max(max, values[lane]);
-        }
+        Vector256<float> eight = Vector256.MaxNative(values.GetLower(), values.GetUpper());
+        Vector128<float> four = Vector128.MaxNative(eight.GetLower(), eight.GetUpper());
+        return Math.Max(Math.Max(four[0], four[1]), Math.Max(four[2], four[3]));
+    }
 
-        return max;
+    /// <summary>The least of the numbers.</summary>
+    public static float Min(Vector512<float> values)
+    {
+        Vector256<float> eight = Vector256.MinNative(values.GetLower(), values.GetUpper());
+        Vector128<float> four = Vector128.MinNative(eight.GetLower(), eight.GetUpper());
+        return Math.Min(Math.Min(four[0], four[1]), Math.Min(four[2], four[3]));
     }
 }

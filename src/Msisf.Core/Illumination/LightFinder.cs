@@ -14,14 +14,20 @@ internal sealed class LightFinder
     private const float Whole = 1.0f - 1e-6f;
 
     private readonly DiscOfLight _disc = new(isDarkened: true);
+    private readonly DiscOfLight[] _fineStrips = [.. Enumerable.Range(0, 4).Select(part => new DiscOfLight(isDarkened: false, part, 4))];
     private readonly DiscOfLight _plain = new(isDarkened: false);
     private readonly LightTimes _sun;
     private readonly LightTimes _earth;
+    private readonly SkyPath _sunPath;
+    private readonly SkyPath _earthPath;
     private readonly float[] _flux;
+    private readonly float[] _area = new float[Lanes];
+    private readonly float[] _tracking = new float[Lanes];
+    private readonly float[] _horizontal = new float[Lanes];
     private readonly Vector3D _fixedLocal;
     private readonly double _nightLimit;
-    private readonly Limits _aroundSun;
-    private readonly Limits _aroundEarth;
+    private readonly SkyLimits _aroundSun;
+    private readonly SkyLimits _aroundEarth;
 
     /// <summary>Prepares an interval.</summary>
     /// <param name="sun">The Sun's path.</param>
@@ -30,13 +36,16 @@ internal sealed class LightFinder
     /// <param name="fixedLocal">Normal of the chosen plane along east, north and up, length 1.</param>
     /// <param name="nightLimit">Steps: longer times without Sun are counted.</param>
     /// <param name="columns">Columns of a turn of horizons.</param>
-    public LightFinder(LightTimes sun, LightTimes earth, double fluxAtAu, Vector3D fixedLocal, double nightLimit, int columns)
+    /// <param name="steepest">Tangent of the greatest elevation of a horizon.</param>
+    public LightFinder(
+        LightTimes sun, LightTimes earth, double fluxAtAu, Vector3D fixedLocal, double nightLimit, int columns, double steepest)
     {
         const double AstronomicalUnit = 149_597_870_700.0; // m, IAU 2012 Resolution B2
         (_sun, _earth, _fixedLocal, _nightLimit) = (sun, earth, fixedLocal, nightLimit);
         _flux = [.. sun.Distances.Select(distance => (float)(fluxAtAu * AstronomicalUnit * AstronomicalUnit / (distance * distance)))];
         Table = new HorizonTable(columns);
-        (_aroundSun, _aroundEarth) = (new Limits(columns), new Limits(columns));
+        (_sunPath, _earthPath) = (new SkyPath(sun, columns, steepest), new SkyPath(earth, columns, steepest));
+        (_aroundSun, _aroundEarth) = (new SkyLimits(columns), new SkyLimits(columns));
     }
 
     /// <summary>The horizon with which is compared.</summary>
@@ -48,73 +57,36 @@ internal sealed class LightFinder
     /// <summary>The visible part of the Sun's disc at each step of the last place, by area; null if it is not wanted.</summary>
     public float[]? Parts { get; init; }
 
+    /// <summary>Forgets the place before, so that what is found does not depend on what this thread did before.</summary>
+    public void Forget()
+    {
+        _sunPath.Forget();
+        _earthPath.Forget();
+    }
+
     /// <summary>The light of a place whose horizon is in <see cref="Table"/>.</summary>
     /// <param name="frame">The place.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public PlaceLight Of(LocalFrame frame)
     {
         Table.FindLimits();
-        float highest = Table.Tangents.Max();
-        _aroundSun.Find(Table, _sun, highest);
-        _aroundEarth.Find(Table, _earth, highest);
+        _aroundSun.Find(Table, _sun);
+        _aroundEarth.Find(Table, _earth);
+        (SkyShift sunShift, SkyShift earthShift) = (_sunPath.MoveTo(frame), _earthPath.MoveTo(frame));
+        Vector3D upright = _sunPath.ToLocal(frame.Up);
+        Vector3D plane = _sunPath.ToLocal(
+            (_fixedLocal.X * frame.East) + (_fixedLocal.Y * frame.North) + (_fixedLocal.Z * frame.Up));
         StepRuns runs = new(_nightLimit);
-        Vector512<float> sumTracking = default, sumHorizontal = default, sumFixed = default, sumArea = default;
-        Vector512<float> mostTracking = default, mostHorizontal = default, mostFixed = default;
+        LightSums sums = default;
         (int lit, int earth, int whole, int both) = (0, 0, 0, 0);
-        Seen sun = default;
-        Seen other = default;
         for (int step = 0; step < _sun.Count; step += Lanes)
         {
-            uint valid = _sun.Count - step >= Lanes ? 0xFFFFu : (1u << (_sun.Count - step)) - 1;
-            See(frame, _sun, step, ref sun);
-            (uint full, uint open) = _aroundSun.Compare(sun, Vector512.LoadUnsafe(ref _sun.Slope[step]));
-            full &= valid;
-            Vector512<float> isFull = LaneMasks.Of(full);
-            Vector512<float> area = isFull;
-            Vector512<float> flux = Vector512.LoadUnsafe(ref _flux[step]);
-            Vector512<float> length = Vector512.Sqrt((sun.East * sun.East) + (sun.North * sun.North) + (sun.Up * sun.Up));
-            Vector512<float> tracking = isFull * flux;
-            Vector512<float> horizontal = tracking * Vector512.MaxNative(sun.Up / length, Vector512<float>.Zero);
-            Vector512<float> cosine = Vector512.MaxNative(
-                ((Vector512.Create((float)_fixedLocal.X) * sun.East) + (Vector512.Create((float)_fixedLocal.Y) * sun.North)
-                    + (Vector512.Create((float)_fixedLocal.Z) * sun.Up)) / length, Vector512<float>.Zero);
-            uint visible = full;
-            for (uint left = open & valid; left != 0; left &= left - 1)
-            {
-                int lane = BitOperations.TrailingZeroCount(left);
-                (float part, float light, float up) = OfSun(frame, sun, step, lane, out bool isVisible);
-                if (isVisible)
-                {
-                    visible |= 1u << lane;
-                    area = area.WithElement(lane, part);
-                    tracking = tracking.WithElement(lane, flux[lane] * light);
-                    horizontal = horizontal.WithElement(lane, flux[lane] * Math.Max(0.0f, up));
-                }
-            }
-
-            Vector512<float> onFixed = tracking * cosine;
-            (sumArea, sumTracking) = (sumArea + area, sumTracking + tracking);
-            (sumHorizontal, sumFixed) = (sumHorizontal + horizontal, sumFixed + onFixed);
-            mostTracking = Vector512.MaxNative(mostTracking, tracking);
-            mostHorizontal = Vector512.MaxNative(mostHorizontal, horizontal);
-            mostFixed = Vector512.MaxNative(mostFixed, onFixed);
-            if (Parts is { } parts)
-            {
-                area.StoreUnsafe(ref parts[step]);
-            }
-
-            See(frame, _earth, step, ref other);
-            (uint wholeEarth, uint openEarth) = _aroundEarth.Compare(other, Vector512.LoadUnsafe(ref _earth.Slope[step]));
-            uint anyEarth = wholeEarth &= valid;
-            for (uint left = openEarth & valid; left != 0; left &= left - 1)
-            {
-                int lane = BitOperations.TrailingZeroCount(left);
-                float part = _plain.AreaOver(HorizonIn(_plain, other, lane, _earth.Slope[step + lane]));
-                anyEarth |= part > 0.0f ? 1u << lane : 0;
-                wholeEarth |= part >= Whole ? 1u << lane : 0;
-            }
-
-            runs.Add(visible, Math.Min(Lanes, _sun.Count - step));
+            int count = Math.Min(Lanes, _sun.Count - step);
+            uint valid = (1u << count) - 1;
+            uint visible = SeeSun(frame, sunShift, step, valid, upright, plane, ref sums);
+            (uint wholeEarth, uint anyEarth) = SeeEarth(earthShift, step);
+            (wholeEarth, anyEarth) = (wholeEarth & valid, anyEarth & valid);
+            runs.Add(visible, count);
             lit += BitOperations.PopCount(visible);
             earth += BitOperations.PopCount(anyEarth);
             whole += BitOperations.PopCount(wholeEarth);
@@ -122,43 +94,107 @@ internal sealed class LightFinder
         }
 
         runs.End();
-        return new PlaceLight
+        return sums.ToLight(_sun.Count) with
         {
             LitSteps = lit,
-            DiscPart = Vector512.Sum(sumArea) / _sun.Count,
             Dark = runs.Dark,
             Light = runs.Light,
             Nights = runs.Nights,
-            Horizontal = new Irradiance(Vector512.Sum(sumHorizontal) / _sun.Count, LaneMasks.Max(mostHorizontal)),
-            Tracking = new Irradiance(Vector512.Sum(sumTracking) / _sun.Count, LaneMasks.Max(mostTracking)),
-            Fixed = new Irradiance(Vector512.Sum(sumFixed) / _sun.Count, LaneMasks.Max(mostFixed)),
             EarthSteps = earth,
             WholeEarthSteps = whole,
             BothSteps = both,
         };
     }
 
-    /// <summary>Where a body is seen at sixteen steps.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void See(in LocalFrame frame, LightTimes body, int step, ref Seen seen)
+    /// <summary>Adds the light of sixteen steps.</summary>
+    /// <returns>At which of them any of the Sun is in view.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private uint SeeSun(
+        in LocalFrame frame, in SkyShift shift, int step, uint valid, Vector3D upright, Vector3D plane, ref LightSums sums)
     {
-        Vector512<float> x = Vector512.LoadUnsafe(ref body.X[step]);
-        Vector512<float> y = Vector512.LoadUnsafe(ref body.Y[step]);
-        Vector512<float> z = Vector512.LoadUnsafe(ref body.Z[step]);
-        seen.East = Along(frame.East, x, y, z);
-        seen.North = Along(frame.North, x, y, z);
-        seen.Up = Along(frame.Up, x, y, z)
-            - (Vector512.Create((float)frame.PositionBodyFixed.Length) * Vector512.LoadUnsafe(ref body.PerMetre[step]));
-        Vector512<float> across = Vector512.Sqrt((seen.East * seen.East) + (seen.North * seen.North));
-        seen.Tangent = seen.Up / Vector512.MaxNative(across, Vector512.Create(1e-6f));
-        seen.Column = AzimuthLanes.Turns(seen.East, seen.North) * Vector512.Create((float)Table.Columns);
+        (uint full, uint open) = _aroundSun.Compare(_sunPath.BoxAt(step, shift));
+        SeenBody sun = default;
+        if (open != 0)
+        {
+            sun = _sunPath.At(step, shift);
+            (full, open) = _aroundSun.Compare(sun, Vector512.LoadUnsafe(ref _sun.Slope[step]));
+        }
+
+        uint visible = full & valid;
+        open &= valid;
+        Vector512<float> area = LaneMasks.Of(visible);
+        if ((visible | open) != 0)
+        {
+            Vector512<float> flux = Vector512.LoadUnsafe(ref _flux[step]);
+            Vector512<float> tracking = area * flux;
+            Vector512<float> horizontal = tracking * _sunPath.CosineTo(upright, step);
+            area.StoreUnsafe(ref _area[0]);
+            tracking.StoreUnsafe(ref _tracking[0]);
+            horizontal.StoreUnsafe(ref _horizontal[0]);
+            for (; open != 0; open &= open - 1)
+            {
+                int lane = BitOperations.TrailingZeroCount(open);
+                (float part, float light, float up) = OfSun(frame, sun, step, lane, out bool isVisible);
+                if (isVisible)
+                {
+                    visible |= 1u << lane;
+                    _area[lane] = part;
+                    _tracking[lane] = _flux[step + lane] * light;
+                    _horizontal[lane] = _flux[step + lane] * Math.Max(0.0f, up);
+                }
+            }
+
+            (area, tracking) = (Vector512.LoadUnsafe(ref _area[0]), Vector512.LoadUnsafe(ref _tracking[0]));
+            horizontal = Vector512.LoadUnsafe(ref _horizontal[0]);
+
+            sums.Add(area, tracking, horizontal, tracking * _sunPath.CosineTo(plane, step));
+        }
+
+        if (Parts is { } parts)
+        {
+            area.StoreUnsafe(ref parts[step]);
+        }
+
+        return visible;
     }
 
-    private static Vector512<float> Along(Vector3D axis, Vector512<float> x, Vector512<float> y, Vector512<float> z) =>
-        (Vector512.Create((float)axis.X) * x) + (Vector512.Create((float)axis.Y) * y) + (Vector512.Create((float)axis.Z) * z);
+    /// <summary>The steps, of sixteen, at which all of the Earth is in view, and those at which any of it is.</summary>
+    private (uint Whole, uint Any) SeeEarth(in SkyShift shift, int step)
+    {
+        (uint whole, uint open) = _aroundEarth.Compare(_earthPath.BoxAt(step, shift));
+        if (open == 0)
+        {
+            return (whole, whole);
+        }
+
+        SeenBody seen = _earthPath.At(step, shift);
+        Vector512<float> slope = Vector512.LoadUnsafe(ref _earth.Slope[step]);
+        (whole, open) = _aroundEarth.Compare(seen, slope);
+        uint any = whole;
+        if (open != 0)
+        {
+            // The horizon passes in front of the disc's middle: the Earth is partly in view. Below 63 degrees that is simple to tell.
+            Vector512<float> half = Vector512.Create(0.95f) * slope * (Vector512<float>.One + (seen.Tangent * seen.Tangent));
+            Vector512<float> isPartial = Vector512.LessThan(Vector512.Abs(Table.At(seen.Column) - seen.Tangent), half)
+                & Vector512.LessThan(Vector512.Abs(seen.Tangent), Vector512.Create(2.0f));
+            uint partial = (uint)isPartial.ExtractMostSignificantBits() & open;
+            any |= partial;
+            open &= ~partial;
+        }
+
+        for (; open != 0; open &= open - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(open);
+            float part = _plain.AreaOver(HorizonIn(_plain, seen, lane, slope[lane]));
+            any |= part > 0.0f ? 1u << lane : 0;
+            whole |= part >= Whole ? 1u << lane : 0;
+        }
+
+        return (whole, any);
+    }
 
     /// <summary>The horizon at the strips of a disc, over its middle in radii.</summary>
-    private Vector512<float> HorizonIn(DiscOfLight disc, in Seen seen, int lane, float slope)
+    private Vector512<float> HorizonIn(DiscOfLight disc, in SeenBody seen, int lane, float slope)
     {
         float tangent = seen.Tangent[lane];
         float width = slope * MathF.Sqrt(1.0f + (tangent * tangent)) * (float)(Table.Columns / (2.0 * Math.PI));
@@ -167,8 +203,20 @@ internal sealed class LightFinder
         return (horizon - middle) / ((Vector512<float>.One + (horizon * middle)) * Vector512.Create(slope));
     }
 
+    /// <summary>The visible part of a disc over 64 strips.</summary>
+    private float FineAreaOf(in SeenBody seen, int lane, float slope)
+    {
+        float area = 0.0f;
+        foreach (DiscOfLight strips in _fineStrips)
+        {
+            area += strips.AreaOver(HorizonIn(strips, seen, lane, slope));
+        }
+
+        return area;
+    }
+
     /// <summary>Part of the Sun's area and light, and its light times the sine of its elevation.</summary>
-    private (float Area, float Light, float Up) OfSun(in LocalFrame frame, in Seen seen, int step, int lane, out bool isVisible)
+    private (float Area, float Light, float Up) OfSun(in LocalFrame frame, in SeenBody seen, int step, int lane, out bool isVisible)
     {
         float slope = _sun.Slope[step + lane];
         float tangent = seen.Tangent[lane];
@@ -183,7 +231,7 @@ internal sealed class LightFinder
         }
 
         Vector512<float> horizon = HorizonIn(_disc, seen, lane, slope);
-        float area = _disc.AreaOver(horizon);
+        float area = Parts is null ? _disc.AreaOver(horizon) : FineAreaOf(seen, lane, slope);
         isVisible = Exact is not null && area * slope < 2.0f * ExactLight.Doubt ? Exact.IsVisible(frame, step + lane) : area > 0.0f;
         if (!isVisible)
         {
@@ -197,55 +245,12 @@ internal sealed class LightFinder
         }
 
         (float light, float moment) = _disc.LightOver(horizon);
-        if (level > -1.0f)
+        if (level > -1.0f && Vector512.LessThanAny(horizon, Vector512.Create(level)))
         {
             (float above, moment) = _disc.LightOver(Vector512.MaxNative(horizon, Vector512.Create(level)));
             return (area, light, ((above * tangent) + (moment * slope)) * cosine);
         }
 
         return (area, light, ((light * tangent) + (moment * slope)) * cosine);
-    }
-
-    /// <summary>A body as it is seen at sixteen steps.</summary>
-    private struct Seen
-    {
-        public Vector512<float> East;
-        public Vector512<float> North;
-        public Vector512<float> Up;
-        public Vector512<float> Tangent;
-        public Vector512<float> Column;
-    }
-
-    /// <summary>The horizon's limits around the discs of a body.</summary>
-    private sealed class Limits(int columns)
-    {
-        private readonly float[] _least = new float[columns / HorizonBuffer.Group];
-        private readonly float[] _most = new float[columns / HorizonBuffer.Group];
-        private float _highest;
-
-        public void Find(HorizonTable table, LightTimes body, float highest)
-        {
-            _highest = highest;
-            double tangent = Math.Max(0.0, highest) + (2.0 * body.MaxSlope);
-            double width = 1.05 * body.MaxSlope * Math.Sqrt(1.0 + (tangent * tangent));
-            double group = 2.0 * Math.PI * HorizonBuffer.Group / columns;
-            table.Widen(Math.Min((int)Math.Ceiling(width / group), (_least.Length / 2) - 1), _least, _most);
-        }
-
-        /// <summary>The lanes whose disc is whole, and those for which the limits do not tell.</summary>
-        public (uint Full, uint Open) Compare(in Seen seen, Vector512<float> slope)
-        {
-            Vector512<int> group = Vector512.ShiftRightArithmetic(
-                Vector512.ConvertToInt32(seen.Column), BitOperations.Log2(HorizonBuffer.Group)) & Vector512.Create(_least.Length - 1);
-            Vector512<float> half = Vector512.Create(1.05f) * (slope + Vector512.Create(ExactLight.Doubt))
-                * (Vector512<float>.One + (seen.Tangent * seen.Tangent));
-            Vector512<float> lower = seen.Tangent - half;
-            Vector512<float> isFull = (Vector512.GreaterThan(lower, HorizonTable.Gather(_most, group))
-                | Vector512.GreaterThan(lower, Vector512.Create(_highest)))
-                & Vector512.GreaterThan(Vector512.Abs(seen.Tangent), half);
-            Vector512<float> isNone = Vector512.LessThan(seen.Tangent + half, HorizonTable.Gather(_least, group));
-            uint full = (uint)isFull.ExtractMostSignificantBits();
-            return (full, ~(full | (uint)isNone.ExtractMostSignificantBits()) & 0xFFFF);
-        }
     }
 }

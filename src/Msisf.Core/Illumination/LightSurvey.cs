@@ -41,13 +41,14 @@ public sealed class LightSurvey
     public PlaceLight[] Of(
         IReadOnlyList<Vector3D> directions, PlaceHorizons horizons, int threads, Action<int>? advanced, CancellationToken cancellation)
     {
-        const int PerItem = 32;
+        const int PerItem = 128;
         int items = (directions.Count + PerItem - 1) / PerItem;
         PlaceLight[] lights = new PlaceLight[directions.Count];
         LightFinder[] finders = new LightFinder[Math.Max(1, Math.Min(threads, items))];
         WorkerTeam.Run(finders.Length, items, (worker, item) =>
         {
             LightFinder finder = finders[worker] ??= NewFinder(null);
+            finder.Forget();
             int end = Math.Min(directions.Count, (item + 1) * PerItem);
             for (int place = item * PerItem; place < end; place++)
             {
@@ -93,7 +94,8 @@ public sealed class LightSurvey
     }
 
     private LightFinder NewFinder(float[]? parts) => new(
-        _sun, _earth, _conditions.FluxAtAu, _conditions.FixedPlane, _conditions.NightLimit, HorizonSurvey.Columns)
+        _sun, _earth, _conditions.FluxAtAu, _conditions.FixedPlane, _conditions.NightLimit, HorizonSurvey.Columns,
+        Math.Tan(double.DegreesToRadians(_horizons.TopDegrees)))
     {
         Exact = _conditions.IsExact ? _exact : null,
         Parts = parts,

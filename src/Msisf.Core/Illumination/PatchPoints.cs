@@ -16,24 +16,28 @@ internal sealed class PatchPoints
     /// <summary>Elements from one line of vertices to the next: 9 in two vectors.</summary>
     private const int Stride = 2 * Cells;
 
-    private readonly double[] _east = new double[(Cells + 1) * Stride];
-    private readonly double[] _north = new double[(Cells + 1) * Stride];
-    private readonly double[] _up = new double[(Cells + 1) * Stride];
-    private readonly float[] _columns = new float[(Cells + 1) * Stride];
+    private readonly double[] _east = new double[(Cells + 2) * Stride];
+    private readonly double[] _north = new double[(Cells + 2) * Stride];
+    private readonly double[] _up = new double[(Cells + 2) * Stride];
+    private readonly float[] _columns = new float[(Cells + 2) * Stride];
     private readonly float[] _tangents = new float[(Cells + 1) * Stride];
+    private readonly uint[] _high = new uint[Cells + 1];
 
-    /// <summary>Turns the vertices of a patch.</summary>
+    /// <summary>Turns the vertices of a patch, and finds the tangents of their elevations.</summary>
     /// <param name="vertices">Those of its block.</param>
     /// <param name="origin">To which they are relative, m, body-fixed.</param>
     /// <param name="top">Line of the patch in the block.</param>
     /// <param name="left">Its sample.</param>
     /// <param name="cells">Its cells.</param>
     /// <param name="frame">The place.</param>
-    /// <param name="columns">Columns of a turn.</param>
+    /// <returns>The greatest tangent.</returns>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Place(BlockVertices vertices, Vector3D origin, int top, int left, CellRange cells, in LocalFrame frame, int columns)
+    public float Place(BlockVertices vertices, Vector3D origin, int top, int left, CellRange cells, in LocalFrame frame)
     {
         Vector3D start = frame.ToLocal(origin - frame.PositionBodyFixed);
+        Vector512<float> lowest = Vector512.Create(HorizonPoint.Lowest);
+        Vector512<float> highest = lowest;
+        Vector512<float> isVertex = Vector512.LessThanOrEqual(Vector512<int>.Indices, Vector512.Create(cells.Samples)).AsSingle();
         for (int line = 0; line <= cells.Lines; line++)
         {
             nuint from = (nuint)(((top + line) * BlockVertices.Stride) + left);
@@ -42,15 +46,87 @@ internal sealed class PatchPoints
             Turn(vertices, from + Cells, start, frame, to + Cells);
 
             // Relative to the place, so that floats have digits enough.
-            Vector512<float> east = Vector512.Narrow(Vector512.LoadUnsafe(ref _east[to]), Vector512.LoadUnsafe(ref _east[to + Cells]));
-            Vector512<float> north = Vector512.Narrow(Vector512.LoadUnsafe(ref _north[to]), Vector512.LoadUnsafe(ref _north[to + Cells]));
-            Vector512<float> up = Vector512.Narrow(Vector512.LoadUnsafe(ref _up[to]), Vector512.LoadUnsafe(ref _up[to + Cells]));
+            (Vector512<float> east, Vector512<float> north) = Across(to);
+            Vector512<float> up = Narrow(_up, to);
             Vector512<float> across = Vector512.Sqrt((east * east) + (north * north));
-            Vector512<float> tangent = up / Vector512.MaxNative(across, Vector512.Create(1e-9f));
-            Vector512.MaxNative(tangent, Vector512.Create(HorizonPoint.Lowest)).StoreUnsafe(ref _tangents[to]);
-            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)columns)).StoreUnsafe(ref _columns[to]);
+            Vector512<float> tangent = Vector512.MaxNative(up / Vector512.MaxNative(across, Vector512.Create(1e-9f)), lowest);
+            tangent = Vector512.ConditionalSelect(isVertex, tangent, lowest);
+            highest = Vector512.MaxNative(highest, tangent);
+            tangent.StoreUnsafe(ref _tangents[to]);
+        }
+
+        return LaneMasks.Max(highest);
+    }
+
+    /// <summary>Finds the azimuths of the vertices that were turned last.</summary>
+    /// <param name="lines">Lines of vertices.</param>
+    /// <param name="columns">Columns of a turn.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void FindColumns(int lines, int columns)
+    {
+        for (int line = 0; line < lines; line++)
+        {
+            (Vector512<float> east, Vector512<float> north) = Across(line * Stride);
+            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)columns)).StoreUnsafe(ref _columns[line * Stride]);
         }
     }
+
+    /// <summary>Finds the vertices at which an edge that rises above a horizon may end; all of them if windows are too narrow.</summary>
+    /// <param name="windows">Of the horizon; null to look at all vertices.</param>
+    /// <param name="cells">The patch's cells.</param>
+    /// <returns>Whether there are any.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public bool FindHigh(HorizonWindows? windows, CellRange cells)
+    {
+        uint all = (2u << cells.Samples) - 1;
+        float[]? least = windows?.For(WidestOf(cells));
+        uint any = 0;
+        for (int line = 0; line <= cells.Lines; line++)
+        {
+            uint high = all;
+            if (least is not null)
+            {
+                Vector512<float> tangent = Vector512.LoadUnsafe(ref _tangents[line * Stride]);
+                Vector512<int> column = Vector512.ConvertToInt32(Vector512.LoadUnsafe(ref _columns[line * Stride]));
+                Vector512<float> horizon = HorizonTable.Gather(least, column & Vector512.Create(least.Length - 1));
+                Vector512<float> bulge = Vector512.Create(HorizonBuffer.NarrowBulge) * Vector512.Abs(tangent);
+                high = (uint)Vector512.GreaterThan(tangent + bulge, horizon).ExtractMostSignificantBits() & all;
+            }
+
+            any |= _high[line] = high;
+        }
+
+        return any != 0;
+    }
+
+    /// <summary>Columns from one end to the other of the patch's widest edge; very many across the north.</summary>
+    private float WidestOf(CellRange cells)
+    {
+        Vector512<int> index = Vector512<int>.Indices;
+        Vector512<float> isVertex = Vector512.LessThanOrEqual(index, Vector512.Create(cells.Samples)).AsSingle();
+        Vector512<float> isCell = Vector512.LessThan(index, Vector512.Create(cells.Samples)).AsSingle();
+        Vector512<float> widest = Vector512<float>.Zero;
+        for (int at = 0; at < cells.Lines * Stride; at += Stride)
+        {
+            Vector512<float> here = Vector512.LoadUnsafe(ref _columns[at]);
+            Vector512<float> below = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + Stride]) - here);
+            Vector512<float> right = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + 1]) - here);
+            Vector512<float> across = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + Stride + 1]) - here);
+            widest = Vector512.MaxNative(widest, below & isVertex);
+            widest = Vector512.MaxNative(widest, Vector512.MaxNative(right, across) & isCell);
+        }
+
+        Vector512<float> last = Vector512.LoadUnsafe(ref _columns[cells.Lines * Stride]);
+        Vector512<float> lastRight = Vector512.LoadUnsafe(ref _columns[(cells.Lines * Stride) + 1]);
+        return LaneMasks.Max(Vector512.MaxNative(widest, Vector512.Abs(lastRight - last) & isCell));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private (Vector512<float> East, Vector512<float> North) Across(int at) => (Narrow(_east, at), Narrow(_north, at));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<float> Narrow(double[] values, int at) =>
+        Vector512.Narrow(Vector512.LoadUnsafe(ref values[at]), Vector512.LoadUnsafe(ref values[at + Cells]));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Turn(BlockVertices vertices, nuint from, Vector3D start, in LocalFrame frame, int to)
@@ -74,7 +150,7 @@ internal sealed class PatchPoints
             (cells.FirstSample - part.Mesh.Cells.FirstSample) / CellBlock.Size) == CellMask.BlockState.Whole;
         if (isWhole)
         {
-            RaiseRidges(buffer, cells);
+            RaiseRidges(buffer, cells, part.Mesh.Cells);
             return;
         }
 
@@ -94,54 +170,71 @@ internal sealed class PatchPoints
     }
 
     /// <summary>
-    /// Raises a horizon to the edges between a facet that faces the place and one that does not, and to those of the patch's border: over
-    /// all others the ground rises on, or has fallen before.
+    /// Raises a horizon to the ridges of the patch: edges of a facet that faces the place, over which that facet does not rise, and beyond
+    /// which the next one does not face the place. Over all others the ground rises on, or has fallen before. Of an edge of the patch's
+    /// border only its own facet is known: it is raised by the patch whose facet faces the place, and on the border of the model always.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void RaiseRidges(HorizonBuffer buffer, CellRange cells)
+    private void RaiseRidges(HorizonBuffer buffer, CellRange cells, CellRange mesh)
     {
         uint all = (1u << cells.Samples) - 1;
+        uint leftEnd = cells.FirstSample == mesh.FirstSample ? 1u : 0;
+        bool rightEnd = cells.EndSample == mesh.EndSample;
+        uint topEnd = cells.FirstLine == mesh.FirstLine ? all : 0;
         uint before = 0;
+        bool mayRise = false;
         for (int line = 0; line < cells.Lines; line++)
         {
             int at = line * Stride;
-            (uint southWest, uint northEast) = Facing(at);
-            uint upper = line == 0 ? all : (northEast ^ before) & all;
-            before = southWest;
-            if (!MayRise(buffer, at, cells.Samples))
+            bool mayRiseAbove = mayRise;
+            (uint high, uint highBelow) = (_high[line], _high[line + 1]);
+            mayRise = (high | highBelow) != 0 && MayRise(buffer, at, cells.Samples);
+            if (!mayRise)
             {
                 continue;
             }
 
-            uint left = ((southWest ^ (northEast << 1)) & all) | 1;
-            for (uint bits = upper; bits != 0; bits &= bits - 1)
-            {
-                int from = at + BitOperations.TrailingZeroCount(bits);
-                buffer.Raise(this[from], this[from + 1]);
-            }
+            CellLine facets = LineOf(at);
+            (uint southWest, uint northEast) = (facets.SouthWest & all, facets.NorthEast & all);
+            uint top = line == 0 ? (northEast & facets.TopRight) | topEnd
+                : mayRiseAbove ? (northEast & ~before & facets.TopRight) | (before & ~northEast & ~facets.TopRight)
+                : 0;
+            uint left = (southWest & ~(northEast << 1) & ~facets.LeftRight) | ((northEast << 1) & ~southWest & facets.LeftRight) | leftEnd;
+            uint across = (southWest & ~northEast & facets.AcrossRight) | (northEast & ~southWest & ~facets.AcrossRight);
+            bool hasRight = rightEnd || ((northEast >> (cells.Samples - 1)) != 0 && IsToRight(at + cells.Samples));
+            before = southWest;
+            uint ends = high | highBelow;
+            RaiseAll(buffer, at, top & (high | (high >> 1)), 1);
+            RaiseAll(buffer, at, left & all & ends, Stride);
+            RaiseAll(buffer, at, across & (high | (highBelow >> 1)), Stride + 1);
+            RaiseAll(buffer, at + cells.Samples, hasRight ? (ends >> cells.Samples) & 1 : 0u, Stride);
+        }
 
-            for (uint bits = left; bits != 0; bits &= bits - 1)
-            {
-                int from = at + BitOperations.TrailingZeroCount(bits);
-                buffer.Raise(this[from], this[from + Stride]);
-            }
+        int last = cells.Lines * Stride;
+        uint bottom = !mayRise ? 0 : cells.EndLine == mesh.EndLine ? all : before & ~LineOf(last).TopRight;
+        RaiseAll(buffer, last, bottom & all, 1);
+    }
 
-            for (uint bits = (southWest ^ northEast) & all; bits != 0; bits &= bits - 1)
+    /// <summary>Raises a horizon to edges from some of the vertices of a line to those that come a number of elements later.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void RaiseAll(HorizonBuffer buffer, int at, uint vertices, int later)
+    {
+        for (uint bits = vertices; bits != 0; bits &= bits - 1)
+        {
+            int from = at + BitOperations.TrailingZeroCount(bits);
+            int to = from + later;
+            if (!buffer.TryRaise(_columns[from], _tangents[from], _columns[to], _tangents[to]))
             {
-                int from = at + BitOperations.TrailingZeroCount(bits);
-                buffer.Raise(this[from], this[from + Stride + 1]);
-            }
-
-            buffer.Raise(this[at + cells.Samples], this[at + cells.Samples + Stride]);
-            for (int sample = 0; line == cells.Lines - 1 && sample < cells.Samples; sample++)
-            {
-                buffer.Raise(this[at + Stride + sample], this[at + Stride + sample + 1]);
+                buffer.Raise(this[from], this[to]);
             }
         }
     }
 
-    /// <summary>Which facets of the cells of a line face the place, the first cell in the lowest bit.</summary>
-    private (uint SouthWest, uint NorthEast) Facing(int at)
+    /// <summary>Whether the vertex below one is seen to the right of it.</summary>
+    private bool IsToRight(int at) => _east[at + Stride] * _north[at] > _north[at + Stride] * _east[at];
+
+    /// <summary>How the cells of a line are seen, the first one in the lowest bit.</summary>
+    private CellLine LineOf(int at)
     {
         (Vector512<double> x, Vector512<double> y, Vector512<double> z) = Corners(at); // north-west
         (Vector512<double> xe, Vector512<double> ye, Vector512<double> ze) = Corners(at + 1);
@@ -152,9 +245,12 @@ internal sealed class PatchPoints
         Vector512<double> alongZ = (x * yd) - (y * xd);
         Vector512<double> southWest = (xs * alongX) + (ys * alongY) + (zs * alongZ); // - det(NW, SW, SE)
         Vector512<double> northEast = (xe * alongX) + (ye * alongY) + (ze * alongZ); // det(NW, SE, NE)
-        return (
-            (uint)Vector512.GreaterThan(southWest, Vector512<double>.Zero).ExtractMostSignificantBits(),
-            (uint)Vector512.LessThan(northEast, Vector512<double>.Zero).ExtractMostSignificantBits());
+        return new CellLine(
+            Bits(Vector512.GreaterThan(southWest, Vector512<double>.Zero)), Bits(Vector512.LessThan(northEast, Vector512<double>.Zero)),
+            Bits(Vector512.GreaterThan(xe * y, ye * x)), Bits(Vector512.GreaterThan(xs * y, ys * x)),
+            Bits(Vector512.LessThan(alongZ, Vector512<double>.Zero)));
+
+        static uint Bits(Vector512<double> mask) => (uint)mask.ExtractMostSignificantBits();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -171,18 +267,23 @@ internal sealed class PatchPoints
     /// <summary>Whether an edge of some cells of a line may rise above the horizon.</summary>
     private bool MayRise(HorizonBuffer buffer, int at, int cells)
     {
-        (float first, float last, float highest) = (float.PositiveInfinity, float.NegativeInfinity, float.NegativeInfinity);
-        for (int from = at; from <= at + Stride; from += Stride)
-        {
-            for (int i = from; i <= from + cells; i++)
-            {
-                float column = _columns[i];
-                (first, last) = (column < first ? column : first, column > last ? column : last);
-                highest = _tangents[i] > highest ? _tangents[i] : highest;
-            }
-        }
-
-        return last - first > 0.25f * buffer.Columns // perhaps across the north
-            || buffer.HighestOf(highest, last - first) > buffer.LeastFrom((int)first & (buffer.Columns - 1), (int)(last - first) + 2);
+        Vector512<float> columns = Vector512.LoadUnsafe(ref _columns[at]);
+        Vector512<float> columnsBelow = Vector512.LoadUnsafe(ref _columns[at + Stride]);
+        Vector512<float> isVertex = Vector512.LessThanOrEqual(Vector512<int>.Indices, Vector512.Create(cells)).AsSingle();
+        Vector512<float> any = Vector512.Create(columns[0]);
+        float first = LaneMasks.Min(Vector512.ConditionalSelect(isVertex, Vector512.MinNative(columns, columnsBelow), any));
+        float width = LaneMasks.Max(Vector512.ConditionalSelect(isVertex, Vector512.MaxNative(columns, columnsBelow), any)) - first;
+        float highest = LaneMasks.Max(Vector512.MaxNative(
+            Vector512.LoadUnsafe(ref _tangents[at]), Vector512.LoadUnsafe(ref _tangents[at + Stride])));
+        return width > 0.25f * buffer.Columns // perhaps across the north
+            || buffer.HighestOf(highest, width) > buffer.LeastFrom((int)first & (buffer.Columns - 1), (int)width + 2);
     }
+
+    /// <summary>How the cells of a line are seen, a bit for each: facets that face the place, and edges that lead over east.</summary>
+    /// <param name="SouthWest">Whether the facet of the north-west, south-west and south-east corner faces the place.</param>
+    /// <param name="NorthEast">Whether the other one does.</param>
+    /// <param name="TopRight">Whether the north-east corner is seen to the right of the north-west one.</param>
+    /// <param name="LeftRight">Whether the south-west corner is.</param>
+    /// <param name="AcrossRight">Whether the south-east corner is.</param>
+    private readonly record struct CellLine(uint SouthWest, uint NorthEast, uint TopRight, uint LeftRight, uint AcrossRight);
 }

@@ -70,16 +70,29 @@ public sealed class LightSurveyTests
         }
     }
 
-    /// <summary>The visible part of the disc against 4,096 rays, equal parts of its area.</summary>
-    [Fact]
-    public void At_Disc_IsThePartOfRaysWithinTwoHundredths()
+    /// <summary>
+    /// The visible part of the disc against 4,096 rays, equal parts of its area; and with rays for its edge some part is in view exactly
+    /// when one of those rays passes, but where only a sliver is left.
+    /// </summary>
+    [Theory]
+    [InlineData(false, 0.02)]
+    [InlineData(true, 0.01)]
+    public void At_Disc_IsThePartOfRays(bool isFine, double tolerance)
     {
         double radius = LightSurvey.SunRadius / Math.Sqrt((Distance - LightSurvey.SunRadius) * (Distance + LightSurvey.SunRadius));
         for (int place = 0; place < _directions.Length; place++)
         {
             LocalFrame frame = FrameOf(place);
-            Vector3D[] suns = [.. Suns(frame, TangentsOf(place), TestLength.Of(3, 50), 0.3)];
-            (_, float[] parts) = LightsOf(suns, isPoint: false, isExact: false).At(_directions, _horizons, place);
+            Vector3D[] suns = [.. Suns(frame, TangentsOf(place), TestLength.Of(2, 10), 0.3)];
+            LightSurvey lights = LightsOf(suns, isPoint: false, isExact: isFine);
+            PlaceHorizons fine = new HorizonSurvey(_terrain, _tracer, _directions, isMoon: true) { IsFine = true }
+                .Find([_directions[place]], 2.0, threads: 1, advanced: null, CancellationToken.None);
+            (PlaceLight light, float[] parts) = isFine
+                ? lights.At([_directions[place]], fine, 0)
+                : lights.At(_directions, _horizons, place);
+            double mean = lights.Of(_directions, _horizons, 1, null, CancellationToken.None)[place].DiscPart;
+            Assert.Equal(parts.Average(), light.DiscPart, 1e-6);
+            Assert.Equal(parts.Average(), mean, tolerance);
             for (int step = 0; step < suns.Length; step++)
             {
                 Vector3D toSun = (suns[step] - frame.PositionBodyFixed).Normalized();
@@ -94,8 +107,54 @@ public sealed class LightSurveyTests
                     free += _tracer.TryTrace(new Ray(frame.PositionBodyFixed, direction), out _) ? 0 : 1;
                 }
 
-                Assert.Equal(free / 4096.0, parts[step], 0.02);
+                Assert.Equal(free / 4096.0, parts[step], tolerance);
+                Assert.True(!isFine || free == 0 || parts[step] > 0.0f);
             }
+        }
+    }
+
+    /// <summary>A year hour by hour: the part of the time with light in a map is that with rays wherever there is a doubt.</summary>
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Of_AYear_IsLitWithinAThousandth(bool isPoint)
+    {
+        Vector3D[] suns = [.. Enumerable.Range(0, 8761).Select(hour => SunOfAYear(hour / 24.0))];
+        int count = TestLength.Of(1, 40);
+        PlaceLight[] lights = LightsOf(suns, isPoint, isExact: false).Of(_directions, _horizons, 2, null, CancellationToken.None);
+        LightSurvey exact = LightsOf(suns, isPoint, isExact: true);
+        for (int place = 0; place < count; place++)
+        {
+            PlaceLight expected = exact.At(_directions, _horizons, place).Light;
+            Assert.Equal((double)expected.LitSteps / suns.Length, (double)lights[place].LitSteps / suns.Length, 0.001);
+            Assert.Equal(expected.DiscPart, lights[place].DiscPart, 0.001);
+        }
+    }
+
+    /// <summary>The paths of the Sun and the Earth are shared by neighbours: the same as if each was looked at alone.</summary>
+    [Fact]
+    public void Of_Neighbours_IsTheLightOfEachAlone()
+    {
+        const int Count = 40;
+        Vector3D[] suns = [.. Enumerable.Range(0, 2000).Select(hour => SunOfAYear(hour / 24.0))];
+        Vector3D[] earths = [.. suns.Select(sun => 3.8e8 * new SelenographicPoint(
+            0.11 * Math.Sin(31.0 * sun.X / Distance), 0.13 * Math.Sin(17.0 * sun.Y / Distance)).ToDirectionBodyFixed())];
+        Vector3D[] row = [.. Enumerable.Range(0, Count).Select(place => new SelenographicPoint(
+            double.DegreesToRadians(-89.4 + (0.002 * place)), 1.0 + (0.004 * place)).ToDirectionBodyFixed())];
+        HorizonSurvey survey = new(_terrain, _tracer, row, isMoon: true);
+        PlaceHorizons horizons = survey.Find(row, 0.0, threads: 2, advanced: null, CancellationToken.None);
+        LightSurvey lights = new(survey, new LightConditions(suns, earths) { FixedPlane = new Vector3D(0.6, 0.0, 0.8) }, _tracer);
+        PlaceLight[] together = lights.Of(row, horizons, threads: 2, advanced: null, CancellationToken.None);
+        for (int place = 0; place < Count; place++)
+        {
+            PlaceLight alone = lights.At(row, horizons, place).Light;
+            Assert.InRange(Math.Abs(alone.LitSteps - together[place].LitSteps), 0, 2);
+            Assert.InRange(Math.Abs(alone.EarthSteps - together[place].EarthSteps), 0, 2);
+            Assert.InRange(Math.Abs(alone.WholeEarthSteps - together[place].WholeEarthSteps), 0, 2);
+            Assert.Equal(alone.DiscPart, together[place].DiscPart, 0.001);
+            Assert.Equal(alone.Tracking.Mean, together[place].Tracking.Mean, 1.0);
+            Assert.Equal(alone.Horizontal.Mean, together[place].Horizontal.Mean, 0.05);
+            Assert.Equal(alone.Fixed.Mean, together[place].Fixed.Mean, 1.0);
         }
     }
 
@@ -113,6 +172,10 @@ public sealed class LightSurveyTests
         Assert.Equal(1361.0 / 4.0 * Math.Sin(0.6), light.Horizontal.Greatest, 0.02);
         Assert.Equal((1, 1, 0.5), (light.LitSteps, light.Dark.Count, light.DiscPart));
     }
+
+    private static Vector3D SunOfAYear(double day) => Distance * new SelenographicPoint(
+        double.DegreesToRadians(1.54) * Math.Sin(2.0 * Math.PI * day / 346.6),
+        Math.IEEERemainder(1.0 - (2.0 * Math.PI * day / 29.53), 2.0 * Math.PI)).ToDirectionBodyFixed();
 
     private LightSurvey LightsOf(Vector3D[] suns, bool isPoint, bool isExact) => new(
         _survey, new LightConditions(suns, [.. suns.Select(_ => 4e8 * Vector3D.UnitX)]) { IsPoint = isPoint, IsExact = isExact }, _tracer);

@@ -48,9 +48,32 @@ internal sealed record PdsMapLabel(
     /// <exception cref="BadInputException">A PDS3 label of something else than an equirectangular map.</exception>
     public static PdsMapLabel Read(PdsMapHead head)
     {
+        PdsObject projection = ProjectionOf(head);
+        CheckProjection(projection);
+        double perDegree = projection.RequiredNumber("MAP_RESOLUTION", "PIX/DEG", "PIXEL/DEG", "PIXEL/DEGREE", "PIXELS/DEGREE");
+        double west = projection.RequiredNumber("WESTERNMOST_LONGITUDE", "DEG", "DEGREE");
+        double north = projection.RequiredNumber("MAXIMUM_LATITUDE", "DEG", "DEGREE");
+        PdsMapLabel map = ReadImage(head) with { PixelsPerDegree = perDegree, WestDegrees = west, NorthDegrees = north };
+        double slack = 1.0 / perDegree;
+        return perDegree > 0.0 && map.LineSamples / perDegree <= 360.0 + slack && map.Lines / perDegree <= 180.0 + slack
+            && north <= 90.0 + slack
+                ? map
+                : throw projection.WrongValue("MAP_RESOLUTION", "lines and samples of this size don't fit on the Moon");
+    }
+
+    /// <summary>Reads the label of a polar stereographic map: all but where it lies, which is left at 0.</summary>
+    /// <exception cref="BadInputException">A PDS3 label of something else than a polar map.</exception>
+    public static PdsMapLabel ReadPolar(PdsMapHead head) => head.IsPolar
+        ? ReadImage(head)
+        : throw ProjectionOf(head).WrongValue("MAP_PROJECTION_TYPE", "a polar stereographic map is needed");
+
+    private static PdsObject ProjectionOf(PdsMapHead head) =>
+        head.Label.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(head.LabelPath, "IMAGE_MAP_PROJECTION");
+
+    private static PdsMapLabel ReadImage(PdsMapHead head)
+    {
         (string labelPath, PdsObject label) = head;
         PdsObject image = label.FindObject("IMAGE") ?? throw Missing(labelPath, "IMAGE");
-        PdsObject projection = label.FindObject("IMAGE_MAP_PROJECTION") ?? throw Missing(labelPath, "IMAGE_MAP_PROJECTION");
         PdsImagePointer pointer = PdsImagePointer.Read(label, label.OptionalInteger("RECORD_BYTES", 1, int.MaxValue));
         string imagePath = pointer.PathBeside(labelPath);
         string type = image.RequiredText("SAMPLE_TYPE");
@@ -60,18 +83,8 @@ internal sealed record PdsMapLabel(
             throw image.WrongValue("SAMPLE_BITS", "whole numbers of 8 or 16 bits, or real ones of 32, are read");
         }
 
-        CheckProjection(projection);
-        double perDegree = projection.RequiredNumber("MAP_RESOLUTION", "PIX/DEG", "PIXEL/DEG", "PIXEL/DEGREE", "PIXELS/DEGREE");
         int samples = image.RequiredInteger("LINE_SAMPLES", 1, int.MaxValue);
         int lines = image.RequiredInteger("LINES", 1, int.MaxValue);
-        double west = projection.RequiredNumber("WESTERNMOST_LONGITUDE", "DEG", "DEGREE");
-        double north = projection.RequiredNumber("MAXIMUM_LATITUDE", "DEG", "DEGREE");
-        double slack = 1.0 / perDegree;
-        if (!(perDegree > 0.0) || samples / perDegree > 360.0 + slack || lines / perDegree > 180.0 + slack || north > 90.0 + slack)
-        {
-            throw projection.WrongValue("MAP_RESOLUTION", "lines and samples of this size don't fit on the Moon");
-        }
-
         return new PdsMapLabel(
             Head: head,
             ImagePath: FileNames.FindIgnoringCase(imagePath)
@@ -86,9 +99,9 @@ internal sealed record PdsMapLabel(
             Offset: image.OptionalNumber("OFFSET") ?? 0.0,
             MissingConstant: Constant(image, "MISSING_CONSTANT"),
             Unit: image.Find("UNIT")?.Text ?? string.Empty,
-            PixelsPerDegree: perDegree,
-            WestDegrees: west,
-            NorthDegrees: north);
+            PixelsPerDegree: 0.0,
+            WestDegrees: 0.0,
+            NorthDegrees: 0.0);
     }
 
     private static void CheckProjection(PdsObject projection)

@@ -1,0 +1,125 @@
+using System.Globalization;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
+using Msisf.Core.Illumination;
+using Msisf.Core.Numerics;
+using Msisf.Core.Terrain;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preview;
+
+/// <summary>Says how long the ground below the end of a landing stays lit, by the shadows of the elevation models.</summary>
+/// <param name="model">The models.</param>
+/// <param name="engine">Gives the Sun.</param>
+/// <param name="isMoon">Whether it is the Moon.</param>
+internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool isMoon)
+{
+    /// <summary>m: a run that ends lower over the ground is a landing.</summary>
+    private const double LowEnd = 1000.0;
+
+    /// <summary>Hours that are looked at together; so many times <see cref="Chunks"/> are 400 days.</summary>
+    private const int ChunkHours = 480;
+
+    private const int Chunks = 20;
+
+    /// <summary>Whether frames come down to the ground: the last one is the lowest, and less than half as high as the first.</summary>
+    /// <param name="heights">m: heights of the cameras over the ground, in order.</param>
+    public static bool IsLanding(IReadOnlyList<double> heights) =>
+        heights.Count > 1 && heights[^1] < LowEnd && heights[^1] < 0.5 * heights[0] && heights[^1] <= heights.Min();
+
+    /// <summary>Writes the note.</summary>
+    /// <param name="positionBodyFixed">The last camera, m.</param>
+    /// <param name="time">Its time.</param>
+    /// <param name="log">Receives the note.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public void Write(Vector3D positionBodyFixed, ModifiedJulianDate time, ILog log, CancellationToken cancellation)
+    {
+        Vector3D direction = positionBodyFixed.Normalized();
+        SelenographicPoint point = SelenographicPoint.Below(direction);
+        HorizonSurvey survey = new(model.Grid, model.Tracer, [direction], isMoon) { IsFine = true };
+        if (survey.PlaceAt(direction, 0.0) is null)
+        {
+            return; // outside a map of a part
+        }
+
+        PlaceHorizons horizons = survey.Find([direction], 0.0, threads: 1, advanced: null, cancellation);
+        LocalFrame frame = LocalFrame.At(horizons.Radii[0] * direction);
+        string site = string.Create(
+            CultureInfo.InvariantCulture,
+            $"The target below the last frame, {double.RadiansToDegrees(point.Latitude):F5}, "
+                + $"{double.RadiansToDegrees(point.Longitude):F5},");
+        bool? isLit = null;
+        ModifiedJulianDate last = time;
+        for (int chunk = 0; chunk < Chunks; chunk++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            ModifiedJulianDate start = last;
+            List<Vector3D> suns = SunsFrom(start);
+            if (suns.Count < 2)
+            {
+                break;
+            }
+
+            LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true }, model.Tracer);
+            float[] parts = lights.At([direction], horizons, 0).Parts;
+            isLit ??= parts[0] > 0.0f;
+            int change = Array.FindIndex(parts, part => part > 0.0f != isLit);
+            if (change >= 0)
+            {
+                ModifiedJulianDate end = Change(start.Days + ((change - 1) / 24.0), isLit.Value, lights, frame);
+                log.Note(Text(site, isLit.Value, time, end));
+                return;
+            }
+
+            last = new ModifiedJulianDate(start.Days + ((suns.Count - 1) / 24.0));
+        }
+
+        log.Note(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{site} {(isLit == false ? "lies in shadow, and no Sun is seen there" : "is lit, and stays so")} for the "
+                + $"{last.Days - time.Days:F1} days that were looked at."));
+    }
+
+    private static string Text(string site, bool isLit, ModifiedJulianDate time, ModifiedJulianDate change)
+    {
+        string hours = string.Create(CultureInfo.InvariantCulture, $"{24.0 * (change.Days - time.Days):F1} h");
+        return isLit
+            ? $"{site} stays lit for {hours} after it: the Sun sets behind the models' horizon at {change.ToIsoUtc()}."
+            : $"{site} lies in shadow: the Sun rises over the models' horizon at {change.ToIsoUtc()}, {hours} after it.";
+    }
+
+    /// <summary>The Sun hour by hour, as far as the kernels go.</summary>
+    private List<Vector3D> SunsFrom(ModifiedJulianDate start)
+    {
+        List<Vector3D> suns = [];
+        try
+        {
+            for (int hour = 0; hour <= ChunkHours; hour++)
+            {
+                suns.Add(engine.SunPositionBodyFixed(new ModifiedJulianDate(start.Days + (hour / 24.0))));
+            }
+        }
+        catch (SpiceException)
+        {
+            // The kernels end: what is known until then is said.
+        }
+
+        return suns;
+    }
+
+    /// <summary>When light becomes shadow or shadow light, to half a second, by rays.</summary>
+    private ModifiedJulianDate Change(double day, bool isLit, LightSurvey lights, LocalFrame frame)
+    {
+        (double before, double after) = (day, day + (1.0 / 24.0));
+        while (after - before > 0.5 / 86400.0)
+        {
+            double middle = 0.5 * (before + after);
+            bool isSun = lights.IsSunInView(frame, engine.SunPositionBodyFixed(new ModifiedJulianDate(middle)));
+            (before, after) = isSun == isLit ? (middle, after) : (before, middle);
+        }
+
+        return new ModifiedJulianDate(Math.Round(0.5 * (before + after) * 86400.0) / 86400.0);
+    }
+}
