@@ -171,7 +171,7 @@ internal sealed class FrameAnswers
             Ephemeris = session.Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? session.Engine : null,
         };
         IReadOnlyList<CameraFormat> formats = session.Settings.CameraFormats;
-        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(formats, exported, _ => { }, _ => { }))
+        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(formats, exported, _ => { }, session.Log.Warning))
         {
             answer.Add(ending[1..], AnswerForm.Text, write);
         }

@@ -77,6 +77,34 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         }
     }
 
+    /// <summary>A rolling shutter of so wide a view is off as a line-scan, which the server says as msis does.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task CameraModelOfAScan_HasTheBytesOf_MsisAndItsWarning()
+    {
+        using TemporaryFolder folder = new();
+        string camera = folder.Write(
+            "camera.yaml", "width: 32\nheight: 24\nfield-of-view: 30\nscan: {kind: rolling-shutter, period: 0.01}\n");
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--fixed-state", "{55289,1.9e6,0,0,0,0,0,1}", "--motion", "{0,0,1600,0,0,0}", "--camera", camera, "--renderer", "native",
+            "--camera-model", "csm", "--output-name", "frame", "--output-dir", folder.Path, "--ldem", TestParts.Ldem4Label!, "--batch",
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render",
+            """
+            {"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "motion": [0, 0, 1600, 0, 0, 0], "camera-model": "csm", "camera":
+            {"width": 32, "height": 24, "field-of-view": 30, "scan": {"kind": "rolling-shutter", "period": 0.01}}}
+            """,
+            "multipart/mixed");
+
+        string warning = answer.Headers.GetValues("X-Msisf-Warning").Single();
+        Assert.Contains("a rolling shutter is off by up to ", warning);
+        Assert.Contains(warning, run.Error);
+        Assert.Contains($"\r\n\r\n{File.ReadAllText(folder["frame.csm.json"])}\r\n--", await answer.Content.ReadAsStringAsync());
+    }
+
     [RequiresTheory(Part.Ldem4)]
     [InlineData("csm", "image/png", HttpStatusCode.NotAcceptable, "'camera-model' is for answers of several parts")]
     [InlineData("csm,isis", "multipart/mixed", HttpStatusCode.BadRequest, "'camera-model' isis holds the image too")]

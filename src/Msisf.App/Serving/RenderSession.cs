@@ -112,6 +112,9 @@ internal sealed class RenderSession : IDisposable
     /// <summary>Gives the maps back.</summary>
     public void Dispose() => _maps.Dispose();
 
+    /// <summary>Takes what the user should know of a frame.</summary>
+    public ILog Log => _host.Log;
+
     /// <summary>Where the Sun is, what time TDB is, and how the body is turned.</summary>
     public IEphemeris Engine => _ephemeris.Of(Settings).Engine();
 
