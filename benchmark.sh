@@ -3,13 +3,14 @@
 # found into docs/performance.md, docs/benchmark/performance-tables.md and docs/scaling.md, and all figures and plots into docs/benchmark/.
 # As root, or as a user with sudo. Under 20 minutes, and a quarter of an hour and 6 GB more in benchmark/ at the first run. Leave
 # the machine alone meanwhile.
-#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]
+#     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate [LABEL...]]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence, descent).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
 # --stress: the stress tests at full length instead, into docs/accuracy.md, docs/benchmark/accuracy-tables.md and docs/benchmark/; with
 # --quick at everyday length, with --tests only those; then docs/ is left alone.
-# --validate: the comparison with a real LROC image instead, into docs/validation.md and docs/validation/, where the image is.
+# --validate: the comparison with a real LROC image instead, into docs/validation.md and docs/validation/, where the image is. With labels
+# of real images behind it (docs/twin.md) only a line for each of them, into the table of that page.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
@@ -24,6 +25,7 @@ is_partial=''
 is_micro=''
 is_stress=''
 is_validation=''
+labels=()
 scenes=''
 tests=''
 while [ $# -gt 0 ]; do
@@ -39,8 +41,12 @@ while [ $# -gt 0 ]; do
             shift ;;
         --micro) is_micro=yes ;;
         --stress) is_stress=yes ;;
-        --validate) is_validation=yes ;;
-        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate]" ;;
+        --validate) is_validation=yes
+            while [ $# -gt 1 ] && [ "${2#--}" = "$2" ]; do
+                labels+=("$2")
+                shift
+            done ;;
+        *) die "unknown argument $1. Usage: ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate [LABEL...]]" ;;
     esac
     shift
 done
@@ -99,7 +105,7 @@ get_model() {
 }
 
 if [ -n "$is_validation" ]; then
-    validate "$folder/validation"
+    validate "$folder/validation" "${labels[@]}"
     exit 0
 fi
 install_parts povray matplotlib downloader certificates

@@ -39,22 +39,32 @@ replace_block() {
     mv "$fresh" "$file"
 }
 
-# validate FOLDER: compares what the program draws with a real image; tables and plots go into the docs.
+# validate FOLDER [LABEL...]: compares what the program draws with a real image; tables and plots go into the docs. With labels only
+# their lines in the table of twins.
 validate() {
-    local data map
+    local folder=$1 data map strip
+    shift
     data=$(dirname "$PWD")/shared/validation
-    [ -d "$data/wac" ] || die "--validate needs the LROC strip M1181493219CE.vis.odd.reduced.cub of USGS's ISIS test data in $data/wac"
+    strip=$data/wac/M1181493219CE.vis.odd.reduced.cub
+    [ $# -gt 0 ] || [ -f "$strip" ] ||
+        die "--validate needs the LROC strip $(basename "$strip") of USGS's ISIS test data in $(dirname "$strip"), or labels of other images"
     install_parts matplotlib gdal-library downloader certificates
     scripts/build.sh
     scripts/get-ldem.sh --real-only || die '--validate needs the real elevation model LDEM_4'
     scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'
     scripts/get-albedo.sh || die '--validate needs the map of the reflectance'
+    mkdir -p "$folder"
+    if [ $# -gt 0 ]; then
+        /usr/bin/python3 -B tests/validation/twins.py --page docs/validation.md --folder "$folder" "$@"
+        say "The lines are in docs/validation.md, the pages in $folder."
+        return
+    fi
     map=$(find input/albedo -maxdepth 1 -type f ! -name README.md ! -name '.*' | sort | head -n 1)
-    mkdir -p "$1"
-    /usr/bin/python3 -B tests/validation/validate.py --data "$data" --map "$map" --folder "$1"
-    replace_block docs/validation.md "$1/validation.md"
+    /usr/bin/python3 -B tests/validation/validate.py --data "$data" --map "$map" --folder "$folder"
+    replace_block docs/validation.md "$folder/validation.md"
     mkdir -p docs/validation
-    cp "$1"/strip.png "$1"/scatter.svg "$1"/disc.svg docs/validation/
+    cp "$folder"/strip.png "$folder"/scatter.svg "$folder"/disc.svg docs/validation/
+    /usr/bin/python3 -B tests/validation/twins.py --page docs/validation.md --folder "$folder" "$strip"
     say 'The tables are in docs/validation.md, the plots in docs/validation/.'
 }
 

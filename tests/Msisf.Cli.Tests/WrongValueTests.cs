@@ -20,6 +20,7 @@ public sealed class WrongValueTests : IDisposable
     private static readonly Dictionary<string, string[]> WrongTexts = new(StringComparer.Ordinal)
     {
         ["--time-interval"] = ["x", "[1:2]", "[1:0:2]", "[1:x:2]", "[1e9:1:2e9]"],
+        ["--image-lines"] = ["x", "5", "0-3", "5-3", "1-2-3"],
         ["--camera-model"] = ["x", "csm,x", "csm,"],
         ["--to"] = ["x", "csm,x"],
         ["--output-name"] = ["a/b", "{frame}", " "],
@@ -145,6 +146,7 @@ public sealed class WrongValueTests : IDisposable
             "kernels" => "a.bsp",
             "illumination" => "--center=-89.45,222.7 --size 1 --time-interval [55289:0.1:55290]",
             "camera-model" => "a.xml --to csm",
+            "twin" => "a.cub",
             "completion" => "bash",
             "dataset" => Path.Combine(TestParts.RepositoryRoot, "input", "data-set.yaml"),
             _ => string.Empty,

@@ -3,7 +3,7 @@
 
     /usr/bin/python3 -B tests/validation/validate.py --data ../shared/validation --map MAP --folder FOLDER
 
-writes FOLDER/validation.md and the plots beside it; ./benchmark.sh --validate calls it, a test calls it with --quick. The strip comes from USGS's test data of
+writes FOLDER/validation.md and the plots beside it; ./benchmark.sh --validate calls it. The strip comes from USGS's test data of
 ISIS (public domain). Nothing is fitted to it but one factor an image.
 """
 import argparse
@@ -77,7 +77,6 @@ def main():
     arguments.add_argument("--data", type=pathlib.Path, required=True)
     arguments.add_argument("--map", type=pathlib.Path, required=True)
     arguments.add_argument("--folder", type=pathlib.Path, required=True)
-    arguments.add_argument("--quick", action="store_true", help="only the moon law with the map, 643 nm; the result as one line")
     chosen_arguments = arguments.parse_args()
     folder = chosen_arguments.folder
     shutil.rmtree(folder, ignore_errors=True)
@@ -85,12 +84,6 @@ def main():
     strip = Strip(next((chosen_arguments.data / "wac").glob("*.cub")))
     main_band = BANDS_NM.index(MAIN_BAND_NM)
     chosen = ~np.isnan(strip.dn[main_band])
-
-    if chosen_arguments.quick:
-        image = strip_image(folder / "moon", strip, "moon", MAIN_BAND_NM, chosen_arguments.map)
-        found = compare(strip.dn[main_band], image, chosen)
-        print(f"{found['correlation']:.4f} {found['rms']:.4f} {found['count']}")
-        return
 
     laws = {}
     images = {}

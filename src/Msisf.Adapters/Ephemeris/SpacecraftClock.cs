@@ -16,6 +16,9 @@ public sealed class SpacecraftClock
     private readonly double[] _ticks;
     private readonly double[] _times;
     private readonly double[] _rates;
+    private readonly double[] _moduli;
+    private readonly double[] _offsets;
+    private readonly double[] _partitions;
     private readonly string _source;
 
     private SpacecraftClock(KernelPool pool, int clock, TdbScale scale)
@@ -31,6 +34,10 @@ public sealed class SpacecraftClock
         _countsTt = pool.Find($"SCLK01_TIME_SYSTEM_{suffix}") is { Numbers: [IsTt, ..] };
         KernelVariable moduli = pool.Existing($"SCLK01_MODULI_{suffix}");
         _ticksPerCount = moduli.Numbers.Skip(1).Aggregate(1.0, (product, field) => product * field);
+        _moduli = [.. moduli.Numbers];
+        _offsets = [.. pool.Find($"SCLK01_OFFSETS_{suffix}")?.Numbers ?? []];
+        _partitions = StartsOf(
+            pool.Find($"SCLK_PARTITION_START_{suffix}")?.Numbers ?? [], pool.Find($"SCLK_PARTITION_END_{suffix}")?.Numbers ?? []);
         KernelVariable table = pool.Existing($"SCLK01_COEFFICIENTS_{suffix}");
         _source = table.Source;
         if (table.Numbers.Count == 0 || table.Numbers.Count % 3 != 0 || !(_ticksPerCount > 0.0))
@@ -82,6 +89,47 @@ public sealed class SpacecraftClock
         int index = Math.Max(0, EntryOf(_ticks, ticks));
         double time = _times[index] + (_rates[index] / _ticksPerCount * (ticks - _ticks[index]));
         return _countsTt ? _scale.FromTt(time) : time;
+    }
+
+    /// <summary>The time of a count as labels write it: TDB seconds past J2000.</summary>
+    /// <param name="count">Partition and fields of the clock, e.g. "1/270649237:07208"; without partition it is the first one.</param>
+    /// <exception cref="BadInputException">It is no count of this clock.</exception>
+    public double TimeOf(string count)
+    {
+        string[] halves = count.Trim().Split('/');
+        string[] texts = halves[^1].Split([':', '.', '-', ',', ' '], StringSplitOptions.RemoveEmptyEntries);
+        double[] fields = [.. texts.Select(text =>
+            double.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out double field) ? field : double.NaN)];
+        int partition = halves.Length == 1 ? 1
+            : int.TryParse(halves[0], NumberStyles.None, CultureInfo.InvariantCulture, out int number) ? number : 0;
+        if (halves.Length > 2 || fields.Length == 0 || fields.Length > _moduli.Length || fields.Any(double.IsNaN)
+            || partition < 1 || partition > Math.Max(1, _partitions.Length))
+        {
+            throw new BadInputException($"{_source}: '{count}' is no count of this clock.");
+        }
+
+        double ticks = _partitions.Length == 0 ? 0.0 : _partitions[partition - 1];
+        for (int i = 0; i < fields.Length; i++)
+        {
+            double offset = i < _offsets.Length ? _offsets[i] : 0.0;
+            ticks += (fields[i] - offset) * _moduli.Skip(i + 1).Aggregate(1.0, (product, field) => product * field);
+        }
+
+        return TimeOf(ticks);
+    }
+
+    /// <summary>What is added to a partition's own ticks so that the clock goes on through all of them.</summary>
+    private static double[] StartsOf(IReadOnlyList<double> starts, IReadOnlyList<double> ends)
+    {
+        double[] added = new double[Math.Min(starts.Count, ends.Count)];
+        double before = 0.0;
+        for (int i = 0; i < added.Length; i++)
+        {
+            added[i] = before - starts[i];
+            before += ends[i] - starts[i];
+        }
+
+        return added;
     }
 
     /// <summary>Variables of a clock end in its number without the sign.</summary>

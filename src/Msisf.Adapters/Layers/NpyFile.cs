@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Globalization;
+using System.Runtime.InteropServices;
 using System.Text;
 using Msisf.Core.Layers;
 
@@ -28,6 +29,46 @@ public static class NpyFile
     /// <param name="shape">Slowest axis first.</param>
     public static void WriteHead(Stream stream, LayerType type, params ReadOnlySpan<int> shape) =>
         WriteHead(stream, TypeText(type), shape);
+
+    /// <summary>Reads real numbers of 64 or 32 bits that this program wrote, of two dimensions.</summary>
+    /// <param name="stream">The file, which can seek.</param>
+    /// <returns>The numbers by rows, and the length of a row.</returns>
+    /// <exception cref="InvalidDataException">It is none of this program's.</exception>
+    public static (double[] Values, int Width) ReadReals(Stream stream)
+    {
+        byte[] prefix = new byte[MagicLength + sizeof(ushort)];
+        stream.ReadExactly(prefix);
+        byte[] head = new byte[BinaryPrimitives.ReadUInt16LittleEndian(prefix.AsSpan(MagicLength))];
+        stream.ReadExactly(head);
+        string text = Encoding.ASCII.GetString(head);
+        int[] shape = [.. text[(text.IndexOf("'shape': (", StringComparison.Ordinal) + 10)..].Split(')')[0]
+            .Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+            .Select(length => int.Parse(length, CultureInfo.InvariantCulture))];
+        bool isDouble = text.Contains(TypeText(LayerType.Real64), StringComparison.Ordinal);
+        if (shape.Length != 2 || !(isDouble || text.Contains(TypeText(LayerType.Real32), StringComparison.Ordinal)))
+        {
+            throw new InvalidDataException($"not a layer of real numbers: {text.Trim()}");
+        }
+
+        double[] values = new double[checked(shape[0] * shape[1])];
+        if (isDouble)
+        {
+            stream.ReadExactly(MemoryMarshal.AsBytes(values.AsSpan()));
+            return (values, shape[1]);
+        }
+
+        float[] row = new float[shape[1]];
+        for (int y = 0; y < shape[0]; y++)
+        {
+            stream.ReadExactly(MemoryMarshal.AsBytes(row.AsSpan()));
+            for (int x = 0; x < row.Length; x++)
+            {
+                values[(y * row.Length) + x] = row[x];
+            }
+        }
+
+        return (values, shape[1]);
+    }
 
     private static char ByteOrder => BitConverter.IsLittleEndian ? '<' : '>';
 

@@ -272,8 +272,8 @@ internal static class CommandTable
         ],
         Commands =
         [
-            Patterns, BatchConvert, Submit, States, CameraModelOptions.Command, DataSetOptions.Command, IlluminationOptions.Command, Status,
-            Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Config, Completion, Man, Help,
+            Patterns, BatchConvert, Submit, States, CameraModelOptions.Command, TwinOptions.Command, DataSetOptions.Command,
+            IlluminationOptions.Command, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Config, Completion, Man, Help,
         ],
     };
 

@@ -4,6 +4,7 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
 using Msisf.App.States;
+using Msisf.App.Twins;
 using Msisf.Cli.Completion;
 using Msisf.Cli.Help;
 
@@ -20,6 +21,13 @@ internal static class CommandActions
         [CommandTable.Submit] = (call, cancellation) => Task.Run(() => SubmitCommand.RunAsync(call, cancellation), cancellation),
         [CommandTable.States] = InBackground(StatesCommand.Run),
         [CameraModelOptions.Command] = Printing(call => CameraModelExport.Write(call.Values, call.Host)),
+        [TwinOptions.Command] = (call, cancellation) => Task.Run(
+            async () =>
+            {
+                await TwinRun.RunAsync(call.Values, call.Host, cancellation).ConfigureAwait(false);
+                return 0;
+            },
+            cancellation),
         [DataSetOptions.Command] = (call, cancellation) => Task.Run(
             () => DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation), cancellation),
         [IlluminationOptions.Command] = InBackground(IlluminationCommand.Run),

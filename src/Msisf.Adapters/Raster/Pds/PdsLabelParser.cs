@@ -4,7 +4,8 @@ using Msisf.Core.Errors;
 namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>
-/// Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units.
+/// Reads a PDS3 label, attached or detached: nested objects, comments, texts, sequences and sets over several lines, units. The labels of
+/// ISIS cubes are written the same way, with small letters.
 /// </summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
 internal sealed class PdsLabelParser
@@ -42,8 +43,19 @@ internal sealed class PdsLabelParser
                 + $"Give the .LBL file that belongs to the elevation model.");
         }
 
-        PdsObject label = new(file, "the label", 1);
-        parser.ReadStatements(label, closing: null);
+        return parser.ReadLabel();
+    }
+
+    /// <summary>Reads the label of an ISIS cube up to its End.</summary>
+    /// <param name="text">The label; what follows End is not looked at.</param>
+    /// <param name="file">Name for messages.</param>
+    /// <exception cref="BadInputException">The text is no label; the message names file and line.</exception>
+    public static PdsObject ParseCube(string text, string file) => new PdsLabelParser(text, file).ReadLabel();
+
+    private PdsObject ReadLabel()
+    {
+        PdsObject label = new(_file, "the label", 1);
+        ReadStatements(label, closing: null);
         return label;
     }
 
@@ -52,7 +64,8 @@ internal sealed class PdsLabelParser
         while (true)
         {
             PdsToken keyword = Take(PdsTokenKind.Word, "a keyword");
-            if (keyword.Text is "END" or "END_OBJECT" or "END_GROUP")
+            string word = keyword.Text.ToUpperInvariant();
+            if (word is "END" or "END_OBJECT" or "END_GROUP")
             {
                 ReadEnd(keyword, target, closing);
                 return;
@@ -60,10 +73,10 @@ internal sealed class PdsLabelParser
 
             TakeSign("=", $"'=' after {keyword.Text}");
             PdsValue value = ReadValue();
-            if (keyword.Text is "OBJECT" or "GROUP")
+            if (word is "OBJECT" or "GROUP")
             {
                 PdsObject child = new(_file, value.Text, keyword.Line);
-                ReadStatements(child, "END_" + keyword.Text);
+                ReadStatements(child, "END_" + word);
                 target.Add(child);
             }
             else
@@ -78,7 +91,7 @@ internal sealed class PdsLabelParser
         string need = closing is null
             ? "no object is open here"
             : $"{closing} = {target.Name} is needed first (line {target.Line} opens it)";
-        if (keyword.Text != (closing ?? "END"))
+        if (!keyword.Text.Equals(closing ?? "END", StringComparison.OrdinalIgnoreCase))
         {
             throw Wrong(keyword, need);
         }
@@ -144,7 +157,7 @@ internal sealed class PdsLabelParser
         PdsToken taken = _token.Kind == kind ? _token : throw Wrong(_token, $"{need} is needed");
 
         // What follows END is another file's business: an attached image need not be text.
-        if (taken is not { Kind: PdsTokenKind.Word, Text: "END" })
+        if (taken.Kind != PdsTokenKind.Word || !taken.Text.Equals("END", StringComparison.OrdinalIgnoreCase))
         {
             Advance();
         }

@@ -50,6 +50,12 @@ internal sealed class PdsObject(string file, string name, int line)
     public PdsObject? FindObject(string wanted) =>
         _children.Select(child => child.Name == wanted ? child : child.FindObject(wanted)).FirstOrDefault(found => found is not null);
 
+    /// <summary>This object and all below it, in the order of the label.</summary>
+    public IEnumerable<PdsObject> All => _children.SelectMany(child => child.All).Prepend(this);
+
+    /// <summary>The keywords of this object itself.</summary>
+    public IReadOnlyDictionary<string, PdsValue> Values => _values;
+
     /// <summary>The value of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing.</exception>
     public PdsValue Required(string keyword) => Find(keyword)

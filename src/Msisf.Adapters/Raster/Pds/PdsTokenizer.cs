@@ -77,16 +77,28 @@ internal sealed class PdsTokenizer(string text, string file)
         return text[start..end];
     }
 
+    /// <summary>A word; a hyphen at the end of a line joins it to the next one.</summary>
     private string TakeWord()
     {
-        int start = _position;
-        while (_position < text.Length && !IsBlank(text[_position]) && text[_position] is not ('"' or '\'' or '<')
-            && !IsSign(text[_position]) && !IsComment(_position))
+        string word = string.Empty;
+        while (true)
         {
-            _position++;
-        }
+            int start = _position;
+            while (_position < text.Length && !IsBlank(text[_position]) && text[_position] is not ('"' or '\'' or '<')
+                && !IsSign(text[_position]) && !IsComment(_position))
+            {
+                _position++;
+            }
 
-        return text[start.._position];
+            word += text[start.._position];
+            if (!(word.Length > 1 && word[^1] == '-' && _position < text.Length && text[_position] is '\r' or '\n'))
+            {
+                return word;
+            }
+
+            word = word[..^1];
+            SkipBlanksAndComments();
+        }
     }
 
     private bool IsComment(int index) => text.AsSpan(index).StartsWith("/*", StringComparison.Ordinal);

@@ -1,0 +1,106 @@
+using System.Globalization;
+using System.Runtime.InteropServices;
+using Msisf.Adapters.RealImages;
+using Msisf.Core.Errors;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Adapters.Tests.RealImages;
+
+public sealed class ImageLabelReaderTests : IDisposable
+{
+    private const string Cube =
+        "Object = IsisCube\n  Object = Core\n    StartByte = 1001\n    Format = BandSequential\n    Group = Dimensions\n      Samples = 3\n"
+            + "      Lines = 2\n      Bands = 1\n    End_Group\n    Group = Pixels\n      Type = Real\n      ByteOrder = Lsb\n"
+            + "      Base = 0.0\n      Multiplier = 1.0\n    End_Group\n  End_Object\nEnd_Object\nEnd\n";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>Products of each kind, type, byte order and order of bands, written by numpy from the formats' own pages.</summary>
+    [RequiresFact(Part.Numpy)]
+    public void Read_ProductsOfNumpy_HaveTheirNumbers()
+    {
+        string script = Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Adapters.Tests", "RealImages", "products.py");
+        string[] lines = ChildRun.Of(TestParts.Python!, ["-B", script, _folder.Path], _folder.Path).Succeeded().Output.TrimEnd()
+            .Split('\n');
+
+        Assert.Equal(10, lines.Length);
+        Assert.All(lines, line =>
+        {
+            string[] words = line.Split(' ');
+            PixelLayout pixels = ImageLabelReader.Read(_folder[words[0]]).Pixels;
+            (int bands, int height, int width) = pixels.Size;
+            Assert.Equal($"{words[1]} {words[2]} {words[3]}", string.Create(CultureInfo.InvariantCulture, $"{bands} {height} {width}"));
+            Assert.True(pixels.AreThere());
+            float[] expected = MemoryMarshal.Cast<byte, float>(File.ReadAllBytes(_folder[words[4]])).ToArray();
+            float[] found = [.. Enumerable.Range(0, pixels.Size.Bands).SelectMany(band => pixels.Read(band, 0, pixels.Size.Lines))];
+            Assert.True(expected.Zip(found, (e, f) => e.Equals(f) || Math.Abs(e - f) <= 1e-6 * Math.Abs(e)).All(same => same), line);
+            Assert.Equal(found[(2 * pixels.Size.Samples)..(4 * pixels.Size.Samples)], pixels.Read(0, 2, 2));
+        });
+    }
+
+    [Fact]
+    public void Read_KeywordsOfAllKinds_HaveOneName()
+    {
+        File.WriteAllText(_folder["a.cub"], Cube.Replace(
+            "End_Object\nEnd\n",
+            "  Group = Instrument\n    LineExposureDuration = 1.0288 <ms>\n    SpacecraftClockStartCount = Null\n"
+                + "    Names = (a,\n b-\n  c)\n"
+                + "  End_Group\nEnd_Object\nObject = NaifKeywords\n  INS-1_FOCAL_LENGTH = (6.5, 7)\nEnd_Object\nEnd\n",
+            StringComparison.Ordinal));
+        ImageLabel label = ImageLabelReader.Read(_folder["a.cub"]);
+
+        Assert.Equal(0.0010288, label.Seconds(ImageLabel.NameOf("LRO:LINE_EXPOSURE_DURATION"))!.Value, 1e-15);
+        Assert.Null(label.Find("SPACECRAFTCLOCKSTARTCOUNT"));
+        Assert.Equal(["a", "bc"], label.Find("NAMES")!.Items);
+        Assert.Equal([6.5, 7.0], label.NaifNumbers("INS-1_FOCAL_LENGTH")!);
+        Assert.False(label.Pixels.AreThere());
+    }
+
+    [Theory]
+    [InlineData("", "as none of the labels that are known")]
+    [InlineData("Object = IsisCube\nObject = Core\n", "the label ends")]
+    [InlineData("PDS_VERSION_ID = PDS3\nEND\n", "the label has no object IMAGE")]
+    [InlineData("<a/>", "no File_Area_Observational")]
+    [InlineData("<a>\n<b>", "line 2: no XML")]
+    [InlineData("<a><File_Area_Observational/></a>", "the label has no array")]
+    [InlineData("Type = Real|Type = Complex", "Type = Complex; UnsignedByte, SignedWord, UnsignedWord or Real is needed")]
+    [InlineData("Lines = 2|Lines = 0", "a whole number from 1 to")]
+    [InlineData("Format = BandSequential|Format = Jpeg", "Tile or BandSequential is needed")]
+    [InlineData("Group = Dimensions|Group = Size", "the cube's label has no Dimensions")]
+    public void Read_WrongLabel_IsOneLineWithTheFile(string change, string expected)
+    {
+        string[] parts = change.Split('|');
+        File.WriteAllText(_folder["a.lbl"], parts.Length == 2 ? Cube.Replace(parts[0], parts[1], StringComparison.Ordinal) : change);
+
+        BadInputException exception = Assert.Throws<BadInputException>(() => ImageLabelReader.Read(_folder["a.lbl"]));
+
+        Assert.Contains(expected, exception.Message, StringComparison.Ordinal);
+        Assert.StartsWith(_folder["a.lbl"], exception.Message, StringComparison.Ordinal);
+        Assert.DoesNotContain('\n', exception.Message);
+    }
+
+    /// <summary>Of 24 bytes from byte 1001 on.</summary>
+    [Theory]
+    [InlineData(1000, false)]
+    [InlineData(1001, null)]
+    [InlineData(1023, null)]
+    [InlineData(1024, true)]
+    public void AreThere_CutOffAnywhere_IsAnError(int bytes, bool? areThere)
+    {
+        File.WriteAllBytes(_folder["a.cub"], [.. System.Text.Encoding.ASCII.GetBytes(Cube), .. new byte[bytes - Cube.Length]]);
+        PixelLayout pixels = ImageLabelReader.Read(_folder["a.cub"]).Pixels;
+
+        if (areThere is { } expected)
+        {
+            Assert.Equal(expected, pixels.AreThere());
+            return;
+        }
+
+        Assert.Contains(
+            $"{bytes} bytes, and its label says 1024: the pixels are cut off",
+            Assert.Throws<BadInputException>(() => pixels.AreThere()).Message, StringComparison.Ordinal);
+    }
+}

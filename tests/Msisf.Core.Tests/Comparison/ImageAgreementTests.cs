@@ -1,0 +1,36 @@
+using Msisf.Core.Comparison;
+using Xunit;
+
+namespace Msisf.Core.Tests.Comparison;
+
+public sealed class ImageAgreementTests
+{
+    // python3 -c "import numpy as np; r=np.array([3,5,4,9.]); d=np.array([1,2,2,4.]); f=(r*d).sum()/(d*d).sum(); print(f,
+    // np.corrcoef(r,d)[0,1], np.sqrt(np.mean((r-f*d)**2))/r.mean())"
+    [Fact]
+    public void Of_PixelsThatBothHave_IsNumpys()
+    {
+        float[] real = [3.0f, float.NaN, 5.0f, 4.0f, 7.0f, 9.0f];
+        float[] drawn = [1.0f, 8.0f, 2.0f, 2.0f, float.NaN, 4.0f];
+
+        ImageAgreement found = ImageAgreement.Of(real, drawn)!;
+
+        Assert.Equal(4, found.Count);
+        Assert.Equal(2.28, found.Factor, 1e-12);
+        Assert.Equal(0.9820842820734642, found.Correlation, 1e-12);
+        Assert.Equal(0.09712418121129114, found.Rms, 1e-12);
+    }
+
+    [Fact]
+    public void Of_ChosenPixels_CountsThemOnly() =>
+        Assert.Equal(2, ImageAgreement.Of([1.0f, 2.0f, 3.0f], [1.0f, 2.0f, 3.0f], i => i > 0)!.Count);
+
+    [Theory]
+    [InlineData(1.0f, float.NaN, 1.0f, 1.0f)]
+    [InlineData(1.0f, 2.0f, 0.0f, 0.0f)]
+    public void Of_NothingToCompare_IsNull(float r0, float r1, float d0, float d1) =>
+        Assert.Null(ImageAgreement.Of([r0, r1], [d0, d1]));
+
+    [Fact]
+    public void Of_OneGrey_HasNoCorrelation() => Assert.Equal(0.0, ImageAgreement.Of([2.0f, 2.0f], [1.0f, 3.0f])!.Correlation);
+}
