@@ -42,6 +42,24 @@ public sealed partial class ScanningPageTests : IDisposable
         Assert.Equal((5064, 4), (image.Width, image.Height));
     }
 
+    /// <summary>Each band of a rig is the image of its preset alone.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Page_Wac_HasAnImageOfEachBand()
+    {
+        string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "scanning-cameras.md"));
+        string rig = page[page.IndexOf("# wac.yaml", StringComparison.Ordinal)..];
+        _folder.Write("wac.yaml", rig[..rig.IndexOf("```", StringComparison.Ordinal)].Replace(": 20,", ": 2,", StringComparison.Ordinal));
+        string[] words = [.. Words().Matches(Lines("--rig wac.yaml").Single()).Select(match => match.Value.Trim('\''))];
+        Run([.. words, "--output-dir", "bands"], "20", "2");
+        string[] alone = ["--camera", "lroc-wac-689", "--framelets", "20", "--scan-period", "0.7", "--output-name", "wac_689"];
+        int rigAt = Array.IndexOf(words, "--rig");
+        int nameAt = Array.IndexOf(words, "--output-name");
+        Run([.. words.Where((_, i) => i != rigAt && i != rigAt + 1 && i < nameAt), .. alone, "--output-dir", "alone"], "20", "2");
+        Assert.Equal(5, Directory.GetFiles(_folder["bands"], "*.png").Length);
+        Assert.Equal(File.ReadAllBytes(_folder["alone/wac_689.png"]), File.ReadAllBytes(_folder["bands/wac_689.png"]));
+        Assert.NotEqual(File.ReadAllBytes(_folder["bands/wac_415.png"]), File.ReadAllBytes(_folder["bands/wac_689.png"]));
+    }
+
     private static string[] Lines(string part)
     {
         string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "scanning-cameras.md"));
@@ -52,7 +70,7 @@ public sealed partial class ScanningPageTests : IDisposable
 
     private void Run(string[] words, string lines, string fewer)
     {
-        string[] files = ["jitter.txt", "scanner.yaml", "still", "shaken", "nac"];
+        string[] files = ["jitter.txt", "scanner.yaml", "still", "shaken", "nac", "wac.yaml", "bands", "alone"];
         CommandLineRun run = CommandLineRun.Of(
         [
             .. words.Skip(1).Select(word => word == lines ? fewer : files.Contains(word) ? _folder[word] : word),
