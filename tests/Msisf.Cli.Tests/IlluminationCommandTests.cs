@@ -87,6 +87,43 @@ public sealed class IlluminationCommandTests : IDisposable
         Assert.Contains(message, error, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Region_StepOfTwoDays_IsNoted()
+    {
+        CommandLineRun run = Run("s", ["--center", "-89,0", "--size", "1", "--cell", "500", "--time-interval", "61041:2:61051"]);
+        Assert.Equal(0, run.ExitCode);
+        Assert.Contains("longer than a day: sunrises and nights in between are not seen", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Points_TooMany_AreRefused()
+    {
+        string list = _folder.Write("many.csv", "lat,lon
+" + string.Concat(Enumerable.Repeat("-89,0
+", 1_000_000)));
+        CommandLineRun run = Run("m", ["--points", list, .. When]);
+        Assert.Equal((1, string.Empty), (run.ExitCode, run.Output));
+        Assert.Contains("1000000 points; at most 1000", run.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>Mercury at perihelion, 0.3075 au, in December 2020: 1361 W/m2 over its square.</summary>
+    [Fact]
+    public void Region_OfMercury_HasItsSun()
+    {
+        Assert.Equal(0, CommandLineRun.Of(
+            "ldem", "synthesize", "--body", "mercury", "--res", "1", "--seed", "1", "--output-dir", _folder.Path).ExitCode);
+        string label = Directory.GetFiles(_folder.Path, "*.LBL").Single();
+        string[] place = ["--center", "85,30", "--size", "60", "--cell", "20000", "--ldem", label];
+        string[] months = ["--time-interval", "2020-11-01T00:00:00Z:1d:2021-02-01T00:00:00Z"];
+        CommandLineRun run = Run("b", [.. place, .. months, "--body", "mercury"]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.All(Read("b", "flux_tracking_max.npy"), flux => Assert.Equal(1361.0 / (0.3075 * 0.3075), flux, 20.0));
+        Assert.InRange(Read("b", "lit.npy").Average(), 0.2f, 0.7f);
+        CommandLineRun moon = Run("c", ["--center", "85,30", "--size", "60", "--cell", "20000", .. months, "--body", "mercury"]);
+        Assert.Equal((1, string.Empty), (moon.ExitCode, moon.Output));
+        Assert.Contains("--ldem", moon.Error, StringComparison.Ordinal);
+    }
+
     private CommandLineRun Run(string folder, string[] arguments) => CommandLineRun.Of(
         ["illumination", .. arguments, "--ephemeris", "builtin", "--output-dir", Path.Combine(_folder.Path, folder), "--batch"]);
 
