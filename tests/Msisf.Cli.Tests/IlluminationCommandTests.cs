@@ -98,9 +98,7 @@ public sealed class IlluminationCommandTests : IDisposable
     [Fact]
     public void Points_TooMany_AreRefused()
     {
-        string list = _folder.Write("many.csv", "lat,lon
-" + string.Concat(Enumerable.Repeat("-89,0
-", 1_000_000)));
+        string list = _folder.Write("many.csv", "lat,lon\n" + string.Concat(Enumerable.Repeat("-89,0\n", 1_000_000)));
         CommandLineRun run = Run("m", ["--points", list, .. When]);
         Assert.Equal((1, string.Empty), (run.ExitCode, run.Output));
         Assert.Contains("1000000 points; at most 1000", run.Error, StringComparison.Ordinal);
@@ -111,7 +109,7 @@ public sealed class IlluminationCommandTests : IDisposable
     public void Region_OfMercury_HasItsSun()
     {
         Assert.Equal(0, CommandLineRun.Of(
-            "ldem", "synthesize", "--body", "mercury", "--res", "1", "--seed", "1", "--output-dir", _folder.Path).ExitCode);
+            ["ldem", "synthesize", "--body", "mercury", "--res", "1", "--seed", "1", "--output-dir", _folder.Path]).ExitCode);
         string label = Directory.GetFiles(_folder.Path, "*.LBL").Single();
         string[] place = ["--center", "85,30", "--size", "60", "--cell", "20000", "--ldem", label];
         string[] months = ["--time-interval", "2020-11-01T00:00:00Z:1d:2021-02-01T00:00:00Z"];
