@@ -158,6 +158,9 @@ export class Picture {
             this.#timer = setTimeout(() => this.#rest(), REST_AFTER);
             return;
         }
+        if (this.#canWarp && this.#warp.hasSource) {
+            this.#stream.rest(); // a small picture more would only be in the way of the whole one
+        }
         this.#abort = new AbortController();
         const { signal } = this.#abort;
         const [view, size] = [this.state.view, this.state.size];
