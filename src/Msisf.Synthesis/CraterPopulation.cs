@@ -10,8 +10,10 @@ namespace Msisf.Synthesis;
 /// <remarks>Their number: <see cref="CraterLaw"/>.</remarks>
 internal sealed class CraterPopulation
 {
+    /// <summary>log2 of the freshness of the oldest craters; that of all is uniform up to 0.</summary>
+    public const double OldestFreshnessLog2 = -5.0;
+
     private const ulong Purpose = 2;
-    private const double OldestFreshnessLog2 = -5.0;
 
     private readonly ulong _seed;
     private readonly MareMask _maria;
@@ -41,6 +43,18 @@ internal sealed class CraterPopulation
     /// <summary>m: maximum diameter, excluded.</summary>
     public double Largest => _largest;
 
+    /// <summary>log2 of m: the octaves of diameters, the smallest first.</summary>
+    public IEnumerable<int> Octaves
+    {
+        get
+        {
+            for (int octave = (int)Math.Floor(PortableMath.Log2(_smallest)); Math.ScaleB(1.0, octave) < _largest; octave++)
+            {
+                yield return octave;
+            }
+        }
+    }
+
     /// <summary>
     /// Every crater that may reach into a band of latitudes and longitudes, in an order that does not depend on the band.
     /// </summary>
@@ -50,7 +64,7 @@ internal sealed class CraterPopulation
     /// <param name="widthDegrees">How far the band goes to the east.</param>
     public IEnumerable<Crater> Near(double southDegrees, double northDegrees, double westDegrees, double widthDegrees)
     {
-        foreach ((int octave, CraterCell cell) in CellsNear(southDegrees, northDegrees, westDegrees, widthDegrees))
+        foreach ((int octave, CraterCell cell) in CellsNear(southDegrees, northDegrees, westDegrees, widthDegrees, ReachOfEjecta))
         {
             foreach (Crater crater in InCell(octave, cell))
             {
@@ -66,7 +80,7 @@ internal sealed class CraterPopulation
     /// <inheritdoc cref="Near"/>
     public IEnumerable<PlacedCrater> PlacedNear(double southDegrees, double northDegrees, double westDegrees, double widthDegrees)
     {
-        foreach ((int octave, CraterCell cell) in CellsNear(southDegrees, northDegrees, westDegrees, widthDegrees))
+        foreach ((int octave, CraterCell cell) in CellsNear(southDegrees, northDegrees, westDegrees, widthDegrees, ReachOfEjecta))
         {
             foreach (PlacedCrater crater in _memory.Get(octave, cell, PlacedIn))
             {
@@ -81,18 +95,27 @@ internal sealed class CraterPopulation
     /// <summary>All craters of an octave of diameters in a cell, also those that are too small or too large.</summary>
     public PlacedCrater[] PlacedInCell(int octave, CraterCell cell) => _memory.Get(octave, cell, PlacedIn);
 
-    private IEnumerable<(int Octave, CraterCell Cell)> CellsNear(
-        double southDegrees, double northDegrees, double westDegrees, double widthDegrees)
+    /// <summary>The cells with a crater that may reach into a band of latitudes and longitudes.</summary>
+    /// <param name="southDegrees">Southern border; below -90 for mirror lines.</param>
+    /// <param name="northDegrees">Northern border; above 90 for mirror lines.</param>
+    /// <param name="westDegrees">Western border.</param>
+    /// <param name="widthDegrees">How far the band goes to the east.</param>
+    /// <param name="reachOf">How far craters reach, in their radii, of a radius in m; the farther the larger they are.</param>
+    public IEnumerable<(int Octave, CraterCell Cell)> CellsNear(
+        double southDegrees, double northDegrees, double westDegrees, double widthDegrees, Func<double, double> reachOf)
     {
-        for (int octave = (int)Math.Floor(PortableMath.Log2(_smallest)); Math.ScaleB(1.0, octave) < _largest; octave++)
+        foreach (int octave in Octaves)
         {
-            double reach = Crater.Reach * Math.ScaleB(1.0, octave) / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
+            double radius = Math.ScaleB(1.0, octave);
+            double reach = reachOf(radius) * radius / MoonConstants.ReferenceRadius * (180.0 / Math.PI);
             foreach (CraterCell cell in new CraterCells(octave).Near(southDegrees, northDegrees, westDegrees, widthDegrees, reach))
             {
                 yield return (octave, cell);
             }
         }
     }
+
+    private static double ReachOfEjecta(double radius) => Crater.Reach;
 
     private IEnumerable<PlacedCrater> PlacedIn(int octave, CraterCell cell) =>
         InCell(octave, cell).Select(crater => new PlacedCrater(crater));
@@ -118,6 +141,18 @@ internal sealed class CraterPopulation
             }
         }
     }
+
+    /// <summary>Number of craters larger than one, per m2, in the ground around it.</summary>
+    public double CountAbove(in PlacedCrater crater)
+    {
+        SelenographicPoint place = SelenographicPoint.Below(crater.Direction);
+        double mare = _maria.At(double.RadiansToDegrees(place.Latitude), double.RadiansToDegrees(place.Longitude));
+        return CountAbove(crater.Diameter, mare);
+    }
+
+    /// <summary>Number of craters larger than a diameter in m, per m2, in ground that is partly mare.</summary>
+    public double CountAbove(double diameter, double mareFraction) =>
+        _law.CountAbove(diameter) * (1.0 - (mareFraction * (1.0 - _law.MareDensity(diameter))));
 
     private double MareFractionAt(Crater crater) => _maria.At(crater.LatitudeDegrees, crater.LongitudeDegrees);
 }

@@ -19,6 +19,7 @@ internal sealed class DetailLayer
     private readonly NoiseOctave[] _octaves;
     private readonly CraterPopulation _craters;
     private readonly BoulderPopulation _boulders;
+    private readonly RayPopulation _rays;
 
     /// <summary>Prepares a layer.</summary>
     /// <param name="seed">The user's seed.</param>
@@ -35,6 +36,7 @@ internal sealed class DetailLayer
         _craters = new CraterPopulation(
             seed, maria, SmallestInCells * cell, LargestInSamples * widest, CraterLaw.Published, memory.Craters);
         _boulders = new BoulderPopulation(seed, SmallestInCells * cell, _craters, memory.Boulders);
+        _rays = new RayPopulation(_craters, CraterLaw.Published, memory.Rays);
     }
 
     /// <summary>Adds the detail to a block.</summary>
@@ -59,6 +61,10 @@ internal sealed class DetailLayer
             AddTo(boulder, frame, heights);
         }
     }
+
+    /// <inheritdoc cref="RayPopulation.Find"/>
+    public void FindBrightness(MapFrame frame, ReadOnlySpan<float> mareFraction, Span<float> factors) =>
+        _rays.Find(frame, mareFraction, factors);
 
     /// <summary>The detail in a direction, m.</summary>
     /// <param name="direction">Unit vector, body-fixed.</param>

@@ -19,6 +19,10 @@ public sealed class GroundDetail : IGroundDetail
     /// </summary>
     private const double MostDetail = 3000.0;
 
+    // Limits of the factors of the reflectance, where many rays meet.
+    private const float Darkest = 0.5f;
+    private const float Brightest = 2.5f;
+
     private readonly MareMask _maria;
     private readonly ModelGround[] _grounds;
     private readonly ModelBorder?[] _borders;
@@ -48,9 +52,7 @@ public sealed class GroundDetail : IGroundDetail
     /// <inheritdoc/>
     public void ReadRadii(PolarStereographic map, int firstLine, int firstSample, int side, Span<double> radii)
     {
-        MapFrame frame = new(map, firstLine, side, firstSample, side, side % MapFrame.WholeSteps == 0 ? MapFrame.LeastShift : 0.0);
-        float[] maria = new float[frame.X.Length];
-        _maria.Fill(frame, maria);
+        (MapFrame frame, float[] maria) = BlockOf(map, firstLine, firstSample, side);
         float[] detail = new float[maria.Length];
         double[] heights = Heights(GroundPoints.Of(frame), map.MetresPerPixel, layer =>
         {
@@ -68,11 +70,43 @@ public sealed class GroundDetail : IGroundDetail
     }
 
     /// <inheritdoc/>
+    public void ReadBrightness(PolarStereographic map, int firstLine, int firstSample, int side, Span<float> factors)
+    {
+        (MapFrame frame, float[] maria) = BlockOf(map, firstLine, firstSample, side);
+        float[] sums = new float[maria.Length];
+        float[] own = new float[maria.Length];
+        foreach ((ModelGround ground, double[] weights) in CountingAt(GroundPoints.Of(frame)))
+        {
+            ground.LayerOf(map.MetresPerPixel).FindBrightness(frame, maria, own);
+            for (int i = 0; i < own.Length; i++)
+            {
+                sums[i] += (float)weights[i] * (own[i] - sums[i]);
+            }
+        }
+
+        for (int line = 0; line < side; line++)
+        {
+            for (int sample = 0; sample < side; sample++)
+            {
+                factors[(line * side) + sample] = Math.Clamp(sums[(line * frame.Stride) + sample], Darkest, Brightest);
+            }
+        }
+    }
+
+    /// <inheritdoc/>
     public double RadiusAt(Vector3D direction, double cell)
     {
         GroundPoints point = GroundPoints.Of(direction);
         float mare = (float)_maria.At(point.Latitudes[0], point.Longitudes[0]);
         return RadiusOf(Heights(point, cell, layer => [(float)layer.At(direction, mare)])[0]);
+    }
+
+    private (MapFrame Frame, float[] MareFraction) BlockOf(PolarStereographic map, int firstLine, int firstSample, int side)
+    {
+        MapFrame frame = new(map, firstLine, side, firstSample, side, side % MapFrame.WholeSteps == 0 ? MapFrame.LeastShift : 0.0);
+        float[] maria = new float[frame.X.Length];
+        _maria.Fill(frame, maria);
+        return (frame, maria);
     }
 
     private double RadiusOf(double height) =>
@@ -84,7 +118,27 @@ public sealed class GroundDetail : IGroundDetail
     /// <param name="detailOf">Computes the detail of a layer at the places, m.</param>
     private double[] Heights(GroundPoints points, double cell, Func<DetailLayer, float[]> detailOf)
     {
-        // Only models that count anywhere, and of those none under one that counts fully everywhere.
+        double[] heights = new double[points.Count];
+        double[] own = new double[points.Count];
+        foreach ((ModelGround ground, double[] weights) in CountingAt(points))
+        {
+            ground.Interpolate(points, weights, cell, own);
+            float[] detail = detailOf(ground.LayerOf(cell));
+            for (int i = 0; i < heights.Length; i++)
+            {
+                double weight = weights[i];
+                heights[i] = weight > 0.0 ? (weight * (own[i] + detail[i])) + ((1.0 - weight) * heights[i]) : heights[i];
+            }
+        }
+
+        return heights;
+    }
+
+    /// <summary>
+    /// The models that count anywhere, the coarsest first, and of those none under one that counts fully everywhere; with what they count.
+    /// </summary>
+    private List<(ModelGround Ground, double[] Weights)> CountingAt(GroundPoints points)
+    {
         List<(ModelGround Ground, double[] Weights)> counting = [];
         for (int model = _grounds.Length - 1; model >= 0; model--)
         {
@@ -100,21 +154,8 @@ public sealed class GroundDetail : IGroundDetail
             }
         }
 
-        double[] heights = new double[points.Count];
-        double[] own = new double[points.Count];
-        for (int index = counting.Count - 1; index >= 0; index--)
-        {
-            (ModelGround ground, double[] weights) = counting[index];
-            ground.Interpolate(points, weights, cell, own);
-            float[] detail = detailOf(ground.LayerOf(cell));
-            for (int i = 0; i < heights.Length; i++)
-            {
-                double weight = weights[i];
-                heights[i] = weight > 0.0 ? (weight * (own[i] + detail[i])) + ((1.0 - weight) * heights[i]) : heights[i];
-            }
-        }
-
-        return heights;
+        counting.Reverse();
+        return counting;
     }
 
     private double[] WeightsOf(int model, GroundPoints points)
@@ -142,6 +183,9 @@ internal sealed class GroundMemory
 {
     /// <summary>The craters of all diameters, also those that a layer does not have.</summary>
     public CellMemory<PlacedCrater> Craters { get; } = new();
+
+    /// <summary>The rays of fresh craters.</summary>
+    public CellMemory<CraterRays> Rays { get; } = new();
 
     /// <summary>The boulders.</summary>
     public CellMemory<Boulder> Boulders { get; } = new();

@@ -78,7 +78,27 @@ public sealed class RefineTests : IDisposable
         }
     }
 
+    /// <summary>
+    /// The image has the rays that the layer tells, by any law; on a site with its own map of the reflectance it has none. Lambert's law
+    /// is the albedo times the cosine of the incidence.
+    /// </summary>
+    [Fact]
+    public void Run_Refined_RaysScaleTheReflectance()
+    {
+        string[] layers =
+            ["--ldem", Moon(), "--res", "2", "--refine", "7", "--layers", "rays,incidence,radiance-factor", "--layers-format", "npy"];
+        Assert.Equal(0, Draw("a", [.. layers, "--reflectance", "lambert", "--albedo", "0.4"]).ExitCode);
+        (double[] rays, double[] incidence, double[] factors) = (Doubles("a", "rays"), Doubles("a", "incidence"), Doubles("a", "radiance-factor"));
+        for (int i = 0; i < rays.Length; i++)
+        {
+            Assert.Equal(0.4 * Math.Cos(double.DegreesToRadians(incidence[i])) * rays[i], factors[i], 1e-12);
+        }
+
+        Assert.True(rays.Max() > 1.2 && rays.Min() < 0.99, $"{rays.Min()} to {rays.Max()}");
+    }
+
     [Theory]
+    [InlineData("--renderer native --layers rays", 1, "--layers: rays needs invented ground. Give --refine with a seed")]
     [InlineData("--renderer native --refine -1", 1, "--refine")]
     [InlineData("--renderer native --refine rough", 1, "--refine is 'rough'; a whole number from 0 to 18446744073709551615")]
     [InlineData("--renderer native --refine 1 --refine-cell 0.001", 1, "--refine-cell")]
@@ -109,6 +129,12 @@ public sealed class RefineTests : IDisposable
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
         [.. View.Split(' '), "--renderer", "native", "--exposure", "2", "--surface", "terrain", "--gridH", "2", "--gridV", "2",
             .. options, "--output-dir", _folder["out"], "--output-name", name]);
+
+    private double[] Doubles(string name, string layer)
+    {
+        byte[] file = File.ReadAllBytes(Path.Combine(_folder["out"], $"{name}.{layer}.npy"));
+        return [.. Enumerable.Range(0, 1600).Select(pixel => BitConverter.ToDouble(file, file.Length - (8 * (1600 - pixel))))];
+    }
 
     private string Moon() => Synthesize("--res", "2");
 

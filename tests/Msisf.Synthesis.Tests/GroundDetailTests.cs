@@ -207,4 +207,48 @@ public sealed class GroundDetailTests
 
         public void ReadRadii(int line, int firstSample, Span<double> radii) => grid.ReadRadii(line, firstSample, radii);
     }
+
+    /// <summary>Rays make no ground brighter in the mean; on highlands and maria, and at all widths of cells.</summary>
+    [Theory]
+    [InlineData(0.25)]
+    [InlineData(64.0)]
+    public void ReadBrightness_LargeArea_IsOneInTheMean(double cell)
+    {
+        const int Side = 64;
+        PolarStereographic map = new(false, cell, 0.0, 0.0) { Turn = 1 };
+        Random random = new(8);
+        List<float> all = [];
+        float[] factors = new float[Side * Side];
+        for (int block = 0; block < TestLength.Of(250, 10_000); block++)
+        {
+            int Far() => (int)(800e3 * ((2.0 * random.NextDouble()) - 1.0) / cell); // 800 km, so that the largest craters' rays are there
+            OfMoon.ReadBrightness(map, Far(), Far(), Side, factors);
+            all.AddRange(factors);
+        }
+
+        Assert.Equal(1.0, all.Average(), TestLength.Of(5, 1) * 0.01);
+        Assert.True(all.Max() > 1.5 && all.Min() < 0.999, $"{all.Min()} to {all.Max()}");
+    }
+
+    /// <summary>A place has its factor whatever block it is computed in, also beside a map inside.</summary>
+    [Fact]
+    public void ReadBrightness_OtherBlocks_AreTheSame()
+    {
+        PolarFunctionGrid inside = PolarFunctionGrid.Rugged(true, 100.0, 120, 59.5, 59.5);
+        GroundDetail ground = new(Seed, [Moon, inside]);
+        PolarStereographic map = new(true, 16.0, 0.0, 0.0);
+        float[] whole = new float[512 * 512];
+        ground.ReadBrightness(map, 200, -160, 512, whole);
+        float[] part = new float[64 * 64];
+        foreach ((int line, int sample) in new[] { (0, 0), (64, 128), (448, 448), (128, 320) })
+        {
+            ground.ReadBrightness(map, 200 + line, sample - 160, 64, part);
+            for (int i = 0; i < part.Length; i++)
+            {
+                Assert.Equal(whole[((line + (i / 64)) * 512) + sample + (i % 64)], part[i], 1e-5f);
+            }
+        }
+
+        Assert.True(whole.Max() - whole.Min() > 0.2f);
+    }
 }

@@ -30,6 +30,7 @@ internal static class NativeSettingsReader
         bool isAll = layers == LayerSet.All;
         layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), isAll, navigation);
         RefineSettings? refine = RefineSettings.Read(values);
+        layers = RefineSettings.LayersOf(layers, isAll, refine);
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
         {
             layers = layers.OfSeveralModels();

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Errors;
+using Msisf.Core.Layers;
 using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Settings;
@@ -21,6 +22,25 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
 
     /// <summary>m: width of the narrowest cells.</summary>
     public double Cell => Math.ScaleB(1.0, FinestLevel);
+
+    /// <summary>The layers that a frame has with or without invented detail.</summary>
+    /// <param name="layers">The layers that are asked for; null for none.</param>
+    /// <param name="isAll">Whether these are all.</param>
+    /// <param name="settings">The invented detail, if there is any.</param>
+    /// <exception cref="UsageException">One of them needs invented detail.</exception>
+    public static LayerSet? LayersOf(LayerSet? layers, bool isAll, RefineSettings? settings)
+    {
+        if (layers is null || settings is not null)
+        {
+            return layers;
+        }
+
+        return isAll || layers.Layers.FirstOrDefault(layer => layer.NeedsInventedGround) is not { } layer
+            ? layers.Without(layer => layer.NeedsInventedGround)
+            : throw new UsageException(
+                $"--layers: {layer.Name} needs invented ground. Give {NativeOptions.Refine.Name} with a seed, or leave the layer out.")
+                .About(NativeOptions.Layers, NativeOptions.Refine);
+    }
 
     /// <summary>The settings; null without invented detail.</summary>
     /// <param name="values">The options.</param>

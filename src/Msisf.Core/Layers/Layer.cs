@@ -61,6 +61,9 @@ public sealed class Layer
     /// <summary>Whether it is of use for scenes of several elevation models, or with invented ground, only.</summary>
     public bool NeedsModels { get; init; }
 
+    /// <summary>Whether only a frame with invented ground has it.</summary>
+    public bool NeedsInventedGround { get; init; }
+
     /// <summary>Whether single precision is too coarse: 7 digits of a latitude, longitude or position are metres on the ground.</summary>
     public bool KeepsDouble { get; init; }
 

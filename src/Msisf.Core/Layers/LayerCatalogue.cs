@@ -147,6 +147,14 @@ public static class LayerCatalogue
         {
             NeedsModels = true,
         },
+        new(
+            "rays", LayerType.Real64, string.Empty,
+            "Factor by which the rays of invented craters change the reflectance, 1 in the mean; a site's own map of the reflectance "
+                + "counts without it.",
+            SurfaceValues.Rays)
+        {
+            NeedsInventedGround = true,
+        },
     ];
 
     /// <summary>The layer "cell" of scenes of several elevation models.</summary>

@@ -110,6 +110,15 @@ internal static class SurfaceValues
         }
     }
 
+    /// <summary>1 also without invented ground.</summary>
+    public static void Rays(LayerRow row, int plane, double[] values)
+    {
+        int count = row.Count;
+        values.AsSpan(0, count).Fill(1.0);
+        row.Sources?.Brightness?.Scale(
+            row.Points.X.AsSpan(0, count), row.Points.Y.AsSpan(0, count), row.Points.Z.AsSpan(0, count), values.AsSpan(0, count));
+    }
+
     /// <summary>0 also without a catalogue.</summary>
     public static void CraterNumber(LayerRow row, int plane, double[] values)
     {

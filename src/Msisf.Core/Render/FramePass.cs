@@ -162,7 +162,7 @@ internal sealed class FramePass : IDrawnFrame
     private bool TryDrawGrid(int threads, CancellationToken cancellation)
     {
         int blocks = _visibility.Prepare(Camera, threads, cancellation).Count;
-        if (!GridPass.Suits(Camera, Light, _options!, blocks))
+        if (!GridPass.Suits(Camera, Light, _light, _options!, blocks))
         {
             return false;
         }

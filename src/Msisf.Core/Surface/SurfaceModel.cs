@@ -40,6 +40,9 @@ internal sealed class SurfaceModel
     /// <summary>Whether the surface goes around the whole Moon, so that no ray enters the ground without meeting a facet.</summary>
     public bool IsClosed { get; }
 
+    /// <summary>By how much invented rays change the ground's reflectance; null without any.</summary>
+    public IGroundBrightness? Brightness { get; init; }
+
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     public double ReferenceRadius => Parts[0].Grid.ReferenceRadius;
 

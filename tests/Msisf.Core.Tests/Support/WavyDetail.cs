@@ -27,6 +27,9 @@ internal sealed class WavyDetail : IGroundDetail
         }
     }
 
+    public void ReadBrightness(PolarStereographic map, int firstLine, int firstSample, int side, Span<float> factors) =>
+        factors.Fill(1.0f);
+
     public double RadiusAt(Vector3D direction, double cell)
     {
         double height = 0.0;

@@ -34,11 +34,12 @@ internal sealed class GridPass(PartPass pass)
     /// <summary>Whether frames are drawn so: by a pinhole, with several samples that have something to share.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
+    /// <param name="lights">Finds light and brightness.</param>
     /// <param name="options">The settings.</param>
     /// <param name="blocks">Number of blocks that the frame may show.</param>
-    public static bool Suits(FrameCamera camera, SceneLight light, NativeRenderOptions options, int blocks) =>
+    public static bool Suits(FrameCamera camera, SceneLight light, LightPass lights, NativeRenderOptions options, int blocks) =>
         options.SubsamplesPerAxis is > 1 and <= GridWorker.MaxAcross && camera.Model.Lens is null
-        && LightPass.IsOfFacets(light, options)
+        && lights.IsOfFacets(light, options)
         && (options.SubsamplesPerAxis > 2
             || 2.0 * blocks * CellBlock.Size * CellBlock.Size < FewFacets * camera.Width * camera.Height);
 

@@ -61,8 +61,8 @@ internal sealed class LightPass
     }
 
     /// <summary>Whether the brightness of lit ground is the same all over a facet, and a point of it is lit or not.</summary>
-    public static bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
-        light.IsSun && !HasDisc(light, options) && RowShader.IsFlat(options);
+    public bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
+        light.IsSun && !HasDisc(light, options) && _shader.IsFlat(options);
 
     /// <summary>
     /// Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.
@@ -91,7 +91,7 @@ internal sealed class LightPass
             return;
         }
 
-        bool reflectsFirst = isShaded && RowShader.ReflectsFirst(options, hasDisc: false);
+        bool reflectsFirst = isShaded && _shader.ReflectsFirst(options, hasDisc: false);
         if (reflectsFirst)
         {
             _shader.Prepare(points.Width * points.Height);

@@ -143,13 +143,23 @@ internal sealed class RowReflection(SurfaceModel surface)
                 Points.Factors);
         }
 
-        if (options.AlbedoSites.Count > 0)
+        bool hasSites = options.AlbedoSites.Count > 0;
+        if (hasSites)
         {
-            ScaleWithSites(camera, options);
+            _ofLaw = _ofLaw.Length < count ? new double[Points.Factors.Length] : _ofLaw;
+            Points.Factors.AsSpan(0, count).CopyTo(_ofLaw);
         }
-        else if (options.Albedo is { } map)
+
+        if (options.Albedo is { } map)
         {
-            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), Points.Factors);
+            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), hasSites ? _ofLaw : Points.Factors);
+        }
+
+        surface.Brightness?.Scale(
+            Points.X.AsSpan(0, count), Points.Y.AsSpan(0, count), Points.Z.AsSpan(0, count), Points.Factors.AsSpan(0, count));
+        if (hasSites)
+        {
+            ScaleBySites(camera, options);
         }
     }
 
@@ -158,17 +168,12 @@ internal sealed class RowReflection(SurfaceModel surface)
         ? options.Reflectance.RadianceFactor(there.CosIncidence, there.CosEmission, there.PhaseHaversine)
         : null;
 
-    /// <summary>Scales the law's radiance factors by the map, and those of the sites anew where they have data.</summary>
-    private void ScaleWithSites(FrameCamera camera, NativeRenderOptions options)
+    /// <summary>
+    /// Scales the law's radiance factors anew by the sites where they have data: real ones, without invented rays.
+    /// </summary>
+    private void ScaleBySites(FrameCamera camera, NativeRenderOptions options)
     {
         int count = Points.Count;
-        _ofLaw = _ofLaw.Length < count ? new double[Points.Factors.Length] : _ofLaw;
-        Points.Factors.AsSpan(0, count).CopyTo(_ofLaw);
-        if (options.Albedo is { } map)
-        {
-            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), _ofLaw);
-        }
-
         ReferenceGeometry? there = options.Albedo?.Reference;
         foreach (AlbedoMap site in options.AlbedoSites)
         {

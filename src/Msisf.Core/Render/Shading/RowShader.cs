@@ -40,7 +40,7 @@ internal sealed class RowShader
     /// </summary>
     /// <param name="options">Reflectance law and kind of normals.</param>
     /// <param name="hasDisc">Whether the Sun is a disc.</param>
-    public static bool ReflectsFirst(NativeRenderOptions options, bool hasDisc) =>
+    public bool ReflectsFirst(NativeRenderOptions options, bool hasDisc) =>
         options.Normals == NormalModel.Facet && !hasDisc && !IsFlat(options);
 
     /// <summary>Makes room for the factors of <see cref="Reflect"/>.</summary>
@@ -149,8 +149,8 @@ internal sealed class RowShader
     }
 
     /// <summary>Whether the brightness of lit ground follows from the facet and the Sun alone.</summary>
-    public static bool IsFlat(NativeRenderOptions options) =>
-        options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null, AlbedoSites.Count: 0 };
+    public bool IsFlat(NativeRenderOptions options) => _surface.Brightness is null
+        && options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null, AlbedoSites.Count: 0 };
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 

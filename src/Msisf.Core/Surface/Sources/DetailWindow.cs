@@ -5,9 +5,9 @@ namespace Msisf.Core.Surface.Sources;
 /// <summary>A generated window as a grid; its heights are those of its lattice at its level. Safe for several threads.</summary>
 internal sealed class DetailWindow : ITerrainGrid
 {
-    private const int Side = DetailTiles.Side;
+    private const int Side = DetailTiles<double>.Side;
 
-    private readonly DetailTiles _tiles;
+    private readonly DetailTiles<double> _tiles;
     private readonly WindowPlace _place;
     private readonly int _firstRow;
     private readonly int _firstColumn;
@@ -18,7 +18,7 @@ internal sealed class DetailWindow : ITerrainGrid
     /// <param name="detail">The ground.</param>
     /// <param name="tiles">Its heights.</param>
     /// <param name="place">Where the window lies.</param>
-    public DetailWindow(IGroundDetail detail, DetailTiles tiles, WindowPlace place)
+    public DetailWindow(IGroundDetail detail, DetailTiles<double> tiles, WindowPlace place)
     {
         (_tiles, _place) = (tiles, place);
         CellRange cells = place.Cells;

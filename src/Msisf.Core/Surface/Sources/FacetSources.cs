@@ -18,6 +18,9 @@ public sealed class FacetSources
         _firstInvented = terrain.FirstInventedPart ?? int.MaxValue;
     }
 
+    /// <summary>By how much invented rays change the reflectance; null without any.</summary>
+    internal IGroundBrightness? Brightness => _surface.Brightness;
+
     /// <summary>Where a facet's heights come from.</summary>
     /// <param name="facet">A facet of the surface.</param>
     /// <returns>Number of the model, 0 for the coarsest, of a seam that of the finest one at a corner; and the kind.</returns>

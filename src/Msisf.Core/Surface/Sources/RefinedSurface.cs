@@ -12,9 +12,10 @@ internal static class RefinedSurface
     /// <param name="places">Where the windows lie.</param>
     /// <param name="seams">Keeps what fills the gaps between the models, which other windows leave as they are.</param>
     /// <param name="rings">Keeps the facets between windows.</param>
+    /// <param name="brightness">Of the windows.</param>
     public static SurfaceModel Join(
         IReadOnlyList<GridPatch> models, IReadOnlyList<GridPatch> windows, IReadOnlyList<WindowPlace> places, ISeamStore seams,
-        WindowRings rings)
+        WindowRings rings, GroundBrightness brightness)
     {
         GridPatch coarsest = windows[0].WithCells(KeptCells.Of(windows[0], []));
         GridPatch[] parts = [.. models, .. windows];
@@ -35,7 +36,10 @@ internal static class RefinedSurface
             parts[part] = windows[window].WithCells(Without(windows[window], hole));
         }
 
-        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], seams, more: between));
+        return new SurfaceModel(parts, SeamBuilder.Join([.. parts[..models.Count], coarsest], seams, more: between))
+        {
+            Brightness = brightness,
+        };
     }
 
     /// <summary>The cells of a window that the next finer one and the ring around that take, from the window's first ones.</summary>

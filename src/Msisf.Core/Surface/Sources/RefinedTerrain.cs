@@ -22,10 +22,15 @@ public sealed class RefinedTerrain : ITerrain, IGround
     /// </summary>
     private const int KeptWindows = 20;
 
+    /// <summary>96 MiB of heights, which is what the windows of one view can have, and as many factors of the reflectance.</summary>
+    private const int HeightBytes = 96 << 20;
+    private const int BrightnessBytes = HeightBytes / 8;
+
     private readonly ITerrain _models;
     private readonly IGroundDetail _detail;
     private readonly int _finestLevel;
-    private readonly DetailTiles _tiles;
+    private readonly DetailTiles<double> _tiles;
+    private readonly DetailTiles<float> _brightness;
     private readonly WindowPlan _plan;
     private readonly SeamMemory _seams = new();
     private readonly WindowRings _rings = new();
@@ -44,7 +49,8 @@ public sealed class RefinedTerrain : ITerrain, IGround
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(finestLevel, LeastLevel);
         (_models, _detail, _finestLevel) = (models, detail, finestLevel);
-        _tiles = new DetailTiles(detail);
+        _tiles = new DetailTiles<double>(HeightBytes, detail.ReadRadii);
+        _brightness = new DetailTiles<float>(BrightnessBytes, detail.ReadBrightness);
         _whole = new Lazy<IReadOnlyList<GridPatch>>(
             () => models is NestedTerrain nested ? nested.WholeParts : [new GridPatch((ITerrainGrid)models)]);
         _plan = new WindowPlan(detail, ModelsOf(models), finestLevel);
@@ -123,7 +129,7 @@ public sealed class RefinedTerrain : ITerrain, IGround
         GridPatch[] windows = [.. places.Select((place, index) => WindowAt(place, index == 0))];
         lock (_joining)
         {
-            return RefinedSurface.Join(_whole.Value, windows, places, _seams, _rings);
+            return RefinedSurface.Join(_whole.Value, windows, places, _seams, _rings, new GroundBrightness(_brightness, places));
         }
     }
 

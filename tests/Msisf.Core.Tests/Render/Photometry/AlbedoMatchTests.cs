@@ -2,6 +2,7 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Photometry;
@@ -111,7 +112,7 @@ public sealed class AlbedoMatchTests
 
         Assert.Equal(3e-4, map.Step, 1e-12);
         Assert.Equal(new ReferenceGeometry(30.0, 0.0, 30.0), map.Reference);
-        Assert.False(Core.Render.Shading.RowShader.IsFlat(
+        Assert.False(new Core.Render.Shading.RowShader(new Core.Surface.SurfaceModel(FunctionGrid.Hilly(4))).IsFlat(
             new NativeRenderOptions { Reflectance = new LambertReflectance(0.5), AlbedoSites = [map] }));
     }
 
