@@ -15,7 +15,7 @@ internal sealed class GdalMapSource : MapSource
     private readonly GdalImage _image;
 
     private GdalMapSource(GdalImage file, GdalImage image)
-        : base(image.Width, image.Height, ExtentOf(image), image.IsBytes) => (_file, _image) = (file, image);
+        : base(image.Width, image.Height, ExtentOf(image), image.IsBytes && image.Scale == (1.0, 0.0)) => (_file, _image) = (file, image);
 
     /// <summary>Opens an image, which is warped if it has a projection that does not run in rows of latitude.</summary>
     /// <param name="path">The file.</param>
@@ -36,7 +36,16 @@ internal sealed class GdalMapSource : MapSource
     }
 
     /// <inheritdoc/>
-    public override void Read(int first, int count, Span<float> values) => _image.Read(first, count, 0, Width, values);
+    /// <remarks>With the factor and the offset that the file has for its numbers.</remarks>
+    public override void Read(int first, int count, Span<float> values)
+    {
+        _image.Read(first, count, 0, Width, values);
+        (double factor, double offset) = _image.Scale;
+        for (int i = 0; (factor, offset) != (1.0, 0.0) && i < count * Width; i++)
+        {
+            values[i] = (float)((values[i] * factor) + offset);
+        }
+    }
 
     /// <inheritdoc/>
     public override void Dispose()

@@ -23,7 +23,7 @@ internal sealed record MapLevelsHeader(
     /// <summary>Size of the header.</summary>
     public const int Bytes = 4096;
 
-    private const ulong Magic = 0x32_4C_42_4C_41_53_49_4D; // "MISALBL2": version 2, of warped images too
+    private const ulong Magic = 0x33_4C_42_4C_41_53_49_4D; // "MISALBL3": version 3, with the files' own scales
     private const int HashedBytes = 128;
     private const int HashBytes = SHA256.HashSizeInBytes;
 

@@ -103,17 +103,24 @@ internal static class KnownMaps
                 + $"Choose one of these with --band, give scale= with --albedo-map-properties, or use --albedo-map none."),
         Offset: 0.0, WestDegrees: -180.0, IncidenceDegrees: 60.0, EmissionDegrees: 0.0, PhaseDegrees: 60.0, bandNanometres);
 
-    /// <summary>What a PDS3 label says, with the geometry of the products WAC_EMP and WAC_HAPKE.</summary>
-    public static MapProperties Of(PdsMapLabel label)
+    /// <summary>
+    /// What a PDS3 label says of the values, with the geometry of the products WAC_EMP and WAC_HAPKE; else with the label's own angles.
+    /// </summary>
+    /// <param name="head">The label.</param>
+    /// <param name="scale">I/F of a step of the value, as it is read.</param>
+    /// <param name="offset">I/F of the value 0.</param>
+    public static MapProperties Of(PdsMapHead head, double scale = 1.0, double offset = 0.0)
     {
-        (double Incidence, double Phase)? geometry = label.Head.Product switch
+        (double Incidence, double Emission, double Phase)? geometry = head.Product switch
         {
-            var product when product.StartsWith("WAC_EMP", StringComparison.OrdinalIgnoreCase) => (30.0, 30.0),
-            var product when product.StartsWith("WAC_HAPKE", StringComparison.OrdinalIgnoreCase) => (60.0, 60.0),
-            _ => null,
+            var product when product.StartsWith("WAC_EMP", StringComparison.OrdinalIgnoreCase) => (30.0, 0.0, 30.0),
+            var product when product.StartsWith("WAC_HAPKE", StringComparison.OrdinalIgnoreCase) => (60.0, 0.0, 60.0),
+            _ => head.Angles,
         };
         return new MapProperties(
-            label.ScalingFactor, label.Offset, WestDegrees: null, geometry?.Incidence, EmissionDegrees: geometry is null ? null : 0.0,
-            geometry?.Phase, label.Head.BandNanometres);
+            scale, offset, WestDegrees: null, geometry?.Incidence, geometry?.Emission, geometry?.Phase, head.BandNanometres);
     }
+
+    /// <inheritdoc cref="Of(PdsMapHead, double, double)"/>
+    public static MapProperties Of(PdsMapLabel label) => Of(label.Head, label.ScalingFactor, label.Offset);
 }

@@ -149,8 +149,10 @@ public sealed class OpenedAlbedoMap : IDisposable
             throw new BadInputException($"{path}: there is no such file. Give a map, or none.");
         }
 
-        PdsMapFiles? tiles = PdsMapFiles.TryFind(path, bandNanometres);
+        PdsMapHead? other = File.Exists(path) && PdsMapHead.TryRead(path) is { IsForGdal: true } head ? head : null;
+        PdsMapFiles? tiles = other is null ? PdsMapFiles.TryFind(path, bandNanometres) : null;
         MapProperties known = tiles is not null ? KnownMaps.Of(tiles.Label)
+            : other is not null ? KnownMaps.Of(other)
             : KnownMaps.IsColourMap(path) && given.Scale is null ? KnownMaps.ColourMap(path, bandNanometres)
             : KnownMaps.IsColourMap(path) ? KnownMaps.ColourMap(path, 643) with { BandNanometres = null }
             : new MapProperties { Offset = 0.0 };
@@ -163,8 +165,8 @@ public sealed class OpenedAlbedoMap : IDisposable
         }
 
         MapLevelsFile levels = MapLevelsFile.Open(
-            tiles?.Files ?? new MapFiles(path, [path]), cacheFolder,
-            () => tiles?.OpenSource() ?? GdalMapSource.Open(path, gdalPath));
+            tiles?.Files ?? new MapFiles(path, [other?.ImagePath ?? path]), cacheFolder,
+            () => tiles?.OpenSource() ?? GdalMapSource.Open(other?.LabelPath ?? path, gdalPath));
         return new OpenedAlbedoMap(path, tiles, properties, levels);
     }
 

@@ -30,6 +30,22 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
     public bool IsPolar => Label.FindObject("IMAGE_MAP_PROJECTION")?.Find("MAP_PROJECTION_TYPE")?.Text
         .Contains("POLAR", StringComparison.OrdinalIgnoreCase) == true;
 
+    /// <summary>Whether it is a map whose rows are no parallels a degree's part apart: GDAL reads these.</summary>
+    public bool IsForGdal => Label.FindObject("IMAGE_MAP_PROJECTION") is { } projection && !IsOfLatitude(projection);
+
+    /// <summary>The file of the samples.</summary>
+    public string ImagePath => PdsImagePointer.Read(Label, Label.OptionalInteger("RECORD_BYTES", 1, int.MaxValue)).PathBeside(LabelPath);
+
+    /// <summary>Incidence, emission and phase angle of the image, degrees; null if the label does not say them.</summary>
+    public (double Incidence, double Emission, double Phase)? Angles =>
+        (AngleOf("INCIDENCE_ANGLE"), AngleOf("EMISSION_ANGLE"), AngleOf("PHASE_ANGLE")) is (double i, double e, double g) ? (i, e, g) : null;
+
+    /// <summary>Whether a map is equirectangular with the equator as centre.</summary>
+    public static bool IsOfLatitude(PdsObject projection) =>
+        projection.RequiredText("MAP_PROJECTION_TYPE").Replace('_', ' ').ToUpperInvariant() is var kind
+        && (kind == "SIMPLE CYLINDRICAL"
+            || (kind == "EQUIRECTANGULAR" && (projection.OptionalNumber("CENTER_LATITUDE", "DEG", "DEGREE") ?? 0.0) == 0.0));
+
     /// <summary>Whether a product's name has a centre; if not, its map is in one file.</summary>
     public static bool IsTile(string product) => Centre().IsMatch(product);
 
@@ -65,6 +81,8 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
             return null;
         }
     }
+
+    private double? AngleOf(string name) => Label.OptionalNumber(name, "DEG", "DEGREE", "DEGREES");
 
     [GeneratedRegex(@"_(\d{3})NM")]
     private static partial Regex BandInName();

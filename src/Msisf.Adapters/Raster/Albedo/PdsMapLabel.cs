@@ -106,9 +106,7 @@ internal sealed record PdsMapLabel(
 
     private static void CheckProjection(PdsObject projection)
     {
-        string kind = projection.RequiredText("MAP_PROJECTION_TYPE").Replace('_', ' ').ToUpperInvariant();
-        if (kind is not ("EQUIRECTANGULAR" or "SIMPLE CYLINDRICAL")
-            || (kind == "EQUIRECTANGULAR" && (projection.OptionalNumber("CENTER_LATITUDE", "DEG", "DEGREE") ?? 0.0) != 0.0))
+        if (!PdsMapHead.IsOfLatitude(projection))
         {
             throw projection.WrongValue("MAP_PROJECTION_TYPE", "an equirectangular map with the equator as centre is needed");
         }

@@ -52,6 +52,9 @@ internal sealed class PenumbraPass
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
     public long ReplacedBytes => _receivers.ReplacedBytes;
 
+    /// <summary>Whether zones were found for the last frame.</summary>
+    public bool FoundZones { get; private set; }
+
     /// <summary>Marks the points of the disc that terrain hides from each receiver.</summary>
     /// <param name="receivers">The points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
     /// <param name="disc">The Sun's disc.</param>
@@ -77,6 +80,7 @@ internal sealed class PenumbraPass
         DarkZones? dark = _findsDarkZones ?? (_framesWithoutZones-- <= 0 && _darkZones.Pays(placed, sun.Slope, blocks.Count))
             ? _darkZones.Find(placed, sun.Slope, blocks.Count, threads, cancellation)
             : null;
+        FoundZones = dark is not null;
         if (dark is not null)
         {
             placed = placed.LeaveOut(dark.Whole);

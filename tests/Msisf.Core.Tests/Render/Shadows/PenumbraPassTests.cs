@@ -108,6 +108,38 @@ public sealed class PenumbraPassTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4F
         Assert.Equal(expected, Run(pass, points, disc, 7));
     }
 
+    /// <summary>
+    /// Where zones hide less than a twentieth of the receivers, the next fifteen frames do without; where they hide more, each has them.
+    /// The result is the same.
+    /// </summary>
+    [Fact]
+    public void Run_ZonesThatHideLittle_AreNotLookedForInTheNextFrames()
+    {
+        BruteForceMoon moon = new(Rough);
+        Vector3D middle = SurfacePoints.Direction(0.0, 0.0);
+        SunDisc disc = new(SurfacePoints.Sun(middle, 4.0, 50.0));
+        Vector3D[] all = [.. SurfacePoints.Facing(
+            moon, middle, 2.0, disc.CentreBodyFixed, 20_000, new Random(11), -0.004).Select(point => point.Position)];
+        ulong[] hidden = Run(new PenumbraPass(new SurfaceModel(Rough), false), all, disc, 2);
+        Vector3D[] lit = [.. all.Where((_, i) => hidden[i] == 0)];
+        Assert.InRange(lit.Length, 1000, 19_000);
+
+        PenumbraPass pass = new(new SurfaceModel(Rough));
+        List<bool> ofLit = [];
+        for (int frame = 0; frame < 18; frame++)
+        {
+            Assert.All(Run(pass, lit, disc, 2), mask => Assert.Equal(0UL, mask));
+            ofLit.Add(pass.FoundZones);
+        }
+
+        Assert.Equal([true, .. Enumerable.Repeat(false, 15), true, false], ofLit);
+        for (int frame = 0; frame < 18; frame++)
+        {
+            Assert.Equal(hidden, Run(pass, all, disc, 2));
+            Assert.Equal(frame >= 14, pass.FoundZones);
+        }
+    }
+
     [Fact]
     public void Run_DeepNight_HidesTheWholeDisc()
     {
