@@ -89,7 +89,7 @@ internal sealed class BoulderForm
             return Math.Max(0.0, Math.Min(((1.0 + _burial) * height) - _burial, Steepest * (1.0 - Math.Sqrt(square))));
         }
 
-        double lowest = 1.0;
+        double lowest = Math.Min(1.0, Steepest * (1.0 - Math.Sqrt(square)));
         foreach ((double toAlong, double toAcross, double top) in _planes)
         {
             lowest = Math.Min(lowest, top - (toAlong * along) - (toAcross * across));

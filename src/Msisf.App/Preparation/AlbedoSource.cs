@@ -12,6 +12,9 @@ namespace Msisf.App.Preparation;
 /// <summary>Finds and opens the map of the Moon's reflectance that a run draws with.</summary>
 internal static class AlbedoSource
 {
+    /// <summary>Ends of the names of images.</summary>
+    private static readonly string[] Images = [".tif", ".tiff", ".img", ".cub", ".jp2", ".vrt", ".jpg", ".jpeg", ".png"];
+
     /// <summary>Opens the maps, the coarsest first; none if the run has none. What is used is logged.</summary>
     /// <param name="settings">The run's settings.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
@@ -57,11 +60,13 @@ internal static class AlbedoSource
         }
     }
 
-    /// <summary>The maps of reflectance and of Hapke's parameters where maps are searched, those of the first folder first.</summary>
+    /// <summary>
+    /// The images where maps are searched, those of the first folder first: of reflectance, whether its scale is known or not, as of
+    /// ortho-images of sites, and of Hapke's parameters.
+    /// </summary>
     public static IEnumerable<string> Maps(ProgramHost host) => Folders(host).Where(Directory.Exists)
         .SelectMany(folder => Directory.EnumerateFiles(folder).Order(StringComparer.Ordinal))
-        .Where(path => OpenedAlbedoMap.IsKnown(path)
-            || Path.GetFileName(path).StartsWith("WAC_HAPKEPARAM", StringComparison.OrdinalIgnoreCase));
+        .Where(path => Images.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase) || OpenedAlbedoMap.IsKnown(path));
 
     /// <summary>Folders in which maps are searched if no path is given, in the order of the search.</summary>
     private static string[] Folders(ProgramHost host) =>

@@ -38,7 +38,9 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
 
     /// <summary>Incidence, emission and phase angle of the image, degrees; null if the label does not say them.</summary>
     public (double Incidence, double Emission, double Phase)? Angles =>
-        (AngleOf("INCIDENCE_ANGLE"), AngleOf("EMISSION_ANGLE"), AngleOf("PHASE_ANGLE")) is (double i, double e, double g) ? (i, e, g) : null;
+        (AngleOf("INCIDENCE_ANGLE"), AngleOf("EMISSION_ANGLE"), AngleOf("PHASE_ANGLE")) is (double i, double e, double g)
+            ? (i, e, g)
+            : null;
 
     /// <summary>Whether a map is equirectangular with the equator as centre.</summary>
     public static bool IsOfLatitude(PdsObject projection) =>

@@ -152,7 +152,8 @@ internal sealed class RowReflection(SurfaceModel surface)
 
         if (options.Albedo is { } map)
         {
-            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), hasSites ? _ofLaw : Points.Factors);
+            _albedo.Scale(
+                Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), hasSites ? _ofLaw : Points.Factors);
         }
 
         surface.Brightness?.Scale(

@@ -77,7 +77,7 @@ internal sealed class PenumbraPass
         PlacedReceivers placed = _receivers.Read(job, sun);
         IReadOnlyList<CellBlock> blocks = placed.Box.IsEmpty ? [] : _search.Find(placed, sun.Slope, threads, cancellation);
         int count = placed.Length;
-        DarkZones? dark = _findsDarkZones ?? (_framesWithoutZones-- <= 0 && _darkZones.Pays(placed, sun.Slope, blocks.Count))
+        DarkZones? dark = _framesWithoutZones-- <= 0 && (_findsDarkZones ?? _darkZones.Pays(placed, sun.Slope, blocks.Count))
             ? _darkZones.Find(placed, sun.Slope, blocks.Count, threads, cancellation)
             : null;
         FoundZones = dark is not null;

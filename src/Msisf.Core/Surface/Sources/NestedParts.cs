@@ -27,8 +27,10 @@ internal sealed class NestedParts
                 : whole[part].WithCells(KeptCells.Of(whole[part], [.. parts[(part + 1)..].Where(finer => !finer.IsLeftOut)]));
             if (parts[part].IsLeftOut && needsAll)
             {
-                throw new BadInputException(
-                    $"Of {parts[part].Grid.ProductId} nothing would be seen: finer models cover all of it. Leave it out.");
+                string name = parts[part].Grid.ProductId;
+                throw new BadInputException(whole[part].WithCells(KeptCells.Of(whole[part], [])).IsLeftOut
+                    ? $"{name} has no cell whose samples all have data. Give a file with heights, or leave it out."
+                    : $"Of {name} nothing would be seen: finer models cover all of it. Leave it out.");
             }
         }
 

@@ -88,8 +88,8 @@ public sealed class NacImageTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void OpenSeveral_GeoTiffWithAScale_HasItsReflectances()
     {
-        ChildRun.Of("gdal_translate", ["-q", Write("NAC_DTM_SITE", Polar, string.Empty, isAttached: true), _folder["site.tif"]], _folder.Path)
-            .Succeeded();
+        string image = Write("NAC_DTM_SITE", Polar, string.Empty, isAttached: true);
+        ChildRun.Of("gdal_translate", ["-q", image, _folder["site.tif"]], _folder.Path).Succeeded();
 
         using OpenedAlbedoMap site = Open($"{_folder["site.tif"]},scale=1,incidence=42,emission=2,phase=43", 0.1);
 
