@@ -6,7 +6,7 @@ namespace Msisf.Cli.Tests;
 /// <summary>Sites beside and in each other in a model of the whole Moon, as GeoTIFF.</summary>
 public sealed class SiteModelTests : IDisposable
 {
-    /// <summary>Writes a polar GeoTIFF of float heights. Arguments: path, left, top, samples a side, m a sample, expression of x and y.</summary>
+    /// <summary>Writes a polar GeoTIFF. Arguments: path, left, top, samples a side, m a sample, heights by x and y.</summary>
     private const string Script = """
         import sys
         import numpy as np
@@ -29,7 +29,7 @@ public sealed class SiteModelTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    /// <summary>Two sites that do not touch, and one wholly inside another's hole, whose ground is that of the model around between.</summary>
+    /// <summary>Two sites that do not touch, and one wholly inside another's hole, with ground of the Moon's model between.</summary>
     [RequiresTheory(Part.Ldem4, Part.Gdal, Part.GdalLibrary)]
     [InlineData(Hilly, 112_000, 98_000)]
     [InlineData(Holed, 104_000, 96_000)]
@@ -70,7 +70,8 @@ public sealed class SiteModelTests : IDisposable
     private string Site(string name, int left, int top, int side, int pixel, string expression)
     {
         string path = _folder[name];
-        ChildRun.Of(TestParts.Python!, ["-c", Script, path, $"{left}", $"{top}", $"{side}", $"{pixel}", expression], _folder.Path).Succeeded();
+        ChildRun.Of(
+            TestParts.Python!, ["-c", Script, path, $"{left}", $"{top}", $"{side}", $"{pixel}", expression], _folder.Path).Succeeded();
         return path;
     }
 }
