@@ -22,6 +22,7 @@ namespace Msisf.Architecture.Tests
             "Blocks", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
             "Navigation",
+            "Maps",
             "Metadata", "Layers",
         ];
 

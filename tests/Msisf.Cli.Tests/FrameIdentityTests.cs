@@ -119,6 +119,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--rendering-annotation", "", "--rendering-annotation" },
         { "--camera-model", "", "--camera-model csm" },
         { "--camera-model", "--camera-model csm", "--camera-model csm,tsai" },
+        { "--map", "", "--map orthographic,100" },
+        { "--map", "--map orthographic,100", "--map orthographic,200" },
         { "--surface", "", "--surface terrain" },
         { "--grid", "", "--grid 16" },
         { "--gridH", "", "--gridH 16" },

@@ -22,6 +22,7 @@ public sealed class WrongValueTests : IDisposable
         ["--time-interval"] = ["x", "[1:2]", "[1:0:2]", "[1:x:2]", "[1e9:1:2e9]"],
         ["--image-lines"] = ["x", "5", "0-3", "5-3", "1-2-3"],
         ["--camera-model"] = ["x", "csm,x", "csm,"],
+        ["--map"] = ["x", "orthographic", "orthographic,0", "orthographic,x", "orthographic,1e9", "mercator,100", "orthographic,100,2"],
         ["--to"] = ["x", "csm,x"],
         ["--output-name"] = ["a/b", "{frame}", " "],
         ["--reflectance"] = ["x", "lambrt", "hapke:x=1", "hapke:w=x", "hapke:w=5"],

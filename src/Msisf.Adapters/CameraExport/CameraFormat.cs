@@ -35,11 +35,12 @@ public sealed class CameraFormat
             NeedsEphemeris = true,
             IsCsm = true,
         },
-        new("isis", IsisCube.Has, Bytes(".cub", IsisCube.Write)) { NeedsEphemeris = true, HasPixels = true },
+        new("isis", IsisCube.Has, Bytes(".cub", IsisCube.Write)) { NeedsEphemeris = true, HasPixels = true, Scans = [ScanKind.LineScan] },
         new("pds4", _ => true, Bytes(Pds4Product.ArrayEnding, Pds4Product.WriteArray), Text(".lblx", Pds4Product.WriteLabel))
         {
             HasPixels = true,
             HasCamera = false,
+            Scans = Enum.GetValues<ScanKind>(),
         },
     ];
 
@@ -53,7 +54,18 @@ public sealed class CameraFormat
     public bool HasPixels { get; private init; }
 
     /// <summary>Whether USGSCSM reads it, which has cameras that scan.</summary>
-    private bool IsCsm { get; init; }
+    private bool IsCsm
+    {
+        get;
+        init
+        {
+            field = value;
+            Scans = Enum.GetValues<ScanKind>();
+        }
+    }
+
+    /// <summary>The cameras that scan which it has.</summary>
+    private ScanKind[] Scans { get; init; } = [];
 
     /// <summary>Whether programs find a camera in it.</summary>
     private bool HasCamera { get; init; } = true;
@@ -76,11 +88,11 @@ public sealed class CameraFormat
     /// <summary>Refuses a camera that a format can't say.</summary>
     /// <param name="formats">The formats that are wanted.</param>
     /// <param name="camera">The camera, of a scan that of one exposure.</param>
-    /// <param name="scans">Whether it scans.</param>
+    /// <param name="scan">How it scans; null for a frame.</param>
     /// <exception cref="BadInputException">Format, lens, and which formats can.</exception>
-    public static void Require(IEnumerable<CameraFormat> formats, CameraModel camera, bool scans)
+    public static void Require(IEnumerable<CameraFormat> formats, CameraModel camera, ScanKind? scan)
     {
-        bool Has(CameraFormat format) => format._has(camera) && (format.IsCsm || !scans);
+        bool Has(CameraFormat format) => format._has(camera) && (scan is not { } kind || format.Scans.Contains(kind));
         if (formats.FirstOrDefault(format => !Has(format)) is not { } wrong)
         {
             return;
@@ -89,14 +101,14 @@ public sealed class CameraFormat
         string[] able = [.. All.Where(format => format.HasCamera && Has(format)).Select(format => format.Word)];
         string[] traits =
         [
-            .. scans ? ["a camera that scans"] : (string[])[],
+            .. scan is not null ? ["a camera that scans"] : (string[])[],
             .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients"] : (string[])[],
             .. camera.Skew != 0.0 ? ["skew pixels"] : (string[])[],
         ];
         throw new BadInputException(
             $"the camera model {wrong.Word} can't say {string.Join(" and ", traits)}. "
                 + (able.Length > 0 ? $"Formats that can: {string.Join(", ", able)}."
-                    : $"No format can: use K, {(scans ? "rows" : "R, t")} and lens of the XML."));
+                    : $"No format can: use K, {(scan is not null ? "rows" : "R, t")} and lens of the XML."));
     }
 
     /// <summary>Writes the files of formats.</summary>

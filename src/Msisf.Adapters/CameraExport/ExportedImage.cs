@@ -34,11 +34,11 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
 
     /// <summary>Reads the image of a frame that is there: of a detector from its PNG, others from the layer of radiance factors.</summary>
     /// <param name="metaFile">The frame's meta file.</param>
-    /// <param name="width">px, of the camera.</param>
-    /// <param name="height">px.</param>
+    /// <param name="frame">What that says.</param>
     /// <exception cref="BadInputException">Neither has the numbers of the image.</exception>
-    public static ExportedImage Read(string metaFile, int width, int height)
+    public static ExportedImage Read(string metaFile, ExportedFrame frame)
     {
+        (int width, int height) = (frame.Camera.Width, frame.Height);
         string image = Path.ChangeExtension(metaFile, ".png");
         string layer = Path.ChangeExtension(metaFile, LayerEnding);
         return FileErrors.ToBadInput($"{metaFile}: the files beside it can't be read", () =>
@@ -63,12 +63,13 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
     /// <summary>Writes the pixels by rows from the top, least significant byte first.</summary>
     /// <param name="stream">Receives them.</param>
     /// <param name="undefined">Stands for NaN.</param>
-    internal void WritePixels(Stream stream, float undefined)
+    /// <param name="isFromFoot">Whether the lowest row comes first.</param>
+    internal void WritePixels(Stream stream, float undefined, bool isFromFoot = false)
     {
         float[] row = new float[Width];
         for (int y = 0; y < Height; y++)
         {
-            ReadRow(y, row);
+            ReadRow(isFromFoot ? Height - 1 - y : y, row);
             row.AsSpan().Replace(float.NaN, undefined);
             stream.Write(MemoryMarshal.AsBytes(row.AsSpan()));
         }

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
+using Msisf.Adapters.States;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
@@ -22,7 +23,7 @@ internal static class IsisCube
     private const int LabelBytes = 65536;
 
     /// <summary>NAIF's number of the camera's frame, which no mission has.</summary>
-    private const int Frame = States.SpiceKernelWriter.Instrument;
+    private const int Frame = SpiceKernelWriter.Instrument;
 
     private const int Sun = 10;
     private const double KilometresPerMetre = 1e-3;
@@ -39,7 +40,7 @@ internal static class IsisCube
     /// <summary>Whether IdealCamera has the camera: it has no distortion.</summary>
     public static bool Has(CameraModel camera) => camera.Distortion is null;
 
-    /// <summary>Writes a cube.</summary>
+    /// <summary>Writes a cube. The lines of a scan stand in the order of their times.</summary>
     public static void Write(Stream stream, ExportedFrame frame)
     {
         ExportedImage image = frame.Image!;
@@ -47,37 +48,65 @@ internal static class IsisCube
         byte[] label = new byte[LabelBytes];
         Encoding.ASCII.GetBytes(Label(frame, image, tables), label);
         stream.Write(label);
-        image.WritePixels(stream, Null);
+        image.WritePixels(stream, Null, isFromFoot: ScanOf(frame) is { GrowsUpwards: true });
         foreach (Table table in tables)
         {
             stream.Write(MemoryMarshal.AsBytes(table.Values.AsSpan()));
         }
     }
 
+    /// <summary>A line-scan; null for a frame, also for one whose rows a shutter exposed at times of their own.</summary>
+    private static ExportedScan? ScanOf(ExportedFrame frame) => frame.Scan is { Kind: ScanKind.LineScan } scan ? scan : null;
+
+    /// <summary>A record for each exposure, which ISIS takes as it is at the middle of a line.</summary>
     private static IEnumerable<Table> TablesOf(ExportedFrame frame)
     {
-        double time = frame.TdbSeconds;
-        RotationMatrix fromBody = frame.BodyFromJ2000.Transposed;
-        UnitQuaternion body = UnitQuaternion.FromMatrix(frame.BodyFromJ2000);
-        UnitQuaternion pointing = frame.BodyFromOpenCv.Conjugate * body;
-        StateVector sun = frame.Ephemeris!.StateOf(Sun, time);
+        double atImage = frame.TdbSeconds;
+        IReadOnlyList<CameraState> states = ScanOf(frame)?.States ?? [frame.Camera.State with { Seconds = 0.0 }];
+        double[] times = [.. states.Select(state => atImage + state.Seconds)];
+        RotationMatrix[] body = [.. times.Select(frame.BodyFromJ2000At)];
+        UnitQuaternion[] turns = [.. body.Select(UnitQuaternion.FromMatrix)];
+        IEnumerable<UnitQuaternion> pointing = states.Zip(turns, (state, turn) =>
+            (state.MoonFromCamera * StateTables.CameraFromOpenCv).Conjugate * turn);
+        StateVector sun = frame.Ephemeris!.StateOf(Sun, atImage);
+        Vector3D sunAtImage = frame.BodyFromJ2000.Transposed * frame.SunPosition;
         yield return Turning("InstrumentPointing", Frame, pointing);
-        yield return Moving("InstrumentPosition", Position, [.. Km(fromBody * frame.Camera.PositionBodyFixed), time]);
-        yield return Turning("BodyRotation", FrameOf(frame.Globe.Body), body);
-        yield return Moving("SunPosition", State, [.. Km(fromBody * frame.SunPosition), .. Km(sun.Velocity), time]);
+        yield return Moving(
+            "InstrumentPosition", Position, times, states.Zip(body, (state, turn) => Km(turn.Transposed * state.PositionBodyFixed)));
+        yield return Turning("BodyRotation", FrameOf(frame.Globe.Body), turns);
+        double[] ends = times.Length == 1 ? times : [times[0], times[^1]];
+        yield return Moving("SunPosition", State, ends, ends.Select(
+            time => (double[])[.. Km(sunAtImage + ((time - atImage) * sun.Velocity)), .. Km(sun.Velocity)]));
 
-        Table Moving(string name, string[] fields, double[] values) => new(name, "CacheType = Linear", "Spk", fields, time, values);
+        static Table Moving(string name, string[] fields, double[] times, IEnumerable<double[]> places) => new(
+            name, "CacheType = Linear", "Spk", fields, times,
+            [.. places.Zip(times, (place, time) => (double[])[.. place, time]).SelectMany(record => record)]);
 
-        Table Turning(string name, int number, UnitQuaternion q) => new(
-            name, $"TimeDependentFrames = ({number}, 1)", "Ck", Rotation, time, [q.W, q.X, q.Y, q.Z, time]);
+        Table Turning(string name, int number, IEnumerable<UnitQuaternion> turned) => new(
+            name, $"TimeDependentFrames = ({number}, 1)", "Ck", Rotation, times,
+            [.. turned.Zip(times, (q, time) => (double[])[q.W, q.X, q.Y, q.Z, time]).SelectMany(record => record)]);
 
-        double[] Km(Vector3D v) => Of(KilometresPerMetre * v);
+        static double[] Km(Vector3D v) => Of(KilometresPerMetre * v);
     }
 
     private static string Label(ExportedFrame frame, ExportedImage image, Table[] tables)
     {
         CameraModel camera = frame.Camera.Model;
-        string time = frame.Time.ToIsoUtc().TrimEnd('Z');
+        string start = frame.Time.ToIsoUtc().TrimEnd('Z');
+        string stop = start;
+        string type = "Framing";
+        string more = string.Empty;
+        double time = frame.TdbSeconds;
+        if (ScanOf(frame) is { } scan)
+        {
+            // EphemerisTime is the beginning of the first line, StartTime and StopTime are the middles of the first and the last one.
+            start = frame.Time.After(scan.FirstSeconds).ToIsoUtc().TrimEnd('Z');
+            stop = frame.Time.After(scan.States[^1].Seconds).ToIsoUtc().TrimEnd('Z');
+            type = "Linescan";
+            more = $"\n    ExposureDuration     = {Real(1000.0 * scan.Period)} <milliseconds>";
+            time += scan.FirstSeconds - (0.5 * scan.Period);
+        }
+
         StringBuilder text = new();
         text.Append(CultureInfo.InvariantCulture, $"""
             Object = IsisCube
@@ -103,12 +132,12 @@ internal static class IsisCube
                 SpacecraftName       = IdealSpacecraft
                 InstrumentId         = IdealCamera
                 TargetName           = {frame.Globe.Body.Name}
-                StartTime            = {time}
-                StopTime             = {time}
-                EphemerisTime        = {Real(frame.TdbSeconds)} <seconds>
-                InstrumentType       = Framing
-                SampleDetectors      = {image.Width}
-                LineDetectors        = {image.Height}
+                StartTime            = {start}
+                StopTime             = {stop}
+                EphemerisTime        = {Real(time)} <seconds>
+                InstrumentType       = {type}{more}
+                SampleDetectors      = {camera.Width}
+                LineDetectors        = {camera.Height}
                 FocalPlaneXDependency = 1
               End_Group
 
@@ -131,11 +160,11 @@ internal static class IsisCube
             End_Object
 
             """);
-        long start = LabelBytes + 1L + ((long)sizeof(float) * image.Width * image.Height);
+        long place = LabelBytes + 1L + ((long)sizeof(float) * image.Width * image.Height);
         foreach (Table table in tables)
         {
-            table.WriteTo(text, start);
-            start += sizeof(double) * table.Values.Length;
+            table.WriteTo(text, place);
+            place += sizeof(double) * table.Values.Length;
         }
 
         (double[] x, double[] y, double[] samples, double[] lines) = AffineOf(camera);
@@ -188,14 +217,14 @@ internal static class IsisCube
         _ => 31001,
     };
 
-    /// <summary>A table of one record.</summary>
+    /// <summary>A table.</summary>
     /// <param name="Name">Name.</param>
     /// <param name="Keyword">A line of its label.</param>
     /// <param name="Kernel">The kind of kernel that such a table replaces, as keywords begin.</param>
     /// <param name="Fields">Names of the columns.</param>
-    /// <param name="Time">TDB seconds past J2000.</param>
-    /// <param name="Values">A number for each column.</param>
-    private sealed record Table(string Name, string Keyword, string Kernel, string[] Fields, double Time, double[] Values)
+    /// <param name="Times">TDB seconds past J2000, of each record.</param>
+    /// <param name="Values">A number for each column, record by record.</param>
+    private sealed record Table(string Name, string Keyword, string Kernel, string[] Fields, double[] Times, double[] Values)
     {
         public void WriteTo(StringBuilder text, long start)
         {
@@ -205,12 +234,12 @@ internal static class IsisCube
                   Name = {Name}
                   StartByte = {start}
                   Bytes = {sizeof(double) * Values.Length}
-                  Records = 1
+                  Records = {Times.Length}
                   ByteOrder = Lsb
                   {Keyword}
-                  {Kernel}TableStartTime = {Real(Time)}
-                  {Kernel}TableEndTime = {Real(Time)}
-                  {Kernel}TableOriginalSize = 1
+                  {Kernel}TableStartTime = {Real(Times[0])}
+                  {Kernel}TableEndTime = {Real(Times[^1])}
+                  {Kernel}TableOriginalSize = {Times.Length}
 
                 """);
             foreach (string field in Fields)

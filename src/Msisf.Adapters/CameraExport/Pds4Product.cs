@@ -28,6 +28,7 @@ internal static class Pds4Product
         ExportedImage image = frame.Image!;
         CelestialBody body = frame.Globe.Body;
         string time = frame.Time.ToIsoUtc();
+        string end = frame.Scan is { } scan ? frame.Time.After(scan.States[^1].Seconds).ToIsoUtc() : time;
         string name = XmlText.Escape(frame.Name);
         string kind = body.NaifNumber % 100 == 99 ? "Planet" : "Satellite";
         writer.Write(string.Create(CultureInfo.InvariantCulture, $"""
@@ -48,7 +49,7 @@ internal static class Pds4Product
                 </comment>
                 <Time_Coordinates>
                   <start_date_time>{time}</start_date_time>
-                  <stop_date_time>{time}</stop_date_time>
+                  <stop_date_time>{end}</stop_date_time>
                 </Time_Coordinates>
                 <Investigation_Area>
                   <name>None</name>
@@ -120,6 +121,11 @@ internal static class Pds4Product
         Line($"Quaternion x y z w, camera axes (x right, y down, z forward) to {axes} = {Reals(" ", q.X, q.Y, q.Z, q.W)}");
         Line($"Position of the light ({axes}, m) = {Reals(" ", Of(frame.SunPosition))}");
         Line($"K by rows, pixels from 0 = {Reals(" ", camera.IntrinsicRows.SelectMany(Of))}");
+        if (frame.Scan is not null)
+        {
+            Line("The rows have times and places of their own; these are those of the MJD above. The meta file of MSISF has the others");
+        }
+
         Line(camera.Distortion is { } lens ? $"Lens {lens.Name} = {Reals(" ", lens.Coefficients)}" : "No lens distortion");
         return text.ToString().TrimEnd('\n');
 

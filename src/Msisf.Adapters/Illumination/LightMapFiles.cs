@@ -58,18 +58,10 @@ public static class LightMapFiles
     /// <param name="placement">Where its cells lie.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL 3.1 is missing, or fails.</exception>
-    public static void WriteGeoTiff(string path, LightMap map, MapPlacement placement, string? libraryPath)
-    {
-        string unfinished = AtomicFile.TemporaryNameFor(path);
-        try
-        {
-            GdalMapWriter.Write(
-                unfinished, map.Values, placement.Samples, (placement.Left, placement.Top, placement.Cell), placement.Proj4, libraryPath);
-            FileErrors.ToExternalPart($"{path}: can't be written", () => File.Move(unfinished, path, overwrite: true));
-        }
-        finally
-        {
-            File.Delete(unfinished);
-        }
-    }
+    public static void WriteGeoTiff(string path, LightMap map, MapPlacement placement, string? libraryPath) =>
+        AtomicFile.Write(path, stream => GdalMapWriter.Write(
+            stream,
+            MemoryMarshal.AsBytes(map.Values.AsSpan()),
+            new GdalMap("Float32", placement.Samples, placement.Lines, (placement.Left, placement.Top, placement.Cell), placement.Proj4),
+            libraryPath));
 }

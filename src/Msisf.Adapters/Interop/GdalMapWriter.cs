@@ -8,43 +8,53 @@ namespace Msisf.Adapters.Interop;
 /// <summary>Writes a map with GDAL's driver of Cloud Optimized GeoTIFFs: in tiles, with coarser levels, without loss.</summary>
 internal static unsafe class GdalMapWriter
 {
+    /// <summary>Checks that GDAL is there, before any work is done.</summary>
+    /// <param name="libraryPath">MSISF_GDAL, or null.</param>
+    /// <exception cref="ExternalPartException">It is missing.</exception>
+    public static void RequireGdal(string? libraryPath) => GdalLibrary.Require(libraryPath, "A map as GeoTIFF");
+
     /// <summary>Writes one map.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="values">Line by line from the top.</param>
-    /// <param name="samples">Cells of a line.</param>
-    /// <param name="corner">X and Y of the upper left corner, and the width of a cell, m.</param>
-    /// <param name="proj4">The projection in PROJ's words.</param>
+    /// <param name="destination">Receives the file; stays open.</param>
+    /// <param name="values">Band by band, line by line from the top, in the machine's byte order.</param>
+    /// <param name="map">What they are.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL 3.1 is missing, or fails.</exception>
-    public static void Write(
-        string path, float[] values, int samples, (double Left, double Top, double Cell) corner, string proj4, string? libraryPath)
+    public static void Write(Stream destination, ReadOnlySpan<byte> values, GdalMap map, string? libraryPath)
     {
         GdalNative gdal = GdalLibrary.Require(libraryPath, "A map as GeoTIFF");
+        string path = $"/vsimem/msisf-{Guid.NewGuid():N}.tif"; // GDAL writes into memory, so that a full disk is this program's error
         nint written = 0;
-        fixed (float* start = values)
-        fixed (byte* opensMemory = "GDAL_MEM_ENABLE_OPEN"u8, yes = "YES"u8)
+        fixed (byte* start = values, opensMemory = "GDAL_MEM_ENABLE_OPEN"u8, yes = "YES"u8, file = Encoding.UTF8.GetBytes(path + '\0'))
         {
             // A raster in memory that GDAL opens by its address, so that it needs no copy; from version 3.10 on only where that is allowed.
             gdal.CPLSetConfigOption(opensMemory, yes);
             nint memory = Open(gdal, string.Create(
                 CultureInfo.InvariantCulture,
-                $"MEM:::DATAPOINTER={(nint)start},PIXELS={samples},LINES={values.Length / samples},DATATYPE=Float32,"
-                    + $"GEOTRANSFORM={corner.Left:R}/{corner.Cell:R}/0/{corner.Top:R}/0/{-corner.Cell:R}"));
+                $"MEM:::DATAPOINTER={(nint)start},PIXELS={map.Samples},LINES={map.Lines},BANDS={map.Bands},DATATYPE={map.Type},"
+                    + $"GEOTRANSFORM={map.Corner.Left:R}/{map.Corner.Cell:R}/0/{map.Corner.Top:R}/0/{-map.Corner.Cell:R}"));
             if (memory != 0)
             {
-                written = Copy(gdal, path, memory, proj4);
+                written = Copy(gdal, path, memory, map);
                 gdal.GDALClose(memory);
             }
-        }
 
-        if (written == 0)
-        {
-            throw new ExternalPartException(
-                $"{path}: GDAL can't write it ({Marshal.PtrToStringUTF8((nint)gdal.CPLGetLastErrorMsg())}). GDAL 3.1 or later is "
-                    + "needed, and room on the disk; or choose --format npy.");
-        }
+            if (written == 0)
+            {
+                throw new ExternalPartException(
+                    $"GDAL can't write a map ({Marshal.PtrToStringUTF8((nint)gdal.CPLGetLastErrorMsg())}). GDAL 3.1 or later is needed.");
+            }
 
-        gdal.GDALClose(written);
+            gdal.GDALClose(written);
+            try
+            {
+                using GdalStream content = new(path);
+                content.CopyTo(destination);
+            }
+            finally
+            {
+                _ = gdal.VSIUnlink(file);
+            }
+        }
     }
 
     private static nint Open(GdalNative gdal, string name)
@@ -55,9 +65,10 @@ internal static unsafe class GdalMapWriter
         }
     }
 
-    private static nint Copy(GdalNative gdal, string path, nint source, string projection)
+    private static nint Copy(GdalNative gdal, string path, nint source, GdalMap map)
     {
-        string[] words = ["-of", "COG", "-a_srs", projection, "-co", "COMPRESS=DEFLATE", "-co", "OVERVIEWS=AUTO"];
+        string[] words =
+            ["-of", "COG", "-a_srs", map.Reference, "-co", "COMPRESS=DEFLATE", "-co", "OVERVIEWS=AUTO", .. map.MoreOptions];
         nint[] texts = [.. words.Select(Marshal.StringToCoTaskMemUTF8), 0];
         nint options;
         fixed (nint* start = texts)
@@ -78,4 +89,19 @@ internal static unsafe class GdalMapWriter
             return written;
         }
     }
+}
+
+/// <summary>What GDAL is told of a map.</summary>
+/// <param name="Type">Of its numbers, in GDAL's words.</param>
+/// <param name="Samples">Cells of a line.</param>
+/// <param name="Lines">Number of lines.</param>
+/// <param name="Corner">X and Y of the upper left corner, and the width of a cell, m.</param>
+/// <param name="Reference">The projection, in PROJ's words or as WKT.</param>
+internal sealed record GdalMap(string Type, int Samples, int Lines, (double Left, double Top, double Cell) Corner, string Reference)
+{
+    /// <summary>Numbers of a cell.</summary>
+    public int Bands { get; init; } = 1;
+
+    /// <summary>More arguments of gdal_translate.</summary>
+    public IReadOnlyList<string> MoreOptions { get; init; } = [];
 }

@@ -41,6 +41,7 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, ulong, int, int> VSIFSeekL;
     internal readonly delegate* unmanaged[Cdecl]<nint, ulong> VSIFTellL;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> VSIFCloseL;
+    internal readonly delegate* unmanaged[Cdecl]<byte*, int> VSIUnlink;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterXSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterYSize;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, nint> GDALGetRasterBand;
@@ -85,6 +86,7 @@ internal sealed unsafe class GdalNative
         VSIFSeekL = (delegate* unmanaged[Cdecl]<nint, ulong, int, int>)Find(nameof(VSIFSeekL));
         VSIFTellL = (delegate* unmanaged[Cdecl]<nint, ulong>)Find(nameof(VSIFTellL));
         VSIFCloseL = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(VSIFCloseL));
+        VSIUnlink = (delegate* unmanaged[Cdecl]<byte*, int>)Find(nameof(VSIUnlink));
         GDALGetRasterXSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterXSize));
         GDALGetRasterYSize = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterYSize));
         GDALGetRasterBand = (delegate* unmanaged[Cdecl]<nint, int, nint>)Find(nameof(GDALGetRasterBand));

@@ -1,4 +1,5 @@
 using Msisf.Adapters.CameraExport;
+using Msisf.Adapters.Maps;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Manifest;
@@ -13,7 +14,8 @@ public static class FrameFileNames
         ".landmarks.csv",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
-        .. CameraFormat.All.SelectMany(format => format.Endings), .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+        .. ImageMapFiles.Endings, .. CameraFormat.All.SelectMany(format => format.Endings),
+        .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
     ];
 
     /// <summary>All names that files of a frame can have.</summary>

@@ -30,10 +30,11 @@ internal sealed class FrameFiles
     private readonly IEphemeris? _ephemeris;
     private readonly FrameNavigation? _navigation;
     private readonly FlowOutputs? _flows;
+    private readonly MapOutputs? _maps;
 
     public FrameFiles(
         RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times, ILog log,
-        NavigationInputs? navigation = null, IEphemeris? ephemeris = null)
+        NavigationInputs? navigation = null, IEphemeris? ephemeris = null, MapOutputs? maps = null)
     {
         _settings = settings;
         _description = description;
@@ -42,6 +43,7 @@ internal sealed class FrameFiles
         _times = times;
         _log = log;
         _ephemeris = ephemeris;
+        _maps = maps;
         _navigation = navigation is null ? null : new FrameNavigation(navigation);
         _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
     }
@@ -106,6 +108,12 @@ internal sealed class FrameFiles
         if (_flows is not null)
         {
             paths.AddRange(_times.Measure(Phase.Navigation, () => _flows.Write(
+                files, stem, frame, rendered, metadata, _description.Provenance(metadata, rendered), cancellation)));
+        }
+
+        if (_maps is not null)
+        {
+            paths.AddRange(_times.Measure(Phase.Layers, () => _maps.Write(
                 files, stem, frame, rendered, metadata, _description.Provenance(metadata, rendered), cancellation)));
         }
 

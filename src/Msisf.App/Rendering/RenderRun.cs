@@ -3,6 +3,7 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
+using Msisf.Adapters.Maps;
 using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Raster.Heights;
@@ -100,6 +101,11 @@ internal sealed class RenderRun
             AnnotationRenderer.RequireCairo();
         }
 
+        if (Settings.Map is not null)
+        {
+            ImageMapFiles.RequireGdal(_host.Environment("MSISF_GDAL"));
+        }
+
         if (Settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true }
             || Settings.Native.Navigation is { } wanted && wanted.FlowFormatNames?.Contains("fits") == true)
         {
@@ -133,7 +139,8 @@ internal sealed class RenderRun
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
             settings,
             new FrameDescription(settings, run.Model, plan.Version, () => inputs.All(settings.Camera)) { Orientation = run.Orientation },
-            comparison, ledger, _times, _host.Log, truth.Navigation, truth.OfModels))];
+            comparison, ledger, _times, _host.Log, truth.Navigation, truth.OfModels,
+            settings.Map is { } map ? new MapOutputs(map, settings.Native, _host.Environment("MSISF_GDAL"), _host.Log) : null))];
         ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)
             : null)];

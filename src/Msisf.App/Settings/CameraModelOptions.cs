@@ -71,7 +71,7 @@ internal static class CameraModelOptions
         settings.Scan is { Kind: not ScanKind.RollingShutter } scan
             ? scan.ExposureOf(settings.CameraModel, 0, 0.0)
             : settings.CameraModel,
-        settings.Scan is not null));
+        settings.Scan?.Kind));
 
     /// <summary>Reads the formats of <c>msis camera-model</c>.</summary>
     /// <exception cref="UsageException">A word is no format.</exception>

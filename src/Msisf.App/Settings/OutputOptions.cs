@@ -66,5 +66,5 @@ internal static class OutputOptions
 
     /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
-        "Output", [Folder, Name, Annotation, CameraModelOptions.OfRun, Surface, Grid, GridHorizontal, GridVertical]);
+        "Output", [Folder, Name, Annotation, CameraModelOptions.OfRun, MapOptions.Map, Surface, Grid, GridHorizontal, GridVertical]);
 }

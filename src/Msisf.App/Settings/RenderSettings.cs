@@ -90,6 +90,9 @@ internal sealed record RenderSettings
     /// <summary>Forms in which each frame's camera is written for other programs.</summary>
     public IReadOnlyList<CameraFormat> CameraFormats { get; init; } = [];
 
+    /// <summary>The map onto which images are put; null for none.</summary>
+    public MapSettings? Map { get; init; }
+
     public required string OutputFolder { get; init; }
 
     public required string OutputName { get; init; }

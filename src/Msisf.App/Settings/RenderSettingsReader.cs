@@ -41,7 +41,8 @@ internal static class RenderSettingsReader
         }
 
         IReadOnlyList<CameraFormat> cameraFormats = CameraModelOptions.ReadOfRun(values, renderer);
-        bool needsTruth = surface == PixelSurface.Terrain || cameraFormats.Any(format => format.HasPixels);
+        MapSettings? map = MapOptions.Read(values, renderer);
+        bool needsTruth = surface == PixelSurface.Terrain || map is not null || cameraFormats.Any(format => format.HasPixels);
         GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
         {
@@ -64,6 +65,7 @@ internal static class RenderSettingsReader
             LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             CameraFormats = cameraFormats,
+            Map = map,
             Annotate = OutputOptions.Annotation.Read(values),
             OutputFolder = OutputOptions.Folder.Read(values),
             OutputName = OutputOptions.Name.Read(values),

@@ -34,6 +34,9 @@ internal static class StripRules
 
         string? wrong = settings.Annotate ? OutputOptions.Annotation.Name
             : settings.Native.Navigation is not null ? "truth for navigation"
+            : settings.Map is not null ? MapOptions.Map.Name
+            : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
+                ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
             : settings.Native.Detector is { WritesFits: true } ? "the detector's FITS file ('fits: no' in the camera file leaves it out)"
             : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
             : settings.Native.Layers?.Layers.Any(layer => BytesOf(layer, settings) > LargestLayer) == true

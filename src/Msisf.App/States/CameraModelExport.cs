@@ -32,7 +32,7 @@ internal static class CameraModelExport
         {
             ExportedFrame frame = MetaFileFrame.Read(metaFile);
             CameraModel camera = frame.Camera.Model;
-            Named(metaFile, () => CameraFormat.Require(formats, camera, frame.Scan is not null));
+            Named(metaFile, () => CameraFormat.Require(formats, camera, frame.Scan?.Kind));
             if (frame is { IsMoving: true, Scan: null } && formats.Any(format => format.NeedsEphemeris))
             {
                 host.Log.Warning($"{metaFile}: the camera moved while it was exposed, and the model is that of the frame's time. Of a "
@@ -44,7 +44,7 @@ internal static class CameraModelExport
             ExportedFrame exported = frame with
             {
                 Ephemeris = opened?.Engine,
-                Image = formats.Any(format => format.HasPixels) ? ExportedImage.Read(metaFile, camera.Width, camera.Height) : null,
+                Image = formats.Any(format => format.HasPixels) ? ExportedImage.Read(metaFile, frame) : null,
             };
             paths.AddRange(CameraFormat.Write(formats, files, stem, exported, host.Log.Note, host.Log.Warning));
         }

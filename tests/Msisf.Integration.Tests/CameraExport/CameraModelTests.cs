@@ -124,6 +124,7 @@ public sealed class CameraModelTests : IDisposable
     [InlineData("distortion: {model: opencv, k1: 0.1, k4: 0.1}", "opencv,tsai", 2, "tsai can't say the lens 'opencv'", "opencv, colmap.")]
     [InlineData("distortion: {model: owen, e1: 0.001}", "isd-body", 2, "isd-body can't say the lens 'owen'", "No format")]
     [InlineData("skew: 1", "colmap", 2, "colmap can't say skew pixels", "can: csm, isd, isd-body, isis.")]
+    [InlineData("scan: {kind: rolling-shutter, period: 0.001}", "isis", 2, "isis can't say a camera that scans", "can: csm, isd")]
     [InlineData("distortion: {model: opencv, k1: 0.1}", "isis", 2, "isis can't say the lens 'opencv'", "can: opencv, colmap, tsai, csm")]
     [InlineData("skew: 0", "csm,tsa", 1, "'tsa' is no format", "Give some of opencv, colmap, tsai, csm")]
     [InlineData("scan: {kind: rolling-shutter, period: 0.001}", "csm,tsai", 2, "tsai can't say a camera that scans", "can: csm, isd, ")]

@@ -18,6 +18,9 @@ public sealed class CubeTests : IDisposable
         + "  exposure-time: 0.004\n  psf: gaussian\n  psf-sigma: 0.8\n  gain: 12\n  read-noise: 15\n  bias: 64\n  full-well: 40000\n"
         + "  adc-bits: 12\n  seed: 7\n";
 
+    private const string Scan = "width: 40\nheight: 1\nfocal-length: 6\npixel-pitch: [0.05, 0.06]\nskew: 1.5\n"
+        + "principal-point: [23.5, 4.25]\npixel-convention: opencv\nscan: {kind: line-scan, period: 0.05ORDER}\n";
+
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -30,6 +33,12 @@ public sealed class CubeTests : IDisposable
             ["--fixed-state", $"{{{Time},1.95E6,2E5,1E5,0.02,-0.03,0.3,0.9533}}", "--normalize", "--ldem", TestParts.Ldem4Label!];
         Draw("factors", [.. moon, "--camera", _folder.Write("plain.yaml", Camera), "--reflectance", "lambert"]);
         Draw("numbers", [.. moon, "--camera", _folder.Write("detector.yaml", Camera + "skew: 2.5\n" + Detector)]);
+        foreach ((string name, string order) in (ReadOnlySpan<(string, string)>)[("scan", ""), ("scan-up", ", order: up")])
+        {
+            string camera = _folder.Write($"{name}.yaml", Scan.Replace("ORDER", order, StringComparison.Ordinal));
+            Draw(name, [.. moon, "--camera", camera, "--lines", "30", "--motion", "{200,-900,1300,0.02,-0.05,0.08}"]);
+        }
+
         Succeed(["ldem", "synthesize", "--res", "1", "--body", "mercury", "--seed", "1", "--output-dir", _folder.Path, "--batch"]);
         Draw(
             "mercury",
@@ -43,12 +52,13 @@ public sealed class CubeTests : IDisposable
             [
                 "-B", Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "CameraExport", "cubes.py"),
                 TestParts.CSpiceLibrary!, TestParts.Kernels, Time, _folder["factors"], _folder["numbers"], _folder["mercury"],
+                _folder["scan"], _folder["scan-up"],
             ],
             _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
 
-        Assert.Equal(3, lines.Length);
+        Assert.Equal(5, lines.Length);
         foreach ((string line, string begin, double least) in lines.Zip(
-            ["factors Moon ", "numbers Moon ", "mercury Mercury "], [0.001, 65.0, 0.001]))
+            ["factors Moon ", "numbers Moon ", "mercury Mercury ", "scan Moon ", "scan-up Moon "], [0.001, 65.0, 0.001, 1e-5, 1e-5]))
         {
             string[] words = line.Split(' ');
             Assert.StartsWith(begin, line);

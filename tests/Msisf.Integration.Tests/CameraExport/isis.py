@@ -67,20 +67,31 @@ class Cube:
     def column(self, table, *names):
         return np.stack([self.tables[table][name] for name in names], axis=-1)
 
-    def rotation(self, table):
-        q, = self.column(table, "J2000Q0", "J2000Q1", "J2000Q2", "J2000Q3")
-        return turn(*q)
+    def rotation(self, table, record=0):
+        return turn(*self.column(table, "J2000Q0", "J2000Q1", "J2000Q2", "J2000Q3")[record])
 
-    def pixels(self, points):
-        """Samples and lines, the first at 1, of points (m, body-fixed)."""
+    def records(self, lines):
+        """Of a scan, the record of each line, which must be at its time: LineScanCameraDetectorMap.cpp."""
+        inst = self.label["IsisCube"]["Instrument"]
+        times = inst["EphemerisTime"] + inst["ExposureDuration"] / 1000.0 * (lines - 0.5)
+        for table in ("InstrumentPosition", "InstrumentPointing", "BodyRotation"):
+            assert np.abs(self.tables[table]["ET"][lines - 1] - times).max() < 2e-7
+        return lines - 1
+
+    def pixels(self, points, lines=None):
+        """Samples and lines, the first at 1, of points (m, body-fixed); of a scan in the lines that are given."""
         naif, inst = self.label["NaifKeywords"], self.label["IsisCube"]["Instrument"]
-        inertial = points / 1000.0 @ self.rotation("BodyRotation")
-        position, = self.column("InstrumentPosition", "J2000X", "J2000Y", "J2000Z")
-        x, y, z = ((inertial - position) @ self.rotation("InstrumentPointing").T).T
+        is_scan = inst["InstrumentType"] == "Linescan"
+        record = self.records(lines) if is_scan else np.zeros(len(points), int)
+        body = np.stack([self.rotation("BodyRotation", i) for i in range(record.max() + 1)])[record]
+        sensor = np.stack([self.rotation("InstrumentPointing", i) for i in range(record.max() + 1)])[record]
+        inertial = np.einsum("nj,njk->nk", points / 1000.0, body)
+        away = inertial - self.column("InstrumentPosition", "J2000X", "J2000Y", "J2000Z")[record]
+        x, y, z = np.einsum("njk,nk->jn", sensor, away)
         dx, dy = naif["IDEAL_FOCAL_LENGTH"] * x / z, naif["IDEAL_FOCAL_LENGTH"] * y / z
         s, l = naif["IDEAL_TRANSS"], naif["IDEAL_TRANSL"]
         forward, back = np.array([s[1:], l[1:]]), np.array([naif["IDEAL_TRANSX"][1:], naif["IDEAL_TRANSY"][1:]])
         assert np.abs(forward @ back - np.eye(2)).max() < 1e-14
         assert np.abs(forward @ [naif["IDEAL_TRANSX"][0], naif["IDEAL_TRANSY"][0]] + [s[0], l[0]]).max() < 1e-12
         return (s[0] + s[1]*dx + s[2]*dy + inst["SampleDetectors"] / 2 + 0.5,
-                l[0] + l[1]*dx + l[2]*dy + inst["LineDetectors"] / 2 + 0.5)
+                l[0] + l[1]*dx + l[2]*dy + (lines if is_scan else inst["LineDetectors"] / 2 + 0.5))

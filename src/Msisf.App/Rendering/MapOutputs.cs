@@ -1,0 +1,56 @@
+using Msisf.Adapters.CameraExport;
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Maps;
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Settings;
+using Msisf.Core.Layers;
+using Msisf.Core.Maps;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+
+namespace Msisf.App.Rendering;
+
+/// <summary>Puts frames and their layers on a map. Thread-safe.</summary>
+/// <param name="settings">The map.</param>
+/// <param name="native">Which layers, and how precise.</param>
+/// <param name="libraryPath">MSISF_GDAL, or null.</param>
+/// <param name="log">Is told of frames without ground.</param>
+internal sealed class MapOutputs(MapSettings settings, NativeSettings native, string? libraryPath, ILog log)
+{
+    /// <summary>Writes the files of a frame.</summary>
+    /// <param name="files">Receives them.</param>
+    /// <param name="stem">Path of the frame's files, without extension.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="rendered">The drawn frame.</param>
+    /// <param name="metadata">The frame's.</param>
+    /// <param name="provenance">The frame's.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <returns>The paths; none if the frame shows no ground.</returns>
+    public IReadOnlyList<string> Write(
+        AtomicFileSet files, string stem, Frame frame, RenderedFrame rendered, FrameMetadata metadata, LayerProvenance provenance,
+        CancellationToken cancellation)
+    {
+        ArgumentNullException.ThrowIfNull(rendered.Truth);
+        ArgumentNullException.ThrowIfNull(rendered.Terrain);
+        IGroundTruth truth = rendered.Truth;
+        ImageMap? map = new ImageMapper(truth, rendered.Terrain)
+            .Find(settings.Kind, settings.Cell, rendered.Threads, cancellation);
+        if (map is null)
+        {
+            log.Note($"{frame.Name} shows no ground, so there is no map of it.");
+            return [];
+        }
+
+        ImageMapFiles writer = new(map, metadata.Globe, libraryPath);
+        List<string> paths = [writer.WriteImage(files, stem, ExportedImage.Of(truth, rendered.Detected))];
+        if (native.Layers is { } layers)
+        {
+            paths.AddRange(writer.WriteLayers(
+                files, stem, FrameNavigation.Mark(truth, metadata.Navigation, layers), provenance, layers, native.LayersPrecision,
+                cancellation));
+        }
+
+        return paths;
+    }
+}
