@@ -167,6 +167,47 @@ public sealed class ScanRunTests : IDisposable
         }
     }
 
+    /// <summary>
+    /// A frame under a rolling shutter is the scan by rows from its first row's time on: neither rounds that time, and its state, alike.
+    /// </summary>
+    [Fact]
+    public void Run_RollingShutter_ExposesEachRowAtItsOwnTime()
+    {
+        const string Camera = "focal-length: 10\npixel-pitch: 0.02\nwidth: 40\nheight: 31\nprincipal-point: [18, 12]\ndetector:\n"
+            + "  f-number: 4\n  exposure-time: 0.02\n  band: [500, 600]\n  quantum-efficiency: 0.5\n  gain: 8000\n  adc-bits: 12\n"
+            + "  psf: gaussian\n  psf-sigma: 0.7\n";
+        const string Motion = "{200,4000,-3000,0.02,0.05,-0.03}";
+        string shutter = _folder.Write("shutter.yaml", $"{Camera}  shutter: rolling\n  line-time: 0.2\n");
+        string scan = _folder.Write("scan.yaml", $"{Camera}  shutter: global\nscan:\n  kind: rolling-shutter\n  period: 0.2\n");
+        Draw("frame", "--fixed-state", "{55289,1.9E6,1E5,0,0,0,0,1}", "--motion", Motion, "--camera", shutter);
+
+        // 15 rows of 0.2 s before the frame's time: 3 s. The turn about a fixed axis by quaternions.
+        double[] axis = [0.02, 0.05, -0.03];
+        double rate = Math.Sqrt(axis.Sum(part => part * part));
+        double sine = Math.Sin(-1.5 * rate) / rate;
+        double[] first = [1.9e6 - 600, 1e5 - 12000, 9000, axis[0] * sine, axis[1] * sine, axis[2] * sine, Math.Cos(1.5 * rate)];
+        string time = (55289.0 - (3.0 / 86400.0)).ToString("R", CultureInfo.InvariantCulture);
+        string state = $"{{{time},{string.Join(',', first.Select(number => number.ToString("R", CultureInfo.InvariantCulture)))}}}";
+        Draw("rows", "--fixed-state", state, "--motion", Motion, "--camera", scan);
+        Draw("still", "--fixed-state", "{55289,1.9E6,1E5,0,0,0,0,1}", "--motion", Motion, "--camera", _folder.Write(
+            "still.yaml", $"{Camera}  shutter: global\n"));
+
+        PngPixels frame = PngPixels.Read(_folder["frame/MoonSurfIllumSim_step_00001.png"]);
+        PngPixels rows = PngPixels.Read(_folder["rows/MoonSurfIllumSim_step_00001.png"]);
+        PngPixels still = PngPixels.Read(_folder["still/MoonSurfIllumSim_step_00001.png"]);
+        (int others, int moved) = (0, 0);
+        for (int pixel = 0; pixel < 40 * 31; pixel++)
+        {
+            (int x, int y) = (pixel % 40, pixel / 40);
+            Assert.InRange(frame[x, y, 0] - rows[x, y, 0], -16, 16); // a DN is 16 levels of the file
+            others += frame[x, y, 0] == rows[x, y, 0] ? 0 : 1;
+            moved += frame[x, y, 0] == still[x, y, 0] ? 0 : 1;
+        }
+
+        Assert.InRange(others, 0, 12);
+        Assert.True(moved > 600, $"{moved} pixels moved");
+    }
+
     [Fact]
     public void Run_LinesApart_AreWarnedOf()
     {

@@ -81,7 +81,10 @@ internal sealed class NativeDrawing
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try
         {
-            DetectorImage? detected = detector is null ? null : Expose(detector, renderer, frame, drawn, threads, cancellation);
+            DetectorImage? detected = detector is null ? null
+                : Settings.Detector!.Settings.Shutter is { IsRolling: true } shutter && frame.Motion is { IsRest: false } motion
+                    ? ExposeRows(detector, renderer, frame, drawn, (shutter, motion), threads, cancellation)
+                    : Expose(detector, renderer, frame, drawn, threads, cancellation);
             return new NativeImage(this, renderer, frame, drawn, detector, detected);
         }
         catch
@@ -159,6 +162,34 @@ internal sealed class NativeDrawing
         return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image);
     }
 
+    /// <summary>Exposes the rows of a frame one by one, each about its own time, and reads them out together.</summary>
+    /// <param name="detector">The detector.</param>
+    /// <param name="renderer">Draws the rows.</param>
+    /// <param name="frame">The frame; its time is the middle of its middle row.</param>
+    /// <param name="middle">It at its own time.</param>
+    /// <param name="moving">The rolling shutter, and how the camera moves.</param>
+    /// <param name="threads">Number of threads.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    private DetectorImage ExposeRows(
+        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, (Shutter Shutter, CameraMotion Motion) moving,
+        int threads, CancellationToken cancellation)
+    {
+        Scan scan = new(ScanKind.RollingShutter, frame.Camera.Height, moving.Shutter.LineTime);
+        double first = -0.5 * scan.SecondsOf(scan.Count - 1);
+        CameraState state = frame.Camera.State;
+        ScanPath path = new ScanPath(
+            seconds => frame.Path?.At(first + seconds) ?? moving.Motion.Moved(state, first + seconds)).Of(scan, null, 0.0);
+        ScannedShot shot = new(
+            scan, frame.Model!, path, scan.CameraOf(frame.Model!, path.States), frame.Light, frame.Time, frame.Noise,
+            0.5 * Settings.Detector!.Settings.Exposed(frame.ExposureFactor).ExposureTime)
+        {
+            NoiseCamera = middle.Camera,
+        };
+        ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false });
+        return _times.Measure(
+            Phase.Detector, () => readout.Expose(shot, new PixelRows(0, scan.Count), threads, cancellation).Image);
+    }
+
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
     /// <param name="detector">The detector.</param>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
@@ -180,7 +211,7 @@ internal sealed class NativeDrawing
                 ? null
                 : Draw(renderer, InstantOf(exposures.TimeOf(index)), frame, options, threads, cancellation);
             _times.Measure(
-                Phase.Detector, () => detector.Collect(other ?? middle, exposures, index, image, threads, cancellation));
+                Phase.Detector, () => detector.Collect(other ?? middle, exposures.Weight, image, threads, cancellation));
         }
 
         ICamera InstantOf(double seconds) => frame is { Path: { } path, Model: { } model }

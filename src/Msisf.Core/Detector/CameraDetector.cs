@@ -56,7 +56,7 @@ public sealed class CameraDetector
         }
     }
 
-    /// <summary>The instants for which a frame must be drawn so that none of its points jumps by more than the shutter allows.</summary>
+    /// <summary>The instants for which a frame, or a row of a rolling shutter, must be drawn so that none of its points jumps by more than the shutter allows.</summary>
     /// <param name="middle">
     /// The frame at its own time, drawn with <see cref="WindowOf"/>; with ground truth if there is a motion.
     /// </param>
@@ -66,23 +66,21 @@ public sealed class CameraDetector
     /// <exception cref="BadInputException">More than <see cref="MaxSubExposures"/> are needed.</exception>
     public SubExposures SubExposuresOf(NativeFrame middle, CameraMotion motion, int threads, CancellationToken cancellation)
     {
-        int height = middle.Camera.Height - (2 * Margin);
+        double span = _settings.ExposureTime;
         if (_settings.Shutter is not Shutter shutter || motion.IsRest)
         {
-            return new SubExposures(1, _settings.ExposureTime, 0.0, height);
+            return new SubExposures(1, span);
         }
 
-        double span = shutter.Span(_settings.ExposureTime, height);
         double pixels = ImageMotion.Greatest(middle, motion, span, MaxSubExposures, threads, cancellation);
         double needed = Math.Max(1.0, Math.Ceiling(pixels / shutter.MaxStep));
         return needed <= MaxSubExposures
-            ? new SubExposures((int)needed | 1, _settings.ExposureTime, shutter.LineTime, height)
+            ? new SubExposures((int)needed | 1, span)
             : throw new BadInputException(string.Create(
                 CultureInfo.InvariantCulture,
                 $"the image moves by up to {pixels:G3} px while the shutter is open for {span:G3} s; steps of 'motion-step' "
                     + $"{shutter.MaxStep} px would be {needed:G3} sub-exposures, and {MaxSubExposures} is the most. Give the camera file a "
-                    + $"larger 'motion-step' or a shorter 'exposure-time'{(shutter.LineTime > 0.0 ? " or 'line-time'" : string.Empty)}, or "
-                    + $"check the velocities."));
+                    + $"larger 'motion-step' or a shorter 'exposure-time', or check the velocities."));
     }
 
     /// <summary>An image without electrons, for one frame.</summary>
@@ -100,19 +98,13 @@ public sealed class CameraDetector
 
     /// <summary>Collects the electrons of one instant of the exposure.</summary>
     /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowOf"/>, in sunlight.</param>
-    /// <param name="exposures">All instants.</param>
-    /// <param name="index">Which of them it is.</param>
+    /// <param name="weight">Part of the exposure for which the instant stands.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
-    public void Collect(
-        NativeFrame drawn, SubExposures exposures, int index, DetectorImage image, int threads, CancellationToken cancellation)
-    {
-        _pass.Expose(
-            drawn.RadianceFactorMemory, _throughput, row => PerSteradian(drawn, row), row => exposures.WeightOf(index, row),
-            new PixelRows(0, image.Height), image, threads, cancellation);
-    }
+    public void Collect(NativeFrame drawn, double weight, DetectorImage image, int threads, CancellationToken cancellation) =>
+        Collect(drawn, new PixelRows(0, image.Height), weight, image, threads, cancellation);
 
     /// <summary>Collects the electrons of one instant in some rows.</summary>
     /// <param name="drawn">These rows at that instant, drawn with <see cref="WindowOf"/>.</param>

@@ -56,7 +56,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
             cancellation);
         if (isRolling)
         {
-            _detector.Read(whole, shot.Time, shot.Camera, shot.Noise, threads, cancellation);
+            _detector.Read(whole, shot.Time, shot.NoiseCamera ?? shot.Camera, shot.Noise, threads, cancellation);
         }
 
         return (new NativeFrame(drawn, static () => { }), whole);
@@ -120,7 +120,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
                 {
                     bool isMiddle = index == instants.Middle && rowsBelow == 0.0;
                     using NativeFrame? other = isMiddle ? null : Draw(At(seconds + instants.TimeOf(index), rowsBelow), ofOthers);
-                    _detector.Collect(other ?? middle, rows, 1.0 / instants.Count, image, 1, cancellation);
+                    _detector.Collect(other ?? middle, rows, instants.Weight, image, 1, cancellation);
                 }
             }
         }
@@ -157,6 +157,9 @@ public sealed record ScannedShot(
     double HalfExposure)
 {
     private const ulong GoldenRatio = 0x9E3779B97F4A7C15; // as SplitMix64 steps: exposures of one image have far apart numbers
+
+    /// <summary>The camera whose place counts for the noise; null for that of the first row.</summary>
+    public ICamera? NoiseCamera { get; init; }
 
     /// <summary>Whether the camera moves while the shutter is open.</summary>
     public bool HasShutter => HalfExposure > 0.0;

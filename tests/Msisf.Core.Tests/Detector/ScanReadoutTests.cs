@@ -174,7 +174,7 @@ public sealed class ScanReadoutTests
         CameraDetector detector = new(settings with { Shutter = null }, camera, 1);
         using NativeFrame drawn = Renderer.Render(detector.WindowOf(camera), Sun, Options, threads: 1);
         DetectorImage image = detector.Begin(drawn);
-        detector.Collect(drawn, detector.SubExposuresOf(drawn, default, 1, default), 0, image, 1, default);
+        detector.Collect(drawn, 1.0, image, 1, default);
         return image.Electrons;
     }
 
