@@ -175,7 +175,7 @@ public sealed class ScanRunTests : IDisposable
     {
         const string Camera = "focal-length: 10\npixel-pitch: 0.02\nwidth: 40\nheight: 31\nprincipal-point: [18, 12]\ndetector:\n"
             + "  f-number: 4\n  exposure-time: 0.02\n  band: [500, 600]\n  quantum-efficiency: 0.5\n  gain: 8000\n  adc-bits: 12\n"
-            + "  psf: gaussian\n  psf-sigma: 0.7\n";
+            + "  psf: gaussian\n  psf-sigma: 0.7\n  seed: none\n";
         const string Motion = "{200,4000,-3000,0.02,0.05,-0.03}";
         string shutter = _folder.Write("shutter.yaml", $"{Camera}  shutter: rolling\n  line-time: 0.2\n");
         string scan = _folder.Write("scan.yaml", $"{Camera}  shutter: global\nscan:\n  kind: rolling-shutter\n  period: 0.2\n");
