@@ -74,17 +74,25 @@ public sealed class BandedCamera : ICamera
     }
 
     /// <inheritdoc/>
-    /// <remarks>Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest.</remarks>
+    /// <remarks>
+    /// Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest. A point that lies in no band's rows has
+    /// a place beside the image, even where its place beside that band would be among the rows of others.
+    /// </remarks>
     public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point)
     {
-        (double nearest, point) = (double.PositiveInfinity, default);
+        (double nearest, point, PixelRows where) = (double.PositiveInfinity, default, default);
         foreach ((PixelRows rows, FrameCamera camera) in _bands)
         {
             if (camera.TryProjectPoint(pointBodyFixed, out RenderingPoint seen))
             {
                 double beside = Math.Max(0.0, Math.Max(0.5 - seen.Y, seen.Y - camera.Height - 0.5));
-                (nearest, point) = beside < nearest ? (beside, seen with { Y = seen.Y + rows.First }) : (nearest, point);
+                (nearest, point, where) = beside < nearest ? (beside, seen with { Y = seen.Y + rows.First }, rows) : (nearest, point, where);
             }
+        }
+
+        if (nearest is > 0.0 and < double.PositiveInfinity && point.Y >= 0.5 && point.Y <= Height + 0.5)
+        {
+            point = point with { Y = where.First + where.End < Height ? 0.5 - nearest : Height + 0.5 + nearest };
         }
 
         return nearest < double.PositiveInfinity;

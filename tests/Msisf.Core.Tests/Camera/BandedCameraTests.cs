@@ -73,6 +73,27 @@ public sealed class BandedCameraTests
         Assert.False(Camera.TryProjectPoint(ray.Origin - (1e6 * ray.Direction), out _));
     }
 
+    /// <summary>A scan that runs up shows what lies further up in lower rows; beyond its first and last row nothing is seen.</summary>
+    [Theory]
+    [InlineData(-1.0)] // down, as the rows of a frame
+    [InlineData(1.0)]
+    public void TryProjectPoint_BeyondTheRows_IsOutsideOfTheImage(double up)
+    {
+        Vector3D step = new(0.0, 0.0, up * 9e3); // m from row to row, wider than the 7.6 km that a row sees at 300 km
+        ICamera scan = BandedCamera.Of(
+            Model, [.. Enumerable.Range(0, 31).Select(row => First with { PositionBodyFixed = First.PositionBodyFixed + (row * step) })]);
+        foreach ((double row, double beyond) in ((double, double)[])[(1.0, -5.0), (31.0, 5.0)])
+        {
+            Ray ray = scan.RayThrough(17.0, row);
+            Vector3D seen = ray.Origin + (3e5 * ray.Direction.Normalized());
+
+            Assert.True(scan.TryProjectPoint(seen, out RenderingPoint inside));
+            Assert.Equal(row, inside.Y, 0.5);
+            Assert.True(scan.TryProjectPoint(seen + (beyond * step), out RenderingPoint outside));
+            Assert.True(row < 2.0 ? outside.Y < 0.5 : outside.Y > 31.5, $"{row}: {outside}");
+        }
+    }
+
     [Theory]
     [InlineData(0, 0, 40, 31)]
     [InlineData(5, 7, 20, 12)]
