@@ -75,8 +75,8 @@ public sealed class BandedCamera : ICamera
 
     /// <inheritdoc/>
     /// <remarks>
-    /// Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest. A point that lies in no band's rows has
-    /// a place beside the image, even where its place beside that band would be among the rows of others.
+    /// Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest. A point that lies in no band's rows
+    /// has a place beside the image, even where its place beside that band would be among the rows of others.
     /// </remarks>
     public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point)
     {
@@ -86,7 +86,9 @@ public sealed class BandedCamera : ICamera
             if (camera.TryProjectPoint(pointBodyFixed, out RenderingPoint seen))
             {
                 double beside = Math.Max(0.0, Math.Max(0.5 - seen.Y, seen.Y - camera.Height - 0.5));
-                (nearest, point, where) = beside < nearest ? (beside, seen with { Y = seen.Y + rows.First }, rows) : (nearest, point, where);
+                (nearest, point, where) = beside < nearest
+                    ? (beside, seen with { Y = seen.Y + rows.First }, rows)
+                    : (nearest, point, where);
             }
         }
 
