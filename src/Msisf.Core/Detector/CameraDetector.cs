@@ -57,8 +57,8 @@ public sealed class CameraDetector
     }
 
     /// <summary>
-    /// The instants for which a frame, or a row of a rolling shutter, must be drawn so that none of its points jumps by more than the shutter
-    /// allows.
+    /// The instants for which a frame, or a row of a rolling shutter, must be drawn so that none of its points jumps by more than the
+    /// shutter allows.
     /// </summary>
     /// <param name="middle">
     /// The frame at its own time, drawn with <see cref="WindowOf"/>; with ground truth if there is a motion.
