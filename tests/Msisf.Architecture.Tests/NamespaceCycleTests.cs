@@ -18,7 +18,8 @@ namespace Msisf.Architecture.Tests
             "Tracing",
             "Illumination", // light over time, without an image
             "Tiles", "Tiles.Selection", "Scene",
-            "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Sampling", "Render",
+            "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Indirect",
+            "Render.Sampling", "Render",
             "Blocks", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
             "Navigation",

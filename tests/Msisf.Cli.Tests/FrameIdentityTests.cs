@@ -129,6 +129,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--samples", "--samples auto:0.5", "--samples auto:20" },
         { "--shading", "", "--shading smooth" },
         { "--sun", "--position 0,45,160000 --time 55289", "--sun disc" },
+        { "--indirect", "--indirect --layers indirect", "--indirect 2" },
+        { "--indirect-error", "--indirect --layers indirect", "--indirect-error 0.1" },
         { "--reflectance", "", "--reflectance lommel-seeliger" },
         { "--reflectance", "--reflectance hapke:w=0.3", "--reflectance hapke:w=0.4" },
         { "--hapke-map", "--reflectance moon", "--hapke-map FILE:hapke.img" },

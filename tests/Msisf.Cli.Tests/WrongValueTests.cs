@@ -28,6 +28,7 @@ public sealed class WrongValueTests : IDisposable
         ["--reflectance"] = ["x", "lambrt", "hapke:x=1", "hapke:w=x", "hapke:w=5"],
         ["--layers"] = ["x", "depth,x", "depth,depth"],
         ["--samples"] = ["x", "", "0", "2", "257", "1.5", "auto:", "auto:x", "auto:0", "4:0.5"],
+        ["--indirect"] = ["x", "0", "-1", "9", "1.5"],
         ["--pov-options"] = ["fast", "+W64"],
         ["--frames"] = ["x", "0", "5:3"],
         ["--refine"] = ["x", "-1", "1.5"],

@@ -32,7 +32,7 @@ internal sealed class ViewProbe
             Detector = null,
             Layers = null,
             Navigation = null,
-            Render = native.Render with { KeepGroundTruth = true, SubsamplesPerAxis = 1, Adaptive = null },
+            Render = native.Render with { KeepGroundTruth = true, SubsamplesPerAxis = 1, Adaptive = null, Indirect = null },
         };
         _camera = ReducedCamera.ModelOf(settings.CameraModel, LongerSide);
         _drawing = new NativeDrawing(small, model.Grid, maps, new NativeLevels(model.DetailOf(settings.LevelOfDetailError)), times);

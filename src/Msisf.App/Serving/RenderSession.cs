@@ -98,7 +98,13 @@ internal sealed class RenderSession : IDisposable
     {
         ICamera camera = frame.Frame.Camera;
         NativeRenderer renderer = _levels.For(camera, Settings.Native.Render.DetailSubsamplesPerAxis);
-        NativeRenderOptions truth = Settings.Native.Render with { SubsamplesPerAxis = 1, Adaptive = null, KeepGroundTruth = true };
+        NativeRenderOptions truth = Settings.Native.Render with
+        {
+            SubsamplesPerAxis = 1,
+            Adaptive = null,
+            Indirect = null,
+            KeepGroundTruth = true,
+        };
         return new DrawnPixels(
             camera,
             window => renderer.Render(window, frame.Frame.Light, truth, threads, cancellation),

@@ -185,7 +185,8 @@ internal static class NativeOptions
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [
-            Samples, Shading, Sun, Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, ExposureTime, ExposureFactor, NoiseSeed,
+            Samples, Shading, Sun, IndirectOptions.Bounces, IndirectOptions.Error,
+            Reflectance, HapkeMap, Albedo, Exposure, Transfer, BitDepth, ExposureTime, ExposureFactor, NoiseSeed,
             Refine, RefineCell, Layers, LayersFormat, LayersPrecision, LayersCompression,
         ])
     {

@@ -16,9 +16,10 @@ internal static class NativeSettingsReader
     /// <param name="values">The options.</param>
     /// <param name="map">The options of the map and of the band.</param>
     /// <param name="detector">The camera's detector; null without one.</param>
+    /// <param name="scans">Whether the camera's rows have times of their own.</param>
     /// <param name="needsTruth">Whether the meta file needs ground truth, because its pixels lie on the terrain.</param>
     /// <exception cref="MsisfException">A value is wrong.</exception>
-    public static NativeSettings Read(OptionValues values, AlbedoSettings map, CameraFileDetector? detector, bool needsTruth)
+    public static NativeSettings Read(OptionValues values, AlbedoSettings map, CameraFileDetector? detector, bool scans, bool needsTruth)
     {
         (string law, SortedDictionary<string, double> parameters) = ReflectanceText.Parse(NativeOptions.Reflectance.Read(values));
         double? albedo = NativeOptions.Albedo.ReadIfGiven(values);
@@ -29,6 +30,8 @@ internal static class NativeSettingsReader
             : null;
         bool isAll = layers == LayerSet.All;
         layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), isAll, navigation);
+        IndirectLight? indirect = IndirectOptions.Read(values, scans);
+        layers = IndirectOptions.LayersOf(layers, isAll, indirect);
         RefineSettings? refine = RefineSettings.Read(values);
         layers = RefineSettings.LayersOf(layers, isAll, refine);
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
@@ -58,6 +61,7 @@ internal static class NativeSettingsReader
                 Normals = NativeOptions.Shading.Read(values),
                 SubsamplesPerAxis = subsamplesPerAxis,
                 Adaptive = adaptive,
+                Indirect = indirect,
                 KeepGroundTruth = needsTruth || layers is not null || navigation is not null,
             },
             ReflectanceText = parameters.Count == 0

@@ -60,7 +60,7 @@ internal static class RenderSettingsReader
             Body = BodyChoice.Read(values, renderer, resolution),
             Renderer = renderer,
             Native = NativeSettingsReader.Read(
-                values, albedo, DetectorChoice.Of(camera, values), needsTruth),
+                values, albedo, DetectorChoice.Of(camera, values), scans: scan is not null, needsTruth),
             Albedo = albedo,
             LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),

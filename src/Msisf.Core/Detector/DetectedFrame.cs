@@ -11,6 +11,7 @@ public sealed class DetectedFrame : IGroundTruth
     private readonly NativeFrame _drawn;
     private readonly int _margin;
     private readonly double[] _radianceFactors;
+    private readonly double[] _indirectFactors;
     private readonly DetectorImage _image;
 
     /// <summary>Joins a drawn frame and its image.</summary>
@@ -24,12 +25,8 @@ public sealed class DetectedFrame : IGroundTruth
         _drawn = drawn;
         _margin = margin;
         _image = image;
-        _radianceFactors = new double[camera.Width * camera.Height];
-        for (int row = 0; row < camera.Height; row++)
-        {
-            drawn.RadianceFactors.Slice(((row + margin) * drawn.Camera.Width) + margin, camera.Width)
-                .CopyTo(_radianceFactors.AsSpan(row * camera.Width));
-        }
+        _radianceFactors = Cut(drawn.RadianceFactors);
+        _indirectFactors = Cut(drawn.IndirectFactors);
     }
 
     /// <inheritdoc/>
@@ -40,6 +37,9 @@ public sealed class DetectedFrame : IGroundTruth
 
     /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => _radianceFactors;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<double> IndirectFactors => _indirectFactors;
 
     /// <inheritdoc/>
     public ReadOnlySpan<double> Electrons => _image.Electrons;
@@ -73,5 +73,17 @@ public sealed class DetectedFrame : IGroundTruth
         {
             parameter *= factor;
         }
+    }
+
+    /// <summary>The values of an image without its margin.</summary>
+    private double[] Cut(ReadOnlySpan<double> drawn)
+    {
+        double[] values = new double[drawn.IsEmpty ? 0 : Camera.Width * Camera.Height];
+        for (int row = 0; !drawn.IsEmpty && row < Camera.Height; row++)
+        {
+            drawn.Slice(((row + _margin) * _drawn.Camera.Width) + _margin, Camera.Width).CopyTo(values.AsSpan(row * Camera.Width));
+        }
+
+        return values;
     }
 }

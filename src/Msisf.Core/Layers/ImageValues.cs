@@ -5,6 +5,8 @@ internal static class ImageValues
 {
     public static void RadianceFactor(LayerRow row, int plane, double[] values) => Copy(row, row.RadianceFactors, values);
 
+    public static void Indirect(LayerRow row, int plane, double[] values) => Copy(row, row.IndirectFactors, values);
+
     public static void Electrons(LayerRow row, int plane, double[] values) => Copy(row, row.Electrons, values);
 
     /// <summary>0 also without a detector.</summary>

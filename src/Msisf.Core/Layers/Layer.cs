@@ -58,6 +58,9 @@ public sealed class Layer
     /// <summary>Whether only a frame with a catalogue of craters has it.</summary>
     public bool NeedsCraters { get; init; }
 
+    /// <summary>Whether only a frame with light that ground throws on ground has it.</summary>
+    public bool NeedsIndirect { get; init; }
+
     /// <summary>Whether it is of use for scenes of several elevation models, or with invented ground, only.</summary>
     public bool NeedsModels { get; init; }
 

@@ -155,6 +155,15 @@ public static class LayerCatalogue
         {
             NeedsInventedGround = true,
         },
+        new(
+            "indirect", LayerType.Real64, string.Empty,
+            "The part of I/F of the image that is light from the ground around, mean over the pixel's samples; with --samples auto, of the "
+                + "pixel's centre. 0 without surface.",
+            ImageValues.Indirect)
+        {
+            NeedsIndirect = true,
+            CoversImage = true,
+        },
     ];
 
     /// <summary>The layer "cell" of scenes of several elevation models.</summary>

@@ -147,6 +147,9 @@ internal sealed class LayerRow
     /// <summary>I/F of the row's pixels, the mean over the samples of each; empty if the renderer does not know it.</summary>
     public ReadOnlySpan<double> RadianceFactors => _frame.RadianceFactorsOf(Row);
 
+    /// <summary>The part of <see cref="RadianceFactors"/> that is light from the ground; empty if it was not asked for.</summary>
+    public ReadOnlySpan<double> IndirectFactors => _frame.IndirectFactorsOf(Row);
+
     /// <summary>Electrons in the detector's pixels, before noise; empty without a detector.</summary>
     public ReadOnlySpan<double> Electrons => _frame.ElectronsOf(Row);
 

@@ -16,7 +16,7 @@ public sealed class LayerSet
     /// <summary>Every layer that frames of one elevation model, without detector and without catalogue, have.</summary>
     public static LayerSet OfAnyFrame { get; } =
         new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters && !layer.NeedsModels
-            && !layer.NeedsInventedGround)]);
+            && !layer.NeedsInventedGround && !layer.NeedsIndirect)]);
 
     /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>
     public static string ValidValues => $"{AllText}, or a list of {string.Join(", ", LayerCatalogue.All.Select(layer => layer.Name))}";

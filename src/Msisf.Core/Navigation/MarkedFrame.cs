@@ -20,6 +20,9 @@ public sealed class MarkedFrame(IGroundTruth frame, int[] craterNumbers) : IGrou
     public ReadOnlySpan<double> RadianceFactors => frame.RadianceFactors;
 
     /// <inheritdoc/>
+    public ReadOnlySpan<double> IndirectFactors => frame.IndirectFactors;
+
+    /// <inheritdoc/>
     public ReadOnlySpan<double> Electrons => frame.Electrons;
 
     /// <inheritdoc/>

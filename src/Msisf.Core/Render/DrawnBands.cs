@@ -17,6 +17,9 @@ internal interface IDrawnFrame
     /// <inheritdoc cref="IGroundTruth.RadianceFactors"/>
     ReadOnlyMemory<double> RadianceFactors { get; }
 
+    /// <inheritdoc cref="IGroundTruth.IndirectFactors"/>
+    ReadOnlyMemory<double> IndirectFactors => default;
+
     /// <inheritdoc cref="IGroundTruth.TryGet"/>
     bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light);
 

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Indirect;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Sampling;
 using Msisf.Core.Render.Shading;
@@ -21,9 +22,12 @@ internal sealed class FramePass : IDrawnFrame
     private readonly PartPass _parts;
     private readonly SamplingPass _sampling;
     private readonly GridPass _grid;
+    private readonly IndirectPass _indirect;
     private VisibleSurface? _visible;
     private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
+    private double[] _indirectFactors = [];
+    private double _shares;
     private NativeRenderOptions? _options;
 
     public FramePass(SurfaceModel surface)
@@ -34,6 +38,7 @@ internal sealed class FramePass : IDrawnFrame
         _parts = new PartPass(surface);
         _sampling = new SamplingPass(_parts);
         _grid = new GridPass(_parts);
+        _indirect = new IndirectPass(surface);
     }
 
     /// <summary>The surface that is drawn.</summary>
@@ -50,6 +55,10 @@ internal sealed class FramePass : IDrawnFrame
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
     public ReadOnlyMemory<double> RadianceFactors => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
 
+    /// <summary>The part of <see cref="RadianceFactors"/> that the ground's own light makes; empty if it is not asked for.</summary>
+    public ReadOnlyMemory<double> IndirectFactors =>
+        _indirectFactors.AsMemory(0, _options?.Indirect is null ? 0 : Camera.Width * Camera.Height);
+
     /// <summary>px: of the largest frame so far.</summary>
     public long Capacity => _radianceFactors.Length;
 
@@ -64,6 +73,7 @@ internal sealed class FramePass : IDrawnFrame
         _visibility.Show(surface);
         _light.Show(surface);
         _parts.Show(surface);
+        _indirect.Show(surface);
     }
 
     /// <summary>Draws a frame.</summary>
@@ -74,6 +84,11 @@ internal sealed class FramePass : IDrawnFrame
         if (_radianceFactors.Length < pixels)
         {
             _radianceFactors = new double[pixels];
+        }
+
+        if (options.Indirect is not null)
+        {
+            _indirectFactors = new double[pixels];
         }
 
         if (options.SubsamplesPerAxis > 1 && TryDrawGrid(threads, cancellation))
@@ -101,7 +116,8 @@ internal sealed class FramePass : IDrawnFrame
 
         if (options.Adaptive is not null)
         {
-            _sampling.Run(_visibility, light, _light, options, _sunlight, _radianceFactors, threads, cancellation);
+            _sampling.Run(
+                _visibility, light, _light, _indirect, options, _sunlight, _radianceFactors, threads, cancellation);
         }
     }
 
@@ -157,6 +173,18 @@ internal sealed class FramePass : IDrawnFrame
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
         SampleWeight sample = new(weight, IsFirst: isFirst);
         _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
+        if (_options!.Indirect is null || weight == 0.0)
+        {
+            return;
+        }
+
+        _shares = isFirst ? weight : _shares + weight;
+        if (isFirst)
+        {
+            _indirect.Begin(_visible, Light, _options, threads, cancellation);
+        }
+
+        _indirect.Add(_visible, _options, weight, _shares, _radianceFactors, _indirectFactors, threads, cancellation);
     }
 
     private bool TryDrawGrid(int threads, CancellationToken cancellation)

@@ -19,6 +19,9 @@ public interface IGroundTruth
     /// </summary>
     ReadOnlySpan<double> RadianceFactors { get; }
 
+    /// <summary>The part of <see cref="RadianceFactors"/> that is light from the ground; empty if it was not asked for.</summary>
+    ReadOnlySpan<double> IndirectFactors => [];
+
     /// <summary>Electrons of each pixel in the detector, before noise, by rows; empty without a detector.</summary>
     ReadOnlySpan<double> Electrons => [];
 
@@ -30,6 +33,9 @@ public interface IGroundTruth
 
     /// <summary>I/F of the pixels of a row, from 0; empty if the renderer does not know it.</summary>
     internal ReadOnlySpan<double> RadianceFactorsOf(int row) => RowOf(RadianceFactors, row);
+
+    /// <summary>I/F of the pixels of a row that is light from the ground; empty if it was not asked for.</summary>
+    internal ReadOnlySpan<double> IndirectFactorsOf(int row) => RowOf(IndirectFactors, row);
 
     /// <summary>Electrons of the pixels of a row, from 0; empty without a detector.</summary>
     internal ReadOnlySpan<double> ElectronsOf(int row) => RowOf(Electrons, row);

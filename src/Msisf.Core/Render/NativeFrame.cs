@@ -26,6 +26,9 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// <inheritdoc/>
     public ReadOnlySpan<double> RadianceFactors => Drawn.RadianceFactors.Span;
 
+    /// <inheritdoc/>
+    public ReadOnlySpan<double> IndirectFactors => Drawn.IndirectFactors.Span;
+
     /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
     internal ReadOnlyMemory<double> RadianceFactorMemory => Drawn.RadianceFactors;
 

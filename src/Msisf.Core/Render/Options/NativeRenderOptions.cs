@@ -48,6 +48,9 @@ public sealed record NativeRenderOptions
     /// </summary>
     public AdaptiveSampling? Adaptive { get; init; }
 
+    /// <summary>The light that ground throws on ground; null for the Sun's alone.</summary>
+    public IndirectLight? Indirect { get; init; }
+
     /// <summary>Samples along a pixel's edge for which the level of detail is chosen.</summary>
     public int DetailSubsamplesPerAxis => Adaptive is null ? SubsamplesPerAxis : AdaptiveSampling.SubsamplesPerAxis;
 

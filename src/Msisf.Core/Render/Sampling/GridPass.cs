@@ -63,7 +63,7 @@ internal sealed class GridPass(PartPass pass)
             surface, frame.Blocks, new ImageView(camera, 0.0, 0.0, perAxis: across),
             lights.FindCasters(frame.Blocks.Select(visible => visible.Block), light, bins, threads, cancellation), light.PositionBodyFixed,
             options, radianceFactors);
-        SampledFrame sampled = new(frame, light, lights, options, radianceFactors, threads, cancellation);
+        SampledFrame sampled = new(frame, light, lights, Indirect: null, options, radianceFactors, threads, cancellation);
         PartPass.EnsureRoom(_others, threads);
         while (_workers.Count < threads)
         {

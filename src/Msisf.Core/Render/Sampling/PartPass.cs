@@ -62,6 +62,11 @@ internal sealed class PartPass(SurfaceModel surface)
         frame.Lights.Run(
             _rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, frame.Threads,
             frame.Cancellation);
+        if (frame.Options.Indirect is not null)
+        {
+            frame.Indirect?.Add(
+                _rows, frame.Options, weight: 1.0, sum: 1.0, _factors, indirect: [], frame.Threads, frame.Cancellation);
+        }
     }
 
     /// <summary>The brightness of the parts of a list.</summary>

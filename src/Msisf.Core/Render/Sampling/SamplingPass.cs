@@ -1,4 +1,5 @@
 using Msisf.Core.Parallel;
+using Msisf.Core.Render.Indirect;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;
@@ -24,18 +25,19 @@ internal sealed class SamplingPass(PartPass pass)
     /// <param name="frame">The frame with one sample a pixel, at the pixels' centres.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="lights">Finds light and brightness.</param>
+    /// <param name="indirect">Finds the light of the ground, if the settings ask for it; it has been begun.</param>
     /// <param name="options">The settings; with <see cref="NativeRenderOptions.Adaptive"/>.</param>
     /// <param name="sunlight">The light on the pixels' centres.</param>
     /// <param name="radianceFactors">The brightness of the pixels' centres; receives that of the pixels.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Run(
-        VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options, PixelSunlight sunlight,
-        double[] radianceFactors, int threads, CancellationToken cancellation)
+        VisibilityPass frame, SceneLight light, LightPass lights, IndirectPass indirect, NativeRenderOptions options,
+        PixelSunlight sunlight, double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         AdaptiveSampling sampling = options.Adaptive!;
         _chooser.Classify(frame.Surface, radianceFactors, sunlight, sampling, threads, cancellation);
-        SampledFrame work = new(frame, light, lights, options, radianceFactors, threads, cancellation);
+        SampledFrame work = new(frame, light, lights, indirect, options, radianceFactors, threads, cancellation);
         List<int> trials = _chooser.ChooseTrials(sampling.Error, threads, cancellation);
         _trials.Begin(trials, radianceFactors, _chooser.Means);
         _chooser.Try(trials);
@@ -101,10 +103,11 @@ internal sealed class SamplingPass(PartPass pass)
 /// <param name="Frame">Knows the blocks of terrain that the frame may show.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Lights">Finds light and brightness.</param>
+/// <param name="Indirect">Finds the light of the ground; null where none is asked for.</param>
 /// <param name="Options">The settings.</param>
 /// <param name="RadianceFactors">The brightness of the pixels.</param>
 /// <param name="Threads">Maximum number of threads; the result does not depend on it.</param>
 /// <param name="Cancellation">Cancels the work.</param>
 internal sealed record SampledFrame(
-    VisibilityPass Frame, SceneLight Light, LightPass Lights, NativeRenderOptions Options, double[] RadianceFactors, int Threads,
-    CancellationToken Cancellation);
+    VisibilityPass Frame, SceneLight Light, LightPass Lights, IndirectPass? Indirect, NativeRenderOptions Options,
+    double[] RadianceFactors, int Threads, CancellationToken Cancellation);

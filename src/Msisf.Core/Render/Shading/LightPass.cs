@@ -62,7 +62,7 @@ internal sealed class LightPass
 
     /// <summary>Whether the brightness of lit ground is the same all over a facet, and a point of it is lit or not.</summary>
     public bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
-        light.IsSun && !HasDisc(light, options) && _shader.IsFlat(options);
+        light.IsSun && options.Indirect is null && !HasDisc(light, options) && _shader.IsFlat(options);
 
     /// <summary>
     /// Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.

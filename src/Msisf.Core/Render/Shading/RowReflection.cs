@@ -130,19 +130,43 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <param name="options">Reflectance law and map.</param>
     public void FindFactors(FrameCamera camera, SceneLight light, NativeRenderOptions options)
     {
-        int count = Points.Count;
         Points.FindAngles(light.PositionBodyFixed, camera.PositionBodyFixed);
-        if (options.Hapke is { } places)
+        FindLawFactors(Points, options);
+        Scale(camera, options);
+    }
+
+    /// <summary>Computes by what the map multiplies the law's radiance factors of points, whatever the light; 1 without a map.</summary>
+    public void FindScales(FrameCamera camera, NativeRenderOptions options)
+    {
+        if (options.Hapke is { } places && options.Albedo is { } map)
         {
-            places.FindFactors(Points, options.Albedo?.Reference);
-        }
-        else
-        {
-            options.Reflectance.RadianceFactors(
-                Points.CosIncidence.AsSpan(0, count), Points.CosEmission.AsSpan(0, count), Points.PhaseHaversine.AsSpan(0, count),
-                Points.Factors);
+            places.FindReferenceFactors(Points, map.Reference);
         }
 
+        Points.Factors.AsSpan(0, Points.Count).Fill(1.0);
+        Scale(camera, options);
+    }
+
+    /// <summary>Computes the radiance factors of the law alone.</summary>
+    /// <param name="points">The points, with their angles; get the radiance factors.</param>
+    /// <param name="options">Reflectance law; with Hapke's maps also the map of the reflectance.</param>
+    public static void FindLawFactors(SunlitPoints points, NativeRenderOptions options)
+    {
+        if (options.Hapke is { } places)
+        {
+            places.FindFactors(points, options.Albedo?.Reference);
+            return;
+        }
+
+        int count = points.Count;
+        options.Reflectance.RadianceFactors(
+            points.CosIncidence.AsSpan(0, count), points.CosEmission.AsSpan(0, count), points.PhaseHaversine.AsSpan(0, count),
+            points.Factors);
+    }
+
+    private void Scale(FrameCamera camera, NativeRenderOptions options)
+    {
+        int count = Points.Count;
         bool hasSites = options.AlbedoSites.Count > 0;
         if (hasSites)
         {

@@ -1,0 +1,85 @@
+using System.Globalization;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Errors;
+using Msisf.Core.Layers;
+using Msisf.Core.Render.Options;
+
+namespace Msisf.App.Settings;
+
+/// <summary>The options of the light that ground throws on ground.</summary>
+internal static class IndirectOptions
+{
+    /// <summary>Number of reflections.</summary>
+    public static TextSpec Bounces { get; } = new(
+        "--indirect", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Bounces), "BOUNCES",
+        $"Ground also gets light from the ground around, reflected up to so many times before, 1 to {IndirectLight.MaxBounces}; 1 if no "
+            + "number is given")
+    {
+        ValueIfBare = "1",
+        DefaultNote = "the Sun's light alone",
+    };
+
+    /// <summary>Error of that light.</summary>
+    public static NumberSpec Error { get; } = new(
+        "--indirect-error", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Error), "PART",
+        "Rms error of the light of --indirect in the image, over its rms; with a quarter of it frames take up to 16 times as long")
+    {
+        Default = IndirectLight.DefaultError,
+        Limits = new NumberRange(IndirectLight.MinError, IndirectLight.MaxError),
+    };
+
+    /// <summary>Reads the options; null if no such light is asked for.</summary>
+    /// <param name="values">The options.</param>
+    /// <param name="scans">Whether the camera's rows have times of their own.</param>
+    /// <exception cref="UsageException">A value is wrong, or has no meaning with others.</exception>
+    public static IndirectLight? Read(OptionValues values, bool scans)
+    {
+        double error = Error.Read(values);
+        if (Bounces.ReadIfGiven(values) is not { } text)
+        {
+            return !values.IsGiven(Error)
+                ? null
+                : throw new UsageException($"{Error.Name} has no meaning without {Bounces.Name}. Add that, or leave it out.")
+                    .About(Error, Bounces);
+        }
+
+        if (!int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int bounces)
+            || bounces is < 1 or > IndirectLight.MaxBounces)
+        {
+            throw new UsageException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{Bounces.Name} is '{text}'; a whole number from 1 to {IndirectLight.MaxBounces} is needed.")).About(Bounces);
+        }
+
+        if (LightOptions.IgnoreSun.Read(values))
+        {
+            throw new UsageException(
+                $"{Bounces.Name} needs the Sun's light on the ground, which --ignore-sun replaces by a lamp. Leave one of them out.")
+                .About(Bounces, LightOptions.IgnoreSun);
+        }
+
+        return !scans
+            ? new IndirectLight(bounces, error)
+            : throw new UsageException(
+                $"{Bounces.Name} is not for cameras that scan: the ground around would have to be lit anew for each of their rows. "
+                    + "Leave it out, or take a camera that sees its image at once.").About(Bounces, ImageOptions.Camera);
+    }
+
+    /// <summary>The layers that frames have with or without such light.</summary>
+    /// <param name="layers">The layers that are asked for; null for none.</param>
+    /// <param name="isAll">Whether all are asked for.</param>
+    /// <param name="light">The light; null for none.</param>
+    /// <exception cref="UsageException">A layer needs the light.</exception>
+    public static LayerSet? LayersOf(LayerSet? layers, bool isAll, IndirectLight? light)
+    {
+        if (layers is null || light is not null)
+        {
+            return layers;
+        }
+
+        return isAll || layers.Layers.FirstOrDefault(layer => layer.NeedsIndirect) is not { } layer
+            ? layers.Without(layer => layer.NeedsIndirect)
+            : throw new UsageException($"--layers: {layer.Name} is the light that the ground throws on ground. Add {Bounces.Name}.")
+                .About(NativeOptions.Layers, Bounces);
+    }
+}

@@ -1,0 +1,28 @@
+using Msisf.Core.Numerics;
+
+namespace Msisf.Core.Render.Indirect;
+
+/// <summary>What a group of points gets.</summary>
+/// <param name="isIrradiance">Whether irradiance and its mean direction are asked for, not the brightness towards the camera.</param>
+internal sealed class GatheredLight(bool isIrradiance)
+{
+    /// <summary>Whether irradiance is asked for.</summary>
+    public bool IsIrradiance => isIrradiance;
+
+    /// <summary>I/F of each point before the map of the reflectance scales it; or the irradiance over the Sun's.</summary>
+    public double[] Values { get; } = new double[Receivers.Size];
+
+    /// <summary>Of irradiance, the directions from which it comes, each times its part.</summary>
+    public Vector3D[] Directions { get; } = new Vector3D[Receivers.Size];
+
+    /// <summary>Sum over the points of the square of the error, estimated from how much neighbouring samples differ.</summary>
+    public double Variance { get; set; }
+
+    /// <summary>Forgets everything.</summary>
+    public void Clear()
+    {
+        Array.Clear(Values);
+        Array.Clear(Directions);
+        Variance = 0.0;
+    }
+}

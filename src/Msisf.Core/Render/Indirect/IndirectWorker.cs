@@ -1,0 +1,148 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render.Options;
+using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Visibility;
+using Msisf.Core.Surface;
+
+namespace Msisf.Core.Render.Indirect;
+
+/// <summary>How the points of a frame are sampled.</summary>
+/// <param name="Points">The points.</param>
+/// <param name="Options">The settings.</param>
+/// <param name="Rows">Rows of a strip, which is divided into groups from left to right.</param>
+/// <param name="Columns">Columns of a group.</param>
+/// <param name="Groups">Groups of a strip.</param>
+/// <param name="Number">Tells rounds apart.</param>
+/// <param name="SamplesPerDeviation">Samples for each unit of their standard deviation; 0 in the first round.</param>
+internal sealed record Round(
+    ISurfaceRows Points, NativeRenderOptions Options, int Rows, int Columns, int Groups, long Number, double SamplesPerDeviation);
+
+/// <summary>Samples the groups of a strip of points; the buffers of one thread.</summary>
+/// <param name="surface">The surface.</param>
+/// <param name="gather">Samples a group.</param>
+internal sealed class IndirectWorker(SurfaceModel surface, LightGather gather)
+{
+    private readonly GatheredLight _light = new(isIrradiance: false);
+    private readonly List<SurfaceRow> _rows = [];
+    private readonly int[] _next = new int[Receivers.Size];
+    private readonly int[] _places = new int[Receivers.Size];
+
+    /// <summary>Reflection on the points.</summary>
+    public RowReflection Reflection { get; } = new(surface);
+
+    /// <summary>Samples a group.</summary>
+    public LightGather Gather => gather;
+
+    /// <summary>Reads the rows of a strip.</summary>
+    public void Read(Round round, int strip)
+    {
+        Array.Clear(_next);
+        for (int row = 0; row < round.Rows; row++)
+        {
+            RowAt(row).Count = 0;
+            if ((strip * round.Rows) + row < round.Points.Height)
+            {
+                round.Points.Read((strip * round.Rows) + row + 1, RowAt(row));
+            }
+        }
+    }
+
+    /// <summary>Takes the points of the next group of the strip; false if there are none.</summary>
+    public bool TryFill(Round round, int strip, int group, Vector3D camera, double reach)
+    {
+        Receivers receivers = gather.Group;
+        receivers.Clear();
+        int end = (group + 1) * round.Columns;
+        for (int row = 0; row < round.Rows; row++)
+        {
+            SurfaceRow pixels = _rows[row];
+            int y = (strip * round.Rows) + row;
+            for (; _next[row] < pixels.Count && pixels.Columns[_next[row]] < end; _next[row]++)
+            {
+                int i = _next[row];
+                if (pixels.Columns[i] < end - round.Columns)
+                {
+                    continue; // of a group that needs no samples
+                }
+
+                Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
+                Vector3D facet = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
+                Vector3D normal = round.Options.Normals == NormalModel.Facet
+                    ? facet
+                    : Reflection.Smooth(round.Points.FacetOf(y + 1, pixels.Facets[i]), facet, point, camera);
+                int place = (y * round.Points.Width) + pixels.Columns[i];
+                _places[receivers.Count] = place;
+                receivers.Add(point, facet, normal, (camera - point).Normalized(), reach, place);
+            }
+        }
+
+        if (receivers.Count > 0)
+        {
+            gather.Begin();
+        }
+
+        return receivers.Count > 0;
+    }
+
+    /// <summary>Gives all points of the group the light that they share.</summary>
+    public void Share(double[] values)
+    {
+        _light.Clear();
+        gather.AddShared(_light);
+        for (int i = 0; i < gather.Group.Count; i++)
+        {
+            values[_places[i]] = _light.Values[i];
+        }
+    }
+
+    /// <summary>Takes samples for the points of the group.</summary>
+    /// <param name="samples">How many for each.</param>
+    /// <param name="isNear">Of near ground or of far.</param>
+    /// <param name="round">Tells rounds apart.</param>
+    /// <param name="values">The light of all points; receives the mean with the samples before.</param>
+    /// <param name="before">How many samples were taken before.</param>
+    /// <returns>Sum of the squares of the errors of the new samples' means.</returns>
+    public double Sample(int samples, bool isNear, long round, double[] values, int before)
+    {
+        if (samples == 0)
+        {
+            return 0.0;
+        }
+
+        _light.Clear();
+        gather.Add(samples, isNear, round, _light);
+        for (int i = 0; i < gather.Group.Count; i++)
+        {
+            ref double value = ref values[_places[i]];
+            value = ((before * value) + (samples * _light.Values[i])) / (before + samples);
+        }
+
+        return _light.Variance;
+    }
+
+    /// <summary>Finds by what the map scales the points of a row.</summary>
+    public void Scale(ISurfaceRows points, int row, FrameCamera camera, NativeRenderOptions options)
+    {
+        SurfaceRow pixels = RowAt(0);
+        points.Read(row + 1, pixels);
+        Reflection.Points.Clear(points.Width);
+        for (int i = 0; i < pixels.Count; i++)
+        {
+            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
+            Reflection.Points.Add(pixels.Columns[i], 1.0, new Vector3D(pixels.X[i], pixels.Y[i], pixels.Z[i]), normal, 1.0);
+        }
+
+        Reflection.FindScales(camera, options);
+    }
+
+    private SurfaceRow RowAt(int index)
+    {
+        while (_rows.Count <= index)
+        {
+            _rows.Add(new SurfaceRow());
+        }
+
+        return _rows[index];
+    }
+}

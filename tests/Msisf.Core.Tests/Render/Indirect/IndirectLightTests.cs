@@ -1,0 +1,124 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Numerics;
+using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
+using Msisf.Core.Tests.Support;
+using Msisf.Core.Tracing;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Core.Tests.Render.Indirect;
+
+/// <summary>The light that ground throws on ground, against what is known of it in closed form.</summary>
+public sealed class IndirectLightTests
+{
+    private const double Radius = 1_737_400.0;
+
+    /// <summary>Depth over diameter, albedo, the Sun's elevation in degrees, bounces.</summary>
+    public static TheoryData<double, double, double, int> Bowls => TestLength.IsLong
+        ? new()
+        {
+            { 0.05, 0.05, 4.0, 1 }, { 0.05, 0.5, 4.0, 3 }, { 0.1, 0.3, 6.0, 1 }, { 0.1, 0.3, 6.0, 4 }, { 0.2, 0.05, 10.0, 1 },
+            { 0.2, 0.5, 10.0, 5 }, { 0.3, 0.05, 15.0, 1 }, { 0.3, 0.5, 15.0, 1 }, { 0.3, 0.5, 15.0, 5 },
+        }
+        : new() { { 0.1, 0.3, 6.0, 1 }, { 0.3, 0.5, 15.0, 2 } };
+
+    /// <summary>
+    /// A. P. Ingersoll, T. Svitek, B. C. Murray, Icarus 100 (1992), p. 40: light scattered in a part of a sphere is the same all over it.
+    /// </summary>
+    [Theory]
+    [MemberData(nameof(Bowls))]
+    public void Render_ShadowInBowl_HasTheLightOfTheClosedForm(double depth, double albedo, double elevation, int bounces)
+    {
+        double error = TestLength.IsLong ? 0.0025 : 0.01;
+        NativeRenderOptions options = Options(albedo) with { Indirect = new IndirectLight(bounces, error) };
+        using NativeFrame frame = Draw(new BowlGrid(depth, TestLength.Of(200, 500)), elevation, TestLength.Of(12, 24), options);
+
+        double view = 1.0 / (1.0 + (1.0 / (4.0 * depth * depth)));
+        double series = Enumerable.Range(0, bounces).Sum(bounce => Math.Pow(albedo * view, bounce));
+        double expected = albedo * Math.Sin(double.DegreesToRadians(elevation)) * albedo * view * (1.0 - view) * series;
+        List<double> found = [.. InShadow(frame).Select(pixel => frame.RadianceFactors[pixel] / expected)];
+        Assert.InRange(found.Count, 30, 10_000);
+        double allowed = TestLength.IsLong ? 0.005 : 0.02; // everyday: the error that is asked for, and as much of the coarse mesh
+        Assert.InRange(found.Average(), 1.0 - allowed, 1.0 + allowed);
+        Assert.InRange(Math.Sqrt(found.Average(value => (value - 1.0) * (value - 1.0))), 0.0, allowed);
+        Assert.All(InShadow(frame), pixel => Assert.Equal(frame.RadianceFactors[pixel], frame.IndirectFactors[pixel]));
+    }
+
+    [Fact]
+    public void Render_OtherThreads_HasTheSameBits()
+    {
+        NativeRenderOptions options = Options(0.3) with
+        {
+            Indirect = new IndirectLight(2, 0.05),
+            Sun = SunModel.Disc,
+            Reflectance = new LommelSeeligerReflectance(0.2),
+            SubsamplesPerAxis = 2,
+        };
+        BowlGrid bowl = new(0.2, 60);
+        using NativeFrame one = Draw(bowl, 10.0, 16, options, threads: 1);
+        using NativeFrame three = Draw(bowl, 10.0, 16, options, threads: 3);
+
+        Assert.Equal(one.RadianceFactors, three.RadianceFactors);
+        Assert.Equal(one.IndirectFactors, three.IndirectFactors);
+    }
+
+    /// <summary>The light is added to what the Sun alone gives, also with more samples where they matter.</summary>
+    [Theory]
+    [InlineData(1, false)]
+    [InlineData(3, false)]
+    [InlineData(1, true)]
+    public void Render_WithIndirect_AddsItsLayer(int perAxis, bool isAdaptive)
+    {
+        BowlGrid bowl = new(0.2, 60);
+        NativeRenderOptions alone = Options(0.3) with
+        {
+            SubsamplesPerAxis = perAxis,
+            Adaptive = isAdaptive ? new AdaptiveSampling(2.0, new GreyScale(1.0, GreyTransfer.Linear)) : null,
+        };
+        using NativeFrame without = Draw(bowl, 10.0, 16, alone);
+        using NativeFrame with = Draw(bowl, 10.0, 16, alone with { Indirect = new IndirectLight(1, 0.05) });
+
+        Assert.True(without.IndirectFactors.IsEmpty);
+        double added = Enumerable.Range(0, 256).Sum(pixel => with.RadianceFactors[pixel] - without.RadianceFactors[pixel]);
+        double indirect = Enumerable.Range(0, 256).Sum(pixel => with.IndirectFactors[pixel]);
+        Assert.InRange(added / indirect, isAdaptive ? 0.97 : 1.0 - 1e-9, isAdaptive ? 1.03 : 1.0 + 1e-9);
+        Assert.All(Enumerable.Range(0, 256), pixel => Assert.InRange(with.IndirectFactors[pixel], 0.0, 0.3 * 0.3 * 0.3));
+    }
+
+    private static NativeRenderOptions Options(double albedo) =>
+        new() { Reflectance = new LambertReflectance(albedo), KeepGroundTruth = true };
+
+    /// <summary>Draws the bowl from above.</summary>
+    private static NativeFrame Draw(ITerrainGrid grid, double elevation, int side, NativeRenderOptions options, int threads = 2)
+    {
+        (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(elevation));
+        const double Height = 20_000.0;
+        PinholeCamera camera = new(
+            new Vector3D(0.0, 0.0, Radius + Height), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY),
+            2.0 * Math.Atan(0.5 * BowlGrid.Diameter / Height), side, side);
+        SceneLight sun = new(new Vector3D(1.5e11 * cosine, 0.0, Radius + (1.5e11 * sine)), IsSun: true);
+        return new NativeRenderer(grid).Render(camera, sun, options, threads);
+    }
+
+    /// <summary>The pixels in the bowl's shadow, but for those beside its rim, where facets are no longer a sphere.</summary>
+    private static List<int> InShadow(NativeFrame frame)
+    {
+        List<int> pixels = [];
+        for (int pixel = 0; pixel < frame.RadianceFactors.Length; pixel++)
+        {
+            (int x, int y) = ((pixel % frame.Camera.Width) + 1, (pixel / frame.Camera.Width) + 1);
+            if (frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light)
+                && light.State == IlluminationState.Shadow
+                && double.Hypot(hit.PointBodyFixed.X, hit.PointBodyFixed.Y) < 0.48 * BowlGrid.Diameter)
+            {
+                pixels.Add(pixel);
+            }
+        }
+
+        return pixels;
+    }
+}
