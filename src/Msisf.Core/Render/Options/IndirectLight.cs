@@ -3,7 +3,8 @@ namespace Msisf.Core.Render.Options;
 /// <summary>Light that the ground throws on ground.</summary>
 /// <param name="Bounces">How often light may be reflected before the last time, towards the camera: 1 to <see cref="MaxBounces"/>.</param>
 /// <param name="Error">
-/// Root mean square of the error of the brightness that it gives, over that of this brightness, in the whole image.
+/// Root mean square that is aimed at for the error of the brightness that it gives, over that of this brightness, in the whole image. On
+/// rough ground more is left (docs/photometry.md).
 /// </param>
 public sealed record IndirectLight(int Bounces, double Error)
 {
