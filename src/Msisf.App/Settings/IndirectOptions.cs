@@ -22,7 +22,7 @@ internal static class IndirectOptions
     /// <summary>Error of that light.</summary>
     public static NumberSpec Error { get; } = new(
         "--indirect-error", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Error), "PART",
-        "Rms error aimed at for the light of --indirect in the image, over its rms; with a quarter of it frames take up to 16 times as long")
+        "Rms error aimed at for the light of --indirect, over its rms in the image; with a quarter frames take up to 16 times as long")
     {
         Default = IndirectLight.DefaultError,
         Limits = new NumberRange(IndirectLight.MinError, IndirectLight.MaxError),
