@@ -179,9 +179,9 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(32, planes.Length);
+        Assert.Equal(33, planes.Length);
         Assert.Equal(2, planes.Count(plane => plane.All(value => value == 0.0))); // mask and saturated
-        Assert.Equal(30, planes.Count(plane => plane.All(double.IsNaN)));
+        Assert.Equal(31, planes.Count(plane => plane.All(double.IsNaN)));
     }
 
     [Fact]
