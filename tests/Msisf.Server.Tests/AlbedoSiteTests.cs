@@ -5,7 +5,11 @@ using Xunit;
 
 namespace Msisf.Server.Tests;
 
-/// <summary>An image of a site as its albedo, in a map of the whole Moon: requests, and frames of served folders.</summary>
+/// <summary>
+/// An image of a site as its albedo, in a map of the whole Moon: requests, and frames of served folders. While its maps lie where the
+/// program looks for maps, no other test may run.
+/// </summary>
+[Collection(nameof(MapsOfTheProgram))]
 public sealed class AlbedoSiteTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -69,4 +73,10 @@ public sealed class AlbedoSiteTests : IDisposable
         Assert.True(run.ExitCode == 0, run.Error);
         return File.ReadAllBytes(Path.Combine(_folder[name], "MoonSurfIllumSim_step_00001.png"));
     }
+}
+
+/// <summary>Tests that write where the program looks for maps.</summary>
+[CollectionDefinition(nameof(MapsOfTheProgram), DisableParallelization = true)]
+public sealed class MapsOfTheProgram
+{
 }
