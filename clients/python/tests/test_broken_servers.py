@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 STEP = 1 if os.environ.get("MSISF_LONG_TESTS") == "1" else 3  # lines from one Ctrl-C to the next
-WAIT = 0.15  # s: long enough for an answer on loopback
+WAIT = 0.4  # s: long enough for an answer on loopback, also where others use the processors
 SMALL = msisf.Camera(64, 48, 40.0)
 A = ((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0)
 B = ((1.9e6, 2e5, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0)
