@@ -105,7 +105,7 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         string shadow = settings.Times.LengthDays >= LongEnough ? "permanently shadowed" : "never lit in the interval";
         host.Log.Note(string.Create(
             CultureInfo.InvariantCulture,
-            $"{height:R} m over the ground: {dark} of {lights.Length} cells ({dark * square:R} km2 of the map) {shadow}; the best cell, "
+            $"{height:R} m over the ground: {dark} of {lights.Length} cells ({dark * square:G6} km2 of the map) {shadow}; the best cell, "
                 + $"line {best / placement.Samples}, sample {best % placement.Samples}, is lit "
                 + $"{100.0 * lights[best].LitSteps / settings.Times.Count:F2} % of the time."));
     }
