@@ -57,10 +57,11 @@ internal sealed class RunTimes
         }
     }
 
-    /// <summary>Time since the process began that is in no part, s; 0 if parts that run at the same time take longer together.</summary>
-    public double OtherSeconds => Math.Max(
+    /// <summary>The part of a total that is in no phase, s; 0 if phases that run at the same time take longer together.</summary>
+    /// <param name="totalSeconds"><see cref="TotalSeconds"/>, read once by the caller: it grows.</param>
+    public double OtherSeconds(double totalSeconds) => Math.Max(
         0.0,
-        TotalSeconds - Enum.GetValues<Phase>().Where(phase => phase is not (Phase.Parse or Phase.Trace)).Sum(SecondsOf));
+        totalSeconds - Enum.GetValues<Phase>().Where(phase => phase is not (Phase.Parse or Phase.Trace)).Sum(SecondsOf));
 
     /// <summary>Time since the process began, s.</summary>
     public double TotalSeconds => SecondsOf(Phase.StartUp) + Stopwatch.GetElapsedTime(_start).TotalSeconds;

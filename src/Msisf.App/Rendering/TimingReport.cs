@@ -13,6 +13,7 @@ internal static class TimingReport
     /// <param name="outputs">Outputs of all frames.</param>
     public static string Of(RunTimes times, IReadOnlyList<FrameOutputs> outputs)
     {
+        double total = times.TotalSeconds;
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
         {
@@ -27,8 +28,8 @@ internal static class TimingReport
                     $"{JsonNamingPolicy.SnakeCaseLower.ConvertName(phase.ToString())}_s", Math.Round(times.SecondsOf(phase), 4));
             }
 
-            json.WriteNumber("other_s", Math.Round(times.OtherSeconds, 4));
-            json.WriteNumber("total_s", Math.Round(times.TotalSeconds, 4));
+            json.WriteNumber("other_s", Math.Round(times.OtherSeconds(total), 4));
+            json.WriteNumber("total_s", Math.Round(total, 4));
             using Process process = Process.GetCurrentProcess();
             json.WriteNumber("peak_memory_bytes", process.PeakWorkingSet64);
             json.WriteEndObject();

@@ -34,15 +34,14 @@ public sealed class TimingReportTests
         RunTimes times = new(TimeProvider.System);
         times.BeginRun();
         double parts = times.SecondsOf(Phase.StartUp) + times.SecondsOf(Phase.Options);
-        double before = times.TotalSeconds - parts;
-        double rest = times.OtherSeconds;
-        double after = times.TotalSeconds - parts;
+        double rest = times.OtherSeconds(parts + 2.0);
 
         Assert.True(times.SecondsOf(Phase.Options) > 0.0);
-        Assert.InRange(rest, before, after);
+        Assert.Equal(2.0, rest, 1e-12); // rounding
         times.Add(Phase.Parse, 1000.0); // a part of POV-Ray's
-        Assert.InRange(times.OtherSeconds, rest, times.TotalSeconds);
+        Assert.Equal(rest, times.OtherSeconds(parts + 2.0));
         times.Add(Phase.Draw, 1000.0);
-        Assert.Equal(0.0, times.OtherSeconds);
+        Assert.Equal(0.0, times.OtherSeconds(parts + 2.0));
+        Assert.True(times.TotalSeconds >= parts);
     }
 }
