@@ -18,6 +18,8 @@ internal sealed class SphereTruth(
 
     public ICamera Camera => camera;
 
+    public int RowsAtOnce { get; init; } = camera.Height;
+
     public SceneLight Light => new(lightPositionBodyFixed, IsSun: true);
 
     public ReadOnlySpan<double> RadianceFactors => [];

@@ -37,7 +37,7 @@ public static class LightMapFiles
 
             foreach (LightMap map in maps)
             {
-                using FitsUnit image = FitsUnit.Image(-32, placement.Samples, placement.Lines);
+                using FitsUnit image = FitsUnit.Image(path: null, -32, placement.Samples, placement.Lines);
                 image.Put("EXTNAME", map.Name.ToUpperInvariant(), "map");
                 if (map.Unit.Length > 0)
                 {

@@ -42,6 +42,10 @@ internal static unsafe partial class CFitsioNative
         delegate* unmanaged[Cdecl]<void*, nuint, void*> reallocate,
         ref int status);
 
+    [LibraryImport(Library, StringMarshalling = StringMarshalling.Utf8)]
+    [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
+    internal static partial int ffdkinit(out CFitsioHandle file, string path, ref int status);
+
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial int ffclos(nint file, ref int status);

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 namespace Msisf.Adapters.Interop;
 
 /// <summary>The memory that holds a FITS file. CFITSIO keeps pointers into it, and may move and resize it.</summary>
-internal sealed unsafe class FitsMemory : IDisposable
+internal sealed unsafe class FitsMemory : IFitsStore
 {
     private readonly Block* _block;
 
@@ -20,20 +20,16 @@ internal sealed unsafe class FitsMemory : IDisposable
         _block->Size = capacity;
     }
 
-    /// <summary>Opens it as a file.</summary>
+    /// <inheritdoc/>
     public int Open(out CFitsioHandle file, ref int status) =>
         CFitsioNative.ffimem(out file, &_block->Address, &_block->Size, step: 0, &Reallocate, ref status);
 
-    /// <summary>Copies a part of the file.</summary>
+    /// <inheritdoc/>
     public void CopyTo(Stream destination, long start, long end)
     {
         using UnmanagedMemoryStream bytes = new((byte*)_block->Address + start, end - start);
         bytes.CopyTo(destination, bufferSize: 1 << 20);
     }
-
-    /// <summary>A part of the file.</summary>
-    public byte[] Copy(long start, long end) =>
-        new ReadOnlySpan<byte>((byte*)_block->Address + start, checked((int)(end - start))).ToArray();
 
     public void Dispose()
     {

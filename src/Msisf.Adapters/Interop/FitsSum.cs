@@ -36,6 +36,10 @@ internal static class FitsSum
         return (uint)Folded(sum + Folded(last));
     }
 
+    /// <summary>The sum of bytes that begin at an offset of the data; it can be added to those of the others.</summary>
+    public static uint Of(ReadOnlySpan<byte> bytes, long offset) =>
+        uint.RotateRight(Of(bytes), (int)(offset % sizeof(uint)) * 8); // bytes that move by one are worth a 256th, in a ring
+
     /// <summary>The sum of two.</summary>
     public static uint Of(uint a, uint b) => (uint)Folded((ulong)a + b);
 

@@ -18,20 +18,20 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <summary>CFITSIO's name for BITPIX 16 with BZERO 32768.</summary>
     private const int UnsignedShortImage = 20;
 
-    private readonly FitsMemory _memory;
+    private readonly IFitsStore _store;
     private readonly CFitsioHandle _file;
 
-    private FitsUnit(long capacity)
+    private FitsUnit(IFitsStore store)
     {
         CFitsio.RequireLibrary(CFitsioNative.Library);
-        _memory = new FitsMemory(checked((nuint)capacity));
+        _store = store;
         int status = 0;
         lock (CFitsio.Gate)
         {
-            _memory.Open(out _file, ref status);
+            _store.Open(out _file, ref status);
             if (status != 0)
             {
-                _memory.Dispose();
+                _store.Dispose();
             }
 
             CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffimem));
@@ -42,7 +42,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static FitsUnit Primary()
     {
-        FitsUnit unit = new(DefaultHeaders);
+        FitsUnit unit = InMemory(DefaultHeaders);
         unit.CreateOrDispose(8, []);
         return unit;
     }
@@ -53,16 +53,17 @@ internal sealed unsafe class FitsUnit : IDisposable
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static FitsUnit PrimaryImage(int width, int height)
     {
-        FitsUnit unit = new(((long)sizeof(ushort) * width * height) + DefaultHeaders);
+        FitsUnit unit = InMemory(((long)sizeof(ushort) * width * height) + DefaultHeaders);
         unit.CreateOrDispose(UnsignedShortImage, [width, height]);
         return unit;
     }
 
     /// <summary>Starts an IMAGE extension.</summary>
+    /// <param name="path">Of a file for it while CFITSIO has it; null to have it in memory.</param>
     /// <param name="bitsPerPixel">BITPIX.</param>
     /// <param name="lengths">NAXIS1 (fastest), NAXIS2, ...</param>
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
-    public static FitsUnit Image(int bitsPerPixel, params ReadOnlySpan<long> lengths)
+    public static FitsUnit Image(string? path, int bitsPerPixel, params ReadOnlySpan<long> lengths)
     {
         long bytes = Math.Abs(bitsPerPixel) / 8;
         foreach (long length in lengths)
@@ -70,33 +71,19 @@ internal sealed unsafe class FitsUnit : IDisposable
             bytes *= length;
         }
 
-        FitsUnit unit = new(bytes + DefaultHeaders);
+        FitsUnit unit = path is null ? InMemory(bytes + DefaultHeaders) : new FitsUnit(new FitsDiskFile(path));
         unit.CreateOrDispose(8, []); // an extension needs a primary unit before it, which is not copied
         unit.CreateOrDispose(bitsPerPixel, lengths);
         return unit;
     }
 
     /// <summary>Adds a keyword; a text of more than 68 characters goes on in CONTINUE cards.</summary>
-    public void Put(string key, string value, string comment)
-    {
-        lock (CFitsio.Gate)
-        {
-            int status = 0;
-            CFitsioNative.ffpkls(_file, key, value, comment, ref status);
-            CFitsio.ThrowIfFailed(status, key);
-        }
-    }
+    public void Put(string key, string value, string comment) =>
+        Checked(key, (ref int status) => CFitsioNative.ffpkls(_file, key, value, comment, ref status));
 
     /// <summary>Adds a keyword with a whole number.</summary>
-    public void Put(string key, long value, string comment)
-    {
-        lock (CFitsio.Gate)
-        {
-            int status = 0;
-            CFitsioNative.ffpkyj(_file, key, value, comment, ref status);
-            CFitsio.ThrowIfFailed(status, key);
-        }
-    }
+    public void Put(string key, long value, string comment) =>
+        Checked(key, (ref int status) => CFitsioNative.ffpkyj(_file, key, value, comment, ref status));
 
     /// <summary>Adds a keyword with a number that reads back to the bit.</summary>
     public void Put(string key, double value, string comment)
@@ -108,36 +95,17 @@ internal sealed unsafe class FitsUnit : IDisposable
             digits++;
         }
 
-        lock (CFitsio.Gate)
-        {
-            int status = 0;
-            CFitsioNative.ffpkyd(_file, key, value, -digits, comment, ref status);
-            CFitsio.ThrowIfFailed(status, key);
-        }
+        Checked(key, (ref int status) => CFitsioNative.ffpkyd(_file, key, value, -digits, comment, ref status));
     }
 
     /// <summary>Adds the cards that tell readers of CONTINUE cards.</summary>
-    public void DeclareLongTexts()
-    {
-        lock (CFitsio.Gate)
-        {
-            int status = 0;
-            CFitsioNative.ffplsw(_file, ref status);
-            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffplsw));
-        }
-    }
+    public void DeclareLongTexts() =>
+        Checked(nameof(CFitsioNative.ffplsw), (ref int status) => CFitsioNative.ffplsw(_file, ref status));
 
     /// <summary>Adds a COMMENT card.</summary>
     /// <param name="text">Up to 72 characters; a longer one is cut into several cards.</param>
-    public void PutComment(string text)
-    {
-        lock (CFitsio.Gate)
-        {
-            int status = 0;
-            CFitsioNative.ffpcom(_file, text, ref status);
-            CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffpcom));
-        }
-    }
+    public void PutComment(string text) =>
+        Checked(nameof(CFitsioNative.ffpcom), (ref int status) => CFitsioNative.ffpcom(_file, text, ref status));
 
     /// <summary>Writes pixels.</summary>
     /// <typeparam name="T">The image's own type: byte, ushort, int, float or double; in memory order of the machine.</typeparam>
@@ -158,16 +126,19 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>The same image compressed without loss, in tiles of whole rows, as a table that readers show as the image.</summary>
+    /// <param name="path">Of a file for it while CFITSIO has it; null to have it in memory.</param>
     /// <param name="tileRows">Rows of a tile.</param>
     /// <param name="lengths">NAXIS1, NAXIS2, ... of the image.</param>
     /// <exception cref="ExternalPartException">CFITSIO fails.</exception>
-    public FitsUnit Compressed(int tileRows, params ReadOnlySpan<long> lengths)
+    public FitsUnit Compressed(string? path, int tileRows, params ReadOnlySpan<long> lengths)
     {
         Span<long> tile = stackalloc long[lengths.Length];
         tile.Fill(1);
         tile[0] = lengths[0];
         tile[1] = Math.Min(tileRows, lengths[1]);
-        FitsUnit compressed = new(Block); // when CFITSIO moves the end of a table, it takes memory behind it for units
+        FitsUnit compressed = path is null
+            ? InMemory(Block) // when CFITSIO moves the end of a table, it takes memory behind it for units
+            : new FitsUnit(new FitsDiskFile(path));
         compressed.CreateOrDispose(8, []);
         int status = 0;
         lock (CFitsio.Gate)
@@ -221,20 +192,30 @@ internal sealed unsafe class FitsUnit : IDisposable
             CFitsio.ThrowIfFailed(status, "checksums");
         }
 
-        _memory.CopyTo(destination, start, end);
+        _store.CopyTo(destination, start, end);
     }
 
-    /// <summary>
-    /// Copies an image with data that CFITSIO does not have. It knows the image as one of a single pixel in each plane, which needs no
-    /// memory; the header gets the true lengths and checksums.
-    /// </summary>
+    /// <summary>Copies an image with data that CFITSIO does not have.</summary>
     /// <param name="destination">Receives the unit.</param>
     /// <param name="width">NAXIS1.</param>
     /// <param name="height">NAXIS2.</param>
     /// <param name="data">The pixels as the file holds them.</param>
     public void CopyTo(Stream destination, int width, int height, ReadOnlySpan<byte> data)
     {
-        uint dataSum = FitsSum.Of(data);
+        destination.Write(HeaderOf(width, height, FitsSum.Of(data)));
+        destination.Write(data);
+        destination.Write(new byte[FillOf(data.Length)]);
+    }
+
+    /// <summary>
+    /// The header of an image with data that CFITSIO does not have. It knows the image as one of a single pixel in each plane, which needs
+    /// no memory; the header gets the true lengths and checksums. Nothing can be added after that.
+    /// </summary>
+    /// <param name="width">NAXIS1.</param>
+    /// <param name="height">NAXIS2.</param>
+    /// <param name="dataSum">The sum of the pixels as the file holds them (<see cref="FitsSum"/>).</param>
+    public byte[] HeaderOf(int width, int height, uint dataSum)
+    {
         byte[] header;
         lock (CFitsio.Gate)
         {
@@ -242,7 +223,9 @@ internal sealed unsafe class FitsUnit : IDisposable
             FitsChecksums.PutDataSum(_file, dataSum, ref status);
             CFitsioNative.ffghadll(_file, out long start, out long dataStart, out _, ref status);
             CFitsio.ThrowIfFailed(status, "header");
-            header = _memory.Copy(start, dataStart);
+            using MemoryStream copy = new();
+            _store.CopyTo(copy, start, dataStart);
+            header = copy.ToArray();
         }
 
         FitsCards.SetNumber(header, "NAXIS1", width);
@@ -250,16 +233,29 @@ internal sealed unsafe class FitsUnit : IDisposable
         byte* text = stackalloc byte[CFitsioNative.ChecksumLength];
         CFitsioNative.ffesum(FitsSum.Of(dataSum, FitsSum.Of(header)), complement: 1, text);
         FitsCards.SetText(header, "CHECKSUM", new ReadOnlySpan<byte>(text, CFitsioNative.ChecksumLength - 1));
-        destination.Write(header);
-        destination.Write(data);
-        destination.Write(new byte[(Block - (data.Length % Block)) % Block]);
+        return header;
     }
+
+    /// <summary>bytes: of zeros behind data, so that whole blocks are filled.</summary>
+    public static int FillOf(long dataLength) => (int)((Block - (dataLength % Block)) % Block);
 
     public void Dispose()
     {
         _file.Dispose();
-        _memory.Dispose();
+        _store.Dispose();
     }
+
+    private static void Checked(string what, Call call)
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            call(ref status);
+            CFitsio.ThrowIfFailed(status, what);
+        }
+    }
+
+    private static FitsUnit InMemory(long capacity) => new(new FitsMemory(checked((nuint)capacity)));
 
     private static int TypeCode<T>()
         where T : unmanaged => default(T) switch
@@ -290,4 +286,6 @@ internal sealed unsafe class FitsUnit : IDisposable
             CFitsio.ThrowIfFailed(status, nameof(CFitsioNative.ffcrimll));
         }
     }
+
+    private delegate int Call(ref int status);
 }

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Runtime.InteropServices;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Errors;
 using Msisf.Core.Layers;
@@ -24,7 +23,7 @@ public static class FitsLayerWriter
     public static void RequireCFitsio() => CFitsio.RequireLibrary(CFitsioNative.Library);
 
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the clock or the number of cores.</summary>
-    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="stream">Receives the file; stays open. Of an image that is drawn row by row it is a file of its own.</param>
     /// <param name="frame">Goes into the primary header.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
@@ -47,6 +46,13 @@ public static class FitsLayerWriter
 
         LayerSampler sampler = new(truth, provenance);
         bool isCompressed = compression == LayerCompression.Gzip;
+        if (sampler.RowsAtOnce < sampler.Height)
+        {
+            WriteInBands(stream, sampler, layers.Layers, precision, isCompressed, Describe, cancellation);
+            WriteRowStates(stream, frame);
+            return;
+        }
+
         LayerPasses.Run(
             sampler,
             layers.Layers,
@@ -69,34 +75,37 @@ public static class FitsLayerWriter
         string Describe(Layer layer) => frame.Globe.Describe(layer.DescriptionOn(provenance.MeshResolution));
     }
 
+    /// <summary>Writes the layers of an image that is drawn row by row.</summary>
+    private static void WriteInBands(
+        Stream stream, LayerSampler sampler, IReadOnlyList<Layer> layers, LayerPrecision precision, bool isCompressed,
+        Func<Layer, string> describe, CancellationToken cancellation)
+    {
+        if (isCompressed)
+        {
+            FitsLayerBands.WriteCompressed(
+                (FileStream)stream, sampler, layers, precision,
+                (layer, path) => NewImage(layer, layer.StoredType(precision), sampler.Width, sampler.Height, describe(layer), path),
+                (image, layer, path) => image.Compressed(path, TileRows, Lengths(layer, sampler.Width, sampler.Height)),
+                cancellation);
+            return;
+        }
+
+        FitsLayerBands.Write(
+            stream, sampler, layers, precision,
+            layer => NewImage(layer, layer.StoredType(precision), 1, 1, describe(layer)), cancellation);
+    }
+
     private static void WriteLayer(Stream stream, LayerSampler sampler, StoredLayer layer, Func<Layer, string> describe)
     {
-        using FitsUnit image = NewImage(layer, 1, 1);
-        PutHeader(image, layer.Layer, describe(layer.Layer));
+        using FitsUnit image = NewImage(layer.Layer, layer.Type, 1, 1, describe(layer.Layer));
         image.CopyTo(stream, sampler.Width, sampler.Height, layer.Bytes);
     }
 
     private static void WriteCompressed(Stream stream, LayerSampler sampler, StoredLayer layer, Func<Layer, string> describe)
     {
-        using FitsUnit image = NewImage(layer, sampler.Width, sampler.Height);
-        PutHeader(image, layer.Layer, describe(layer.Layer));
-        switch (layer.Type)
-        {
-            case LayerType.Real64:
-                image.Write(0, MemoryMarshal.Cast<byte, double>(layer.Bytes));
-                break;
-            case LayerType.Real32:
-                image.Write(0, MemoryMarshal.Cast<byte, float>(layer.Bytes));
-                break;
-            case LayerType.Unsigned8:
-                image.Write(0, layer.Bytes);
-                break;
-            default:
-                image.Write(0, MemoryMarshal.Cast<byte, int>(layer.Bytes));
-                break;
-        }
-
-        using FitsUnit compressed = image.Compressed(TileRows, Lengths(layer, sampler.Width, sampler.Height));
+        using FitsUnit image = NewImage(layer.Layer, layer.Type, sampler.Width, sampler.Height, describe(layer.Layer));
+        FitsLayerBands.Put(image, 0, layer.Type, layer.Bytes);
+        using FitsUnit compressed = image.Compressed(path: null, TileRows, Lengths(layer.Layer, sampler.Width, sampler.Height));
         compressed.CopyTo(stream);
     }
 
@@ -108,7 +117,7 @@ public static class FitsLayerWriter
             return;
         }
 
-        using FitsUnit image = FitsUnit.Image(BitsPerPixel(LayerType.Real64), RowStates.Names.Count, frame.Camera.Height);
+        using FitsUnit image = FitsUnit.Image(path: null, BitsPerPixel(LayerType.Real64), RowStates.Names.Count, frame.Camera.Height);
         image.Put("EXTNAME", "ROWSTATES", "time and state of each row");
         for (int column = 0; column < RowStates.Names.Count; column++)
         {
@@ -126,21 +135,19 @@ public static class FitsLayerWriter
         image.CopyTo(stream);
     }
 
-    private static FitsUnit NewImage(StoredLayer layer, int width, int height) =>
-        FitsUnit.Image(BitsPerPixel(layer.Type), Lengths(layer, width, height));
+    private static ReadOnlySpan<long> Lengths(Layer layer, int width, int height) =>
+        layer.Planes > 1 ? (long[])[width, height, layer.Planes] : (long[])[width, height];
 
-    private static ReadOnlySpan<long> Lengths(StoredLayer layer, int width, int height) =>
-        layer.Layer.Planes > 1 ? (long[])[width, height, layer.Layer.Planes] : (long[])[width, height];
-
-    private static void PutHeader(FitsUnit image, Layer layer, string description)
+    private static FitsUnit NewImage(Layer layer, LayerType type, int width, int height, string description, string? path = null)
     {
+        FitsUnit image = FitsUnit.Image(path, BitsPerPixel(type), Lengths(layer, width, height));
         image.Put("EXTNAME", layer.ExtensionName, "layer");
         if (layer.Unit.Length > 0)
         {
             image.Put("BUNIT", layer.Unit, "unit of the values");
         }
 
-        if (layer.Type == LayerType.Signed32)
+        if (type == LayerType.Signed32)
         {
             image.Put("BLANK", Layer.UndefinedNumber, "pixels that show no surface");
         }
@@ -155,6 +162,8 @@ public static class FitsLayerWriter
         {
             image.PutComment(line);
         }
+
+        return image;
     }
 
     private static int BitsPerPixel(LayerType type) => type switch

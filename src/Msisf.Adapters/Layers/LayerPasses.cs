@@ -1,3 +1,4 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
@@ -12,6 +13,25 @@ internal static class LayerPasses
     /// once a layer.
     /// </summary>
     private const long MemoryOfAPass = 64L << 20;
+
+    /// <summary>Computes all layers of some rows at a time, from the top: the frame is drawn once, and never kept as a whole.</summary>
+    /// <param name="sampler">The frame.</param>
+    /// <param name="layers">Which, in their order.</param>
+    /// <param name="precision">Of their real numbers.</param>
+    /// <param name="layout">Of their numbers in memory.</param>
+    /// <param name="use">Gets the number of the first row, and these rows of each layer; their memory is used again afterwards.</param>
+    /// <param name="cancellation">Stops between rows.</param>
+    /// <exception cref="OperationCanceledException">It was stopped.</exception>
+    public static void RunInBands(
+        LayerSampler sampler, IReadOnlyList<Layer> layers, LayerPrecision precision, LayerLayout layout,
+        Action<int, IReadOnlyList<StoredLayer>> use, CancellationToken cancellation)
+    {
+        for (int first = 0; first < sampler.Height; first += sampler.RowsAtOnce)
+        {
+            int rows = Math.Min(sampler.RowsAtOnce, sampler.Height - first);
+            Store(sampler, layers, precision, layout, new PixelRows(first, first + rows), stored => use(first, stored), cancellation);
+        }
+    }
 
     /// <summary>Computes layers and passes them on, one after the other.</summary>
     /// <param name="sampler">The frame.</param>
@@ -28,32 +48,45 @@ internal static class LayerPasses
         long pixels = (long)sampler.Width * sampler.Height;
         foreach (Layer[] pass in Passes(layers, layer => pixels * layer.Planes * layer.StoredType(precision).Size()))
         {
-            List<StoredLayer> stored = [];
-            try
-            {
-                foreach (Layer layer in pass)
-                {
-                    stored.Add(new StoredLayer(layer, layer.StoredType(precision), layout, sampler.Width, sampler.Height));
-                }
+            Store(sampler, pass, precision, layout, new PixelRows(0, sampler.Height), Use, cancellation);
+        }
 
-                Fill(sampler, pass, stored, cancellation);
-                foreach (StoredLayer layer in stored)
-                {
-                    cancellation.ThrowIfCancellationRequested();
-                    use(layer);
-                }
-            }
-            finally
+        void Use(IReadOnlyList<StoredLayer> stored)
+        {
+            foreach (StoredLayer layer in stored)
             {
-                stored.ForEach(layer => layer.Dispose());
+                cancellation.ThrowIfCancellationRequested();
+                use(layer);
             }
         }
     }
 
+    private static void Store(
+        LayerSampler sampler, IReadOnlyList<Layer> layers, LayerPrecision precision, LayerLayout layout, PixelRows rows,
+        Action<IReadOnlyList<StoredLayer>> use, CancellationToken cancellation)
+    {
+        List<StoredLayer> stored = [];
+        try
+        {
+            foreach (Layer layer in layers)
+            {
+                stored.Add(new StoredLayer(layer, layer.StoredType(precision), layout, sampler.Width, rows.End - rows.First));
+            }
+
+            Fill(sampler, layers, stored, rows, cancellation);
+            use(stored);
+        }
+        finally
+        {
+            stored.ForEach(layer => layer.Dispose());
+        }
+    }
+
     private static void Fill(
-        LayerSampler sampler, Layer[] layers, List<StoredLayer> stored, CancellationToken cancellation) => Parallel.For(
-        0,
-        sampler.Height,
+        LayerSampler sampler, IReadOnlyList<Layer> layers, List<StoredLayer> stored, PixelRows rows,
+        CancellationToken cancellation) => Parallel.For(
+        rows.First,
+        rows.End,
         new ParallelOptions { CancellationToken = cancellation, MaxDegreeOfParallelism = Environment.ProcessorCount },
         () => layers.SelectMany(layer => Enumerable.Range(0, layer.Planes)).Select(_ => new double[sampler.Width]).ToArray(),
         (row, _, planes) =>
@@ -64,7 +97,7 @@ internal static class LayerPasses
             {
                 for (int plane = 0; plane < layer.Layer.Planes; plane++)
                 {
-                    layer.Put(row, plane, planes[next++]);
+                    layer.Put(row - rows.First, plane, planes[next++]);
                 }
             }
 

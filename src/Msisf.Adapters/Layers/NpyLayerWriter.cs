@@ -35,21 +35,50 @@ public static class NpyLayerWriter
         CancellationToken cancellation = default)
     {
         List<string> paths = [];
-        Write(
-            (name, _, write) =>
-            {
-                string path = $"{stem}.{name}";
-                files.Write(path, write);
-                paths.Add(path);
-            },
-            frame,
-            provenance,
-            truth,
-            layers,
-            precision,
-            hasHeads: true,
-            cancellation);
+        LayerSampler sampler = new(truth, provenance);
+        if (sampler.RowsAtOnce < sampler.Height)
+        {
+            WriteInBands([]);
+            WriteOthers(Put, frame, provenance, layers, hasHeads: true);
+        }
+        else
+        {
+            Write(Put, frame, provenance, truth, layers, precision, hasHeads: true, cancellation);
+        }
+
         return paths;
+
+        void Put(string name, long? length, Action<Stream> write)
+        {
+            paths.Add($"{stem}.{name}");
+            files.Write(paths[^1], write);
+        }
+
+        // All files are open at once: each opens the next one, and the last one draws the rows.
+        void WriteInBands(Stream[] streams)
+        {
+            if (streams.Length == layers.Layers.Count)
+            {
+                LayerPasses.RunInBands(
+                    sampler, layers.Layers, precision, LayerLayout.Npy,
+                    (_, rows) =>
+                    {
+                        foreach ((Stream stream, StoredLayer layer) in streams.Zip(rows))
+                        {
+                            stream.Write(layer.Bytes);
+                        }
+                    },
+                    cancellation);
+                return;
+            }
+
+            Layer layer = layers.Layers[streams.Length];
+            Put($"{layer.Name}.npy", null, stream =>
+            {
+                stream.Write(HeadOf(sampler, layer, layer.StoredType(precision)));
+                WriteInBands([.. streams, stream]);
+            });
+        }
     }
 
     /// <summary>Writes the same to other streams.</summary>
@@ -77,7 +106,7 @@ public static class NpyLayerWriter
             LayerLayout.Npy,
             layer =>
             {
-                byte[] head = hasHeads ? HeadOf(sampler, layer) : [];
+                byte[] head = hasHeads ? HeadOf(sampler, layer.Layer, layer.Type) : [];
                 put($"{layer.Layer.Name}.{(hasHeads ? "npy" : "raw")}", head.Length + (long)layer.Bytes.Length, stream =>
                 {
                     stream.Write(head);
@@ -85,9 +114,16 @@ public static class NpyLayerWriter
                 });
             },
             cancellation);
+        WriteOthers(put, frame, provenance, layers, hasHeads);
+    }
+
+    /// <summary>Writes the states of a scanned image's rows, and the JSON file.</summary>
+    private static void WriteOthers(
+        Action<string, long?, Action<Stream>> put, FrameMetadata frame, LayerProvenance provenance, LayerSet layers, bool hasHeads)
+    {
         if (RowStates.Of(frame) is { Length: > 0 } rows)
         {
-            WriteRowStates(put, rows, sampler.Height, hasHeads);
+            WriteRowStates(put, rows, frame.Camera.Height, hasHeads);
         }
 
         put("layers.json", null, stream => LayersJson.Write(stream, frame, provenance, layers));
@@ -109,16 +145,16 @@ public static class NpyLayerWriter
         });
     }
 
-    private static byte[] HeadOf(LayerSampler sampler, StoredLayer layer)
+    private static byte[] HeadOf(LayerSampler sampler, Layer layer, LayerType type)
     {
         using MemoryStream stream = new();
-        if (layer.Layer.Planes > 1)
+        if (layer.Planes > 1)
         {
-            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width, layer.Layer.Planes);
+            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width, layer.Planes);
         }
         else
         {
-            NpyFile.WriteHead(stream, layer.Type, sampler.Height, sampler.Width);
+            NpyFile.WriteHead(stream, type, sampler.Height, sampler.Width);
         }
 
         return stream.ToArray();

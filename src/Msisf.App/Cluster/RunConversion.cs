@@ -78,11 +78,7 @@ internal sealed class RunConversion
         }
 
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
-        foreach (RenderSettings camera in cameras)
-        {
-            CheckResources(camera, run.Cameras[0].Frames.Count, slurm);
-        }
-
+        CheckResources([.. run.Cameras.Select(camera => (camera.Settings, camera.Frames.Count))], slurm);
         string path = Path.GetFullPath(scriptPath(settings));
         bool isReadAsItIs = trajectory is BatchFileSettings { Motion: null } file && file.Conventions == new BatchConventions();
         string? statesFile = isReadAsItIs ? null : $"{path}.states.tab";
@@ -127,8 +123,9 @@ internal sealed class RunConversion
     }
 
     /// <summary>Refuses a run whose pieces would lack memory or whose outputs would not fit on the disk.</summary>
-    private static void CheckResources(RenderSettings settings, int frames, SlurmSettings? slurm)
+    private static void CheckResources(IReadOnlyList<(RenderSettings Settings, int Frames)> cameras, SlurmSettings? slurm)
     {
+        RenderSettings settings = cameras[0].Settings;
         int atOnce = settings.Jobs ?? slurm?.CpusPerTask ?? 1;
         string folder = Path.GetFullPath(settings.OutputFolder);
         while (!Directory.Exists(folder))
@@ -136,7 +133,7 @@ internal sealed class RunConversion
             folder = Path.GetDirectoryName(folder)!;
         }
 
-        ResourceCheck.Check(settings, frames, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
+        ResourceCheck.Check(cameras, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
     }
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)

@@ -15,7 +15,7 @@ internal sealed record PreparedRun(IReadOnlyList<RunFrames> Cameras, ElevationMo
     public string? Orientation { get; private init; }
 
     /// <summary>The frames to make, those of a step one after the other.</summary>
-    public IReadOnlyList<Frame> Frames =>
+    public IReadOnlyList<Frame> Frames { get; } =
         [.. from index in Enumerable.Range(0, Cameras[0].Frames.Count) from camera in Cameras select camera.Frames[index]];
 
     /// <summary>Reads the states, sets up the frames, opens the elevation model, and checks all of it.</summary>

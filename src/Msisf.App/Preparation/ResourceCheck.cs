@@ -1,4 +1,5 @@
 using System.Globalization;
+using Msisf.Adapters.Layers;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
@@ -52,6 +53,9 @@ internal static class ResourceCheck
     /// <summary>Maximum bytes per pixel on disk: POV-Ray's buffer file, its PNG, and the program's copy of that.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
+    /// <summary>Maximum bytes per pixel on disk with the program's own renderer: a PNG of 16 bits, and its copy.</summary>
+    private const long NativeDiskBytesPerPixel = 4;
+
     /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
     private const long MetaBytesPerPoint = 240;
 
@@ -89,51 +93,66 @@ internal static class ResourceCheck
     /// Checks the memory for the images that are made at once, and the disk space for the whole run. The meta file is streamed, so it needs
     /// disk space but no memory.
     /// </summary>
-    /// <param name="settings">Size, grid and annotation of the images.</param>
-    /// <param name="frames">Frames to make.</param>
+    /// <param name="cameras">Size, grid and annotation of the images of each camera, and how many of them are to make.</param>
     /// <param name="atOnce">Number of images made at once.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     /// <param name="diskThere">Bytes that are free in the folder of the outputs.</param>
     /// <exception cref="BadInputException">Memory or disk space is not sufficient.</exception>
-    public static void Check(RenderSettings settings, int frames, int atOnce, long memoryThere, long diskThere)
+    public static void Check(
+        IReadOnlyList<(RenderSettings Settings, int Frames)> cameras, int atOnce, long memoryThere, long diskThere)
     {
-        Refuse(settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);
+        double series = 0.0;
+        foreach ((RenderSettings settings, int frames) in cameras)
+        {
+            Refuse(
+                settings, "memory", "Use a smaller --width and --height, or fewer --jobs.", atOnce * MemoryOfFrame(settings), memoryThere);
+            (long drawing, double finished) = DiskOfFrame(settings);
+            Refuse(
+                settings,
+                $"free disk space in {settings.OutputFolder}",
+                "Use a smaller --width and --height, a wider --grid, or another --output-dir.",
+                atOnce * drawing,
+                diskThere);
+            series += frames * finished;
+        }
+
+        int all = cameras.Sum(camera => camera.Frames);
+        if (all > 1 && series > diskThere)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{all} frames will take about {Size((long)series)} in {cameras[0].Settings.OutputFolder}, {Size(diskThere)} are free. "
+                    + $"Make room, use another --output-dir, or make a part with --frames."));
+        }
+    }
+
+    /// <summary>Bytes of the files of a frame at most while it is made, and those of its finished files.</summary>
+    private static (long Drawing, double Finished) DiskOfFrame(RenderSettings settings)
+    {
         long pixels = Pixels(settings);
         long layers = pixels * (settings.Native.Layers?.Layers.Sum(
             layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0);
         long numbers = settings.Native.Detector is null ? 0 : NumbersBytesPerPixel * pixels;
         long exported = ExportedBytesPerPixel * settings.CameraFormats.Count(format => format.HasPixels) * pixels;
         long others = layers + numbers + exported + MetaBytes(settings);
-        Refuse(
-            settings,
-            $"free disk space in {settings.OutputFolder}",
-            "Use a smaller --width and --height, a wider --grid, or another --output-dir.",
-            atOnce * ((DiskBytesPerPixel * pixels) + others),
-            diskThere);
         double images = DefaultPngBytesPerPixel * settings.Native.BitDepth / 8.0 * (settings.Annotate ? 2.0 : 1.0) * pixels;
-        long series = (long)(frames * (images + others));
-        if (frames > 1 && series > diskThere)
-        {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{frames} frames will take about {Size(series)} in {settings.OutputFolder}, {Size(diskThere)} are free. "
-                    + $"Make room, use another --output-dir, or make a part with --frames."));
-        }
+        bool isCompressedOnDisk = IsStriped(settings) && settings.Native.LayersCompression == LayerCompression.Gzip;
+        long drawing = settings.Renderer == RendererKind.Native ? NativeDiskBytesPerPixel : DiskBytesPerPixel;
+        return ((drawing * pixels) + others + (isCompressedOnDisk ? layers : 0), images + others);
     }
+
+    private static bool IsStriped(RenderSettings settings) => StripRules.IsStriped(settings.Scan, settings.Width, settings.Height);
 
     private static long Pixels(RenderSettings settings) => (long)settings.Width * settings.Height;
 
     private static long MemoryOfFrame(RenderSettings settings)
     {
-        // Of an image that is drawn in strips, some strips and one layer are kept.
-        bool isStriped = StripRules.IsStriped(settings.Scan, settings.Width, settings.Height);
-        long pixels = isStriped ? StripsKept * StripRules.PixelsOfStrip : Pixels(settings);
+        long pixels = IsStriped(settings) ? StripsKept * StripRules.PixelsOfStrip : Pixels(settings);
         long drawing = settings.Renderer == RendererKind.Native
             ? ((NativeBytesPerPixel * (settings.Shutter is null ? 1 : 2)) + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
                 + (settings.Native.Detector is null ? 0 : DetectorBytesPerPixel)) * pixels
             : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
-        long layer = isStriped && settings.Native.Layers is not null ? LayerBytesPerPixel * Pixels(settings) : 0;
-        return drawing + layer + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
+        return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
     }
 
     private static long MetaBytes(RenderSettings settings)

@@ -16,7 +16,10 @@ namespace Msisf.App.Preparation;
 internal sealed record RunFrames(
     RenderSettings Settings, IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
 {
-    /// <summary>The states of the body that carries the cameras of a rig; else those of the camera.</summary>
+    /// <summary>
+    /// The states from which pieces of the run make the same frames: of the body that carries the cameras of a rig, without jitter, and with
+    /// the motion of a camera that scans.
+    /// </summary>
     public required IReadOnlyList<SpacecraftState> BodyStates { get; init; }
 
     /// <summary>Reads the states and sets up the frames.</summary>
@@ -55,13 +58,21 @@ internal sealed record RunFrames(
             IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
                 .NamesOf([.. states.Select(state => state.Time)]);
             Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, sun, cancellation));
-            StateNeeds ofBody = needs.FirstOrDefault(needed => needed.CameraWithShutter is not null) ?? needs[index];
             return new RunFrames(settings, states, names, frames)
             {
-                BodyStates = settings.Rig is null ? states : (ofBody with { Mounting = null }).Of(read, trajectory),
+                BodyStates = needs.Any(needed => needed.NeedsPath) ? MovingOf(read, trajectory, needs)
+                    : settings.Rig is null ? states
+                    : ((needs.FirstOrDefault(needed => needed.CameraWithShutter is not null) ?? needs[index]) with { Mounting = null })
+                        .Of(read, trajectory),
             };
         })];
     }
+
+    /// <summary>The states as they were read, with the motion and noise that are said beside them.</summary>
+    private static IReadOnlyList<SpacecraftState> MovingOf(
+        IReadOnlyList<SpacecraftState> read, TrajectorySettings trajectory, StateNeeds[] needs) => StateNoise.Of(
+        [.. read.Select(state => state with { Motion = trajectory.Motion ?? state.Motion })], trajectory,
+        needs.Any(needed => needed.HasDetector));
 
     /// <summary>An exposure time is found from the whole run again by each piece and restart.</summary>
     private static void RefuseUnrepeatable(TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras)

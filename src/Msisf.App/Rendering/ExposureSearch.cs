@@ -39,7 +39,7 @@ internal static class ExposureSearch
         }
 
         ResourceCheck.Check(
-            settings, frames: 1, atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
+            [(settings, 1)], atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
         RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
         string[] names = [.. states.Select((_, index) => string.Create(CultureInfo.InvariantCulture, $"step {index + 1}"))];
         Frame[] looked = FrameSetup.Of(states, names, sampled, new SunPositions(sun, settings.Aberration), cancellation);

@@ -129,11 +129,10 @@ internal sealed class RenderRun
         int cores = Environment.ProcessorCount;
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         int atOnce = _cameras.Min(settings => ResourceCheck.AtOnce(settings, missing, cores, memory));
-        long disk = new DriveInfo(Path.GetFullPath(Settings.OutputFolder)).AvailableFreeSpace;
-        foreach (RenderSettings settings in _cameras)
-        {
-            ResourceCheck.Check(settings, missing / _cameras.Length, atOnce, memory, disk / _cameras.Length);
-        }
+        ResourceCheck.Check(
+            [.. _cameras.Select((settings, index) => (settings, frames.Zip(known, (frame, outputs) =>
+                outputs is null && frame.CameraIndex == index).Count(isMissing => isMissing)))],
+            atOnce, memory, new DriveInfo(Path.GetFullPath(Settings.OutputFolder)).AvailableFreeSpace);
 
         InputComparison comparison = new(_host.Log);
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(

@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Layers;
 
 namespace Msisf.App.Settings;
 
@@ -12,9 +11,6 @@ internal static class StripRules
 
     /// <summary>px of a strip: 50 MB.</summary>
     public const long PixelsOfStrip = 1L << 18;
-
-    /// <summary>Bytes of a layer, which is kept as a whole.</summary>
-    private const long LargestLayer = int.MaxValue;
 
     /// <summary>Whether an image is drawn in strips.</summary>
     /// <param name="scan">How it is scanned; null for a frame.</param>
@@ -39,8 +35,6 @@ internal static class StripRules
                 ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
             : settings.Native.Detector is { WritesFits: true } ? "the detector's FITS file ('fits: no' in the camera file leaves it out)"
             : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
-            : settings.Native.Layers?.Layers.Any(layer => BytesOf(layer, settings) > LargestLayer) == true
-                ? $"a layer of more than {LargestLayer >> 30} GiB ({NativeOptions.LayersPrecision.Name} single halves it)"
             : null;
         if (wrong is not null)
         {
@@ -48,11 +42,5 @@ internal static class StripRules
                 + "it "
                 + $"at once. Leave it out, or scan fewer lines: {LargestWhole / settings.Width} are drawn as a whole.");
         }
-    }
-
-    private static long BytesOf(Layer layer, RenderSettings settings)
-    {
-        bool isDouble = layer.KeepsDouble || settings.Native.LayersPrecision == LayerPrecision.Real64;
-        return (long)settings.Width * settings.Height * layer.Planes * (isDouble ? sizeof(double) : sizeof(float));
     }
 }

@@ -34,6 +34,9 @@ public sealed class LayerSampler
     /// <summary>px.</summary>
     public int Height => _truth.Camera.Height;
 
+    /// <summary>Rows of the parts in which a frame that is drawn row by row is best read, from the top.</summary>
+    public int RowsAtOnce => _truth.RowsAtOnce;
+
     /// <summary>Computes one row of some layers; what several of them need is computed once.</summary>
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
     /// <param name="layers">The layers to compute.</param>

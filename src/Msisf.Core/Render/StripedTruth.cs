@@ -7,8 +7,7 @@ namespace Msisf.Core.Render;
 
 /// <summary>
 /// The ground truth of a scanned image that is too large to be kept: strips of rows are drawn when they are asked for, and the last ones
-/// kept.
-/// Single pixels draw their exposure alone. Safe for several threads.
+/// kept. Single pixels draw their exposure alone. Safe for several threads.
 /// </summary>
 /// <param name="camera">The image's camera.</param>
 /// <param name="light">The image's light.</param>
@@ -18,10 +17,14 @@ namespace Msisf.Core.Render;
 public sealed class StripedTruth(
     ICamera camera, SceneLight light, int rowsOfStrip, int rowsOfExposure, Func<PixelRows, IGroundTruth> draw) : IGroundTruth
 {
-    private const int KeptStrips = 8;
+    /// <summary>Of 50 MB or more each; layers are written from the top, a strip at a time.</summary>
+    private const int KeptStrips = 2;
 
-    private readonly ConcurrentDictionary<PixelRows, Lazy<IGroundTruth>> _strips = [];
-    private readonly ConcurrentQueue<PixelRows> _order = [];
+    /// <summary>The meta file reads several rows at a time.</summary>
+    private const int KeptExposures = 8;
+
+    private readonly Drawn _strips = new(draw, KeptStrips);
+    private readonly Drawn _exposures = new(draw, KeptExposures);
 
     /// <inheritdoc/>
     public ICamera Camera => camera;
@@ -33,9 +36,14 @@ public sealed class StripedTruth(
     public ReadOnlySpan<double> RadianceFactors => [];
 
     /// <inheritdoc/>
+    public int RowsAtOnce => rowsOfStrip;
+
+    /// <inheritdoc/>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light)
     {
-        (IGroundTruth truth, int first) = Of(_strips.ContainsKey(StripOf(y - 1)) ? StripOf(y - 1) : ExposureOf(y - 1));
+        PixelRows strip = StripOf(y - 1);
+        PixelRows exposure = ExposureOf(y - 1);
+        (IGroundTruth truth, int first) = _strips.Has(strip) ? (_strips.Of(strip), strip.First) : (_exposures.Of(exposure), exposure.First);
         return truth.TryGet(x, y - first, out hit, out light);
     }
 
@@ -51,6 +59,13 @@ public sealed class StripedTruth(
     {
         (IGroundTruth truth, int first) = Of(StripOf(row));
         return truth.RadianceFactorsOf(row - first);
+    }
+
+    /// <inheritdoc/>
+    ReadOnlySpan<double> IGroundTruth.IndirectFactorsOf(int row)
+    {
+        (IGroundTruth truth, int first) = Of(StripOf(row));
+        return truth.IndirectFactorsOf(row - first);
     }
 
     /// <inheritdoc/>
@@ -79,18 +94,29 @@ public sealed class StripedTruth(
         return new PixelRows(first, Math.Min(camera.Height, first + rowsOfStrip));
     }
 
-    private (IGroundTruth Truth, int First) Of(PixelRows rows)
-    {
-        Lazy<IGroundTruth> strip = _strips.GetOrAdd(rows, wanted =>
-        {
-            _order.Enqueue(wanted);
-            return new Lazy<IGroundTruth>(() => draw(wanted));
-        });
-        while (_order.Count > KeptStrips && _order.TryDequeue(out PixelRows oldest))
-        {
-            _strips.TryRemove(oldest, out _);
-        }
+    private (IGroundTruth Truth, int First) Of(PixelRows strip) => (_strips.Of(strip), strip.First);
 
-        return (strip.Value, rows.First);
+    /// <summary>Parts of the image, drawn once while they are kept.</summary>
+    private sealed class Drawn(Func<PixelRows, IGroundTruth> draw, int most)
+    {
+        private readonly ConcurrentDictionary<PixelRows, Lazy<IGroundTruth>> _parts = [];
+        private readonly ConcurrentQueue<PixelRows> _order = [];
+
+        public bool Has(PixelRows rows) => _parts.ContainsKey(rows);
+
+        public IGroundTruth Of(PixelRows rows)
+        {
+            Lazy<IGroundTruth> part = _parts.GetOrAdd(rows, wanted =>
+            {
+                _order.Enqueue(wanted);
+                return new Lazy<IGroundTruth>(() => draw(wanted));
+            });
+            while (_order.Count > most && _order.TryDequeue(out PixelRows oldest))
+            {
+                _parts.TryRemove(oldest, out _);
+            }
+
+            return part.Value;
+        }
     }
 }

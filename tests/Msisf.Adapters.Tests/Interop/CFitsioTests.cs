@@ -21,7 +21,7 @@ public class CFitsioTests
     [RequiresFact(Part.CFitsio)]
     public void Image_SevenBitsAPixel_ThrowsAllThatCFitsioSays()
     {
-        ExternalPartException failure = Assert.Throws<ExternalPartException>(() => FitsUnit.Image(7, 4, 2));
+        ExternalPartException failure = Assert.Throws<ExternalPartException>(() => FitsUnit.Image(path: null, 7, 4, 2));
 
         Assert.StartsWith("CFITSIO, ffcrimll: ", failure.Message, StringComparison.Ordinal);
         Assert.Contains("(status 211); ", failure.Message, StringComparison.Ordinal); // BAD_BITPIX, and CFITSIO's message on it

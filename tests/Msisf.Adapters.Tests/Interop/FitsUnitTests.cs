@@ -24,7 +24,7 @@ public class FitsUnitTests
         }
 
         using MemoryStream expected = new();
-        using (FitsUnit whole = FitsUnit.Image(32, LengthsOf(width, height, planes)))
+        using (FitsUnit whole = FitsUnit.Image(path: null, 32, LengthsOf(width, height, planes)))
         {
             whole.Put("EXTNAME", "CELL", "layer");
             whole.Write<int>(0, numbers);
@@ -32,7 +32,7 @@ public class FitsUnitTests
         }
 
         using MemoryStream actual = new();
-        using (FitsUnit header = FitsUnit.Image(32, LengthsOf(1, 1, planes)))
+        using (FitsUnit header = FitsUnit.Image(path: null, 32, LengthsOf(1, 1, planes)))
         {
             header.Put("EXTNAME", "CELL", "layer");
             header.CopyTo(actual, width, height, data);
@@ -46,14 +46,14 @@ public class FitsUnitTests
     {
         byte[] data = [.. Enumerable.Range(0, 33 * 11).Select(i => (byte)(3 * i))];
         using MemoryStream expected = new();
-        using (FitsUnit whole = FitsUnit.Image(8, 33, 11))
+        using (FitsUnit whole = FitsUnit.Image(path: null, 8, 33, 11))
         {
             whole.Write<byte>(0, data);
             whole.CopyTo(expected);
         }
 
         using MemoryStream actual = new();
-        using (FitsUnit header = FitsUnit.Image(8, 1, 1))
+        using (FitsUnit header = FitsUnit.Image(path: null, 8, 1, 1))
         {
             header.CopyTo(actual, 33, 11, data);
         }

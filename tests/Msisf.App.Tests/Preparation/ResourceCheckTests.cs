@@ -15,7 +15,7 @@ public sealed class ResourceCheckTests
     [InlineData("--width 1024 --height 1024 --rendering-annotation", 2, Gibibyte, Gibibyte)]
     [InlineData("--width 16384 --height 16384 --grid 1", 1, Gibibyte, 72 * Gibibyte)]
     public void Check_Enough_Passes(string options, int atOnce, long memory, long disk) =>
-        ResourceCheck.Check(Settings(options), atOnce, atOnce, memory, disk);
+        ResourceCheck.Check([(Settings(options), atOnce)], atOnce, memory, disk);
 
     [Theory]
     [InlineData("--width 16384 --height 16384 --rendering-annotation", 1, Gibibyte, 100 * Gibibyte, "of memory")]
@@ -26,7 +26,7 @@ public sealed class ResourceCheckTests
     public void Check_TooLittle_IsRefusedWithWhatIsThere(string options, int atOnce, long memory, long disk, string message)
     {
         BadInputException exception = Assert.Throws<BadInputException>(
-            () => ResourceCheck.Check(Settings(options), atOnce, atOnce, memory, disk));
+            () => ResourceCheck.Check([(Settings(options), atOnce)], atOnce, memory, disk));
 
         Assert.Contains(message, exception.Message, StringComparison.Ordinal);
     }
@@ -35,11 +35,24 @@ public sealed class ResourceCheckTests
     public void Check_SeriesThatWillNotFit_IsRefusedBeforeItBegins()
     {
         const string Small = "--renderer native --width 1000 --height 1000 --grid 1000"; // 0.3 MB a frame
-        ResourceCheck.Check(Settings(Small), frames: 3000, atOnce: 2, Gibibyte, Gibibyte);
+        ResourceCheck.Check([(Settings(Small), 3000)], atOnce: 2, Gibibyte, Gibibyte);
         BadInputException exception = Assert.Throws<BadInputException>(
-            () => ResourceCheck.Check(Settings(Small), frames: 4000, atOnce: 2, Gibibyte, Gibibyte));
+            () => ResourceCheck.Check([(Settings(Small), 4000)], atOnce: 2, Gibibyte, Gibibyte));
 
         Assert.Contains("4000 frames will take about 1145 MiB", exception.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>A small camera leaves its room to a large one.</summary>
+    [Fact]
+    public void Check_CamerasOfARig_TakeTheirSum()
+    {
+        RenderSettings small = Settings("--renderer native --width 10 --height 10 --grid 1000");
+        RenderSettings large = Settings("--renderer native --width 1000 --height 1000 --grid 1000");
+        ResourceCheck.Check([(small, 3000), (large, 3000)], atOnce: 2, Gibibyte, Gibibyte);
+        BadInputException exception = Assert.Throws<BadInputException>(
+            () => ResourceCheck.Check([(large, 2000), (small, 1), (large, 2000)], atOnce: 2, Gibibyte, Gibibyte));
+
+        Assert.Contains("4001 frames will take about 1145 MiB", exception.Message, StringComparison.Ordinal);
     }
 
     /// <summary>Of single and double precision: 16 and 8 + 4 x 8 bytes a pixel beside the image's 0.3.</summary>
@@ -49,7 +62,7 @@ public sealed class ResourceCheckTests
     public void Check_SeriesWithLayers_CountsTheirBytes(string layers, string size)
     {
         BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.Check(
-            Settings($"--renderer native --width 1000 --height 1000 --grid 1000 {layers}"), frames: 1000, atOnce: 1, Gibibyte, Gibibyte));
+            [(Settings($"--renderer native --width 1000 --height 1000 --grid 1000 {layers}"), 1000)], atOnce: 1, Gibibyte, Gibibyte));
 
         Assert.Contains(size, exception.Message, StringComparison.Ordinal);
     }

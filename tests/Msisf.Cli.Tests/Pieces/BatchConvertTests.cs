@@ -59,6 +59,30 @@ public sealed class BatchConvertTests : IDisposable
         Assert.Equal(StatesOf(mode.Split(' ')), BatchFileReader.Read(reader, "states", new SphereScene()));
     }
 
+    /// <summary>The pieces scan along the same motion, and shake the camera themselves.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData(",vx,vy,vz,wx,wy,wz", ",1,1500.5,-3,0.01,0.02,0.03", "")]
+    [InlineData("", "", "--motion {1,1500.5,-3,0.01,0.02,0.03}")]
+    public void Convert_ScanThatOptionsExplain_WritesItsMotionWithoutJitter(string columns, string numbers, string option)
+    {
+        string batch = _folder.Write("b.csv", $"seconds,x,y,z,qw,qx,qy,qz{columns}\n0,1900000,0,0,1,0,0,0{numbers}\n");
+        string camera = _folder.Write(
+            "line.yaml", "focal-length-px: 90\nwidth: 40\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.1\n");
+
+        CommandLineRun run = CommandLineRun.Of(
+            [
+                "batchconvert", "--format", "sh", "--script", _folder["b.sh"], "--pieces", "1", "--renderer", "native",
+                "--batch-file", batch, "--epoch", "55289", "--camera", camera, "--lines", "9", "--jitter",
+                _folder.Write("jitter.txt", "pitch 0.4 9000 1\n"), .. option.Split(' ', StringSplitOptions.RemoveEmptyEntries),
+                .. ConvertedScript.Common,
+            ]);
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Equal(
+            ["55289 1900000 0 0 0 0 0 1 1 1500.5 -3 0.01 0.02 0.03"],
+            File.ReadLines(_folder["b.sh.states.tab"]).Where(line => line[0] != '#'));
+    }
+
     /// <summary>The pieces do not get the options that say how its numbers are meant.</summary>
     [RequiresFact(Part.Ldem4)]
     public void Convert_BatchFileThatOptionsExplain_WritesItsStates()
