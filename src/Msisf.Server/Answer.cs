@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Diagnostics;
 using System.Globalization;
 using System.Text;
 using Microsoft.AspNetCore.Http;
@@ -18,6 +19,9 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     /// <summary>The parts.</summary>
     public IReadOnlyList<AnswerPart> Parts => _parts;
 
+    /// <summary>What the names of the next parts and times begin with: "" of an answer with one image, else "camera.".</summary>
+    public string Prefix { get; set; } = string.Empty;
+
     /// <summary>Times of the work, for the header Server-Timing: name and ms.</summary>
     public List<(string Name, double Milliseconds)> Times { get; } = [];
 
@@ -26,6 +30,9 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
     /// <summary>The last bytes of a multipart answer.</summary>
     protected static ReadOnlyMemory<byte> End { get; } = Encoding.ASCII.GetBytes($"\r\n--{Boundary}--\r\n");
+
+    /// <summary>Adds the time since a timestamp of <see cref="Stopwatch"/>.</summary>
+    public void AddTime(string name, long start) => Times.Add((Prefix + name, Stopwatch.GetElapsedTime(start).TotalMilliseconds));
 
     /// <summary>Adds a part.</summary>
     /// <param name="name">Name of a file with it.</param>
@@ -38,7 +45,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         content.SetLength(room);
         content.Position = room;
         write(content);
-        _parts.Add(new AnswerPart(name, contentType, content, headers) { Length = content.Length });
+        _parts.Add(new AnswerPart(Prefix + name, contentType, content, headers) { Length = content.Length });
     }
 
     /// <summary>Adds a part that may be too long for memory.</summary>

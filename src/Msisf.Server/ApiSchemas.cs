@@ -55,6 +55,25 @@ internal static class ApiSchemas
         return Closed(properties);
     }
 
+    /// <summary>A frame, or one with the cameras that it is drawn with.</summary>
+    public static OpenApiSchema OfRender(OpenApiDocument document)
+    {
+        OpenApiSchema camera = new()
+        {
+            Type = JsonSchemaType.Object,
+            Description = "A camera: its name, how it is mounted (quaternion, offset), and options of its images",
+            Properties = StreamCamera.Keys.ToDictionary<string, string, IOpenApiSchema>(
+                key => key, key => key == StreamCamera.NameKey ? Of(JsonSchemaType.String) : ListOf(Of(JsonSchemaType.Number))),
+        };
+        OpenApiSchema rig = Closed(new()
+        {
+            [StreamCamera.FrameKey] = new OpenApiSchemaReference(Frame, document),
+            [StreamCamera.ListKey] = ListOf(camera),
+        });
+        rig.Required = new HashSet<string> { StreamCamera.FrameKey, StreamCamera.ListKey };
+        return new OpenApiSchema { OneOf = [new OpenApiSchemaReference(Frame, document), rig] };
+    }
+
     /// <summary>A frame and a list of points.</summary>
     /// <param name="name">Name of the list.</param>
     /// <param name="description">What a point is.</param>

@@ -44,11 +44,11 @@ internal sealed class FrameAnswers
     {
         long start = Stopwatch.GetTimestamp();
         using NativeImage image = session.Draw(frame, threads, cancellation);
-        answer.Times.Add(("draw", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
+        answer.AddTime("draw", start);
         start = Stopwatch.GetTimestamp();
         answer.Stop = cancellation;
         Write(answer, session, frame, image, form, threads, cancellation);
-        answer.Times.Add(("write", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
+        answer.AddTime("write", start);
     }
 
     /// <summary>Adds the image in a form.</summary>

@@ -57,14 +57,15 @@ internal sealed class FrameService : IDisposable
     /// <param name="json">The options.</param>
     /// <param name="changes">Options that replace those; null for none.</param>
     /// <param name="needsPlace">Whether the options must say where the camera is.</param>
+    /// <param name="isOfSeveral">Whether other cameras have the options too: the motion may be meant for them alone.</param>
     /// <exception cref="MsisfException">They are wrong, or the image is too large.</exception>
     public RequestedFrame Read(
-        JsonElement json, IReadOnlyDictionary<string, JsonElement>? changes = null, bool needsPlace = true)
+        JsonElement json, IReadOnlyDictionary<string, JsonElement>? changes = null, bool needsPlace = true, bool isOfSeveral = false)
     {
         RequestedFrame requested;
         try
         {
-            requested = JsonOptions.Read(JsonText.Members(json), changes, needsPlace, Names, Settings);
+            requested = JsonOptions.Read(JsonText.Members(json), changes, needsPlace, Names, Settings, isOfSeveral);
         }
         catch (MsisfException wrong) when (wrong is UsageException or BadInputException && wrong.Message.Length > Problem.LongestQuote)
         {
@@ -131,7 +132,7 @@ internal sealed class FrameService : IDisposable
             requested,
             (session, threads, end) =>
             {
-                answer.Times.Add(("wait", Stopwatch.GetElapsedTime(start).TotalMilliseconds));
+                answer.AddTime("wait", start);
                 FrameAnswers.Draw(answer, session, session.Prepare(place, end, suns), form, threads, end);
                 return true;
             },

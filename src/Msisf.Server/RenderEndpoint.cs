@@ -1,17 +1,19 @@
 using System.Text.Json;
 using Microsoft.AspNetCore.Http;
+using Msisf.App.Preparation;
 using Msisf.App.Serving;
+using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 
-/// <summary>POST /v1/render: draws a frame.</summary>
+/// <summary>POST /v1/render: draws a frame, or one with each camera of a rig.</summary>
 /// <param name="frames">Does the work.</param>
 internal sealed class RenderEndpoint(FrameService frames)
 {
     /// <summary>Describes the route.</summary>
-    public static RouteText About { get; } = new("Draws a frame.", AnswerForm.All)
+    public static RouteText About { get; } = new("Draws a frame, or one with each of several cameras.", AnswerForm.All)
     {
-        Body = document => new Microsoft.OpenApi.OpenApiSchemaReference(ApiSchemas.Frame, document),
+        Body = ApiSchemas.OfRender,
     };
 
     /// <summary>Answers a request.</summary>
@@ -20,7 +22,7 @@ internal sealed class RenderEndpoint(FrameService frames)
         AnswerForm form = AnswerForm.Of(context.Request.Headers.Accept);
         using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         IReadOnlyList<string> warnings = frames.CollectWarnings();
-        RequestedFrame requested = frames.Read(json.RootElement);
+        IReadOnlyList<(string Prefix, RequestedFrame Frame)> images = Read(json.RootElement, form);
         context.Response.OnStarting(() =>
         {
             if (warnings.Count > 0)
@@ -30,9 +32,51 @@ internal sealed class RenderEndpoint(FrameService frames)
 
             return Task.CompletedTask;
         });
-        using Answer answer = frames.Answers.For(AnswerPlan.Of(form, requested.Settings), context.Response, form.IsMultipart);
-        await frames.DrawAsync(requested, requested.Place!, form, answer, context.RequestAborted).ConfigureAwait(false);
+        using Answer answer = frames.Answers.For(PlanOf(images, form), context.Response, form.IsMultipart);
+        KnownSuns suns = []; // all images have one time
+        foreach ((string prefix, RequestedFrame requested) in images)
+        {
+            answer.Prefix = prefix;
+            await frames.DrawAsync(requested, requested.Place!, form, answer, context.RequestAborted, suns).ConfigureAwait(false);
+        }
+
         await answer.SendAsync(context.Response, form.IsMultipart, context.RequestAborted).ConfigureAwait(false);
+    }
+
+    /// <summary>The images that are asked for, each with what the names of its parts begin with.</summary>
+    private IReadOnlyList<(string Prefix, RequestedFrame Frame)> Read(JsonElement body, AnswerForm form)
+    {
+        if (body.ValueKind != JsonValueKind.Object || !body.TryGetProperty(StreamCamera.ListKey, out JsonElement cameras))
+        {
+            return [(string.Empty, frames.Read(body))];
+        }
+
+        IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(body);
+        if (!members.TryGetValue(StreamCamera.FrameKey, out JsonElement frame) || members.Count > 2)
+        {
+            throw new UsageException(
+                $"a request with '{StreamCamera.ListKey}' has '{StreamCamera.FrameKey}', the options of all images, and nothing else.");
+        }
+
+        IReadOnlyList<StreamCamera> read = StreamCamera.Read(cameras);
+        return form.IsMultipart
+            ? [.. read.Select((camera, index) => ($"{camera.NameAt(index)}.", camera.Of(frames, frame)))]
+            : throw new RefusedException(
+                StatusCodes.Status406NotAcceptable,
+                $"several cameras are answered in several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.");
+    }
+
+    /// <summary>What the answer will hold, checked for all images before the first one is drawn.</summary>
+    private AnswerPlan PlanOf(IReadOnlyList<(string Prefix, RequestedFrame Frame)> images, AnswerForm form)
+    {
+        AnswerPlan[] plans = [.. images.Select(image => AnswerPlan.Of(form, image.Frame.Settings))];
+        AnswerPlan all = plans[0] with { Bytes = plans.Sum(plan => plan.Bytes) };
+        foreach ((AnswerPlan plan, (_, RequestedFrame image)) in plans.Zip(images))
+        {
+            (plan with { Bytes = all.Bytes }).Check(form, image.Settings, frames.Settings.MaxMegabytes);
+        }
+
+        return all;
     }
 }
 

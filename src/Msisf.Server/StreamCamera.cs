@@ -10,10 +10,18 @@ namespace Msisf.Server;
 /// <param name="Rig">How it and the others sit on the body whose states come; null for cameras that are all where the state is.</param>
 internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Options, RigCamera? Rig)
 {
+    /// <summary>Key of the list of cameras.</summary>
+    public const string ListKey = "cameras";
+
+    /// <summary>Key of the options of all cameras.</summary>
+    public const string FrameKey = "frame";
+
     /// <summary>More than a spacecraft carries.</summary>
     private const int Most = 16;
 
-    private const string NameKey = "name";
+    /// <summary>Key of a camera's name.</summary>
+    public const string NameKey = "name";
+
     private const string QuaternionKey = "quaternion";
     private const string OffsetKey = "offset";
 
@@ -25,12 +33,11 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
         if (cameras.ValueKind != JsonValueKind.Array || cameras.GetArrayLength() is < 1 or > Most)
         {
             throw new UsageException(
-                $"'cameras' is {JsonText.Shown(cameras)}; a list of 1 to {Most} objects with the options of each camera is needed.");
+                $"'{ListKey}' is {JsonText.Shown(cameras)}; a list of 1 to {Most} objects with the options of each camera is needed.");
         }
 
         IReadOnlyDictionary<string, JsonElement>[] members = [.. cameras.EnumerateArray().Select(JsonText.Members)];
-        string[] keys = [NameKey, QuaternionKey, OffsetKey];
-        if (!members.Any(camera => keys.Any(camera.ContainsKey)))
+        if (!members.Any(camera => Keys.Any(camera.ContainsKey)))
         {
             return [.. members.Select(camera => new StreamCamera(camera, Rig: null))];
         }
@@ -38,16 +45,28 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
         MountedCamera[] mounted = [.. members.Select(MountedOf)];
         return mounted.Select(camera => camera.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() == mounted.Length
             ? [.. members.Select((camera, index) => new StreamCamera(
-                camera.Where(option => !keys.Contains(option.Key)).ToDictionary(), new RigCamera(mounted, index)))]
+                camera.Where(option => !Keys.Contains(option.Key)).ToDictionary(), new RigCamera(mounted, index)))]
             : throw new UsageException("two of the 'cameras' have one name. Give each its own, or none.");
     }
 
-    /// <summary>The camera's frame.</summary>
+    /// <summary>Keys that are no options of an image.</summary>
+    public static IReadOnlyList<string> Keys { get; } = [NameKey, QuaternionKey, OffsetKey];
+
+    /// <summary>The camera's name: camera1, camera2, ... if it has none.</summary>
+    public string NameAt(int index) => Rig?.Name ?? DefaultName(index);
+
+    /// <summary>The camera's frame where the options of all cameras say where the body is.</summary>
     /// <param name="frames">Reads it.</param>
     /// <param name="frame">The options of all cameras.</param>
-    /// <param name="changes">What a later message says in their place, with where the camera is; null for none.</param>
     /// <exception cref="MsisfException">An option is wrong.</exception>
-    public RequestedFrame Of(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) =>
+    public RequestedFrame Of(FrameService frames, JsonElement frame) => frames.Read(frame, Options, isOfSeveral: true).On(Rig);
+
+    /// <summary>The camera's frame in a stream.</summary>
+    /// <param name="frames">Reads it.</param>
+    /// <param name="frame">The options of all cameras.</param>
+    /// <param name="changes">What a later message says in their place, with where the camera is; null for the first one.</param>
+    /// <exception cref="MsisfException">An option is wrong.</exception>
+    public RequestedFrame InStream(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) =>
         frames.Read(
             frame,
             changes is null ? Options : Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary(),
@@ -55,7 +74,7 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
 
     private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
     {
-        string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : $"camera{index + 1}";
+        string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : DefaultName(index);
         if (!MountedCamera.IsName(name))
         {
             throw new UsageException($"'{name}' is no name of a camera: {MountedCamera.Names}.");
@@ -71,6 +90,8 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             throw new UsageException($"camera '{name}': {wrong.Message}", wrong);
         }
     }
+
+    private static string DefaultName(int index) => $"camera{index + 1}";
 
     private static double[] Numbers(IReadOnlyDictionary<string, JsonElement> camera, string key, double[] otherwise)
     {

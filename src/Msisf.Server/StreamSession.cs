@@ -113,7 +113,7 @@ internal sealed class StreamSession : IDisposable
         {
             _document = JsonText.Parse(first.Bytes);
             _opening = StreamOpening.Read(_document.RootElement);
-            _cameras = [.. _opening.Cameras.Select(camera => camera.Of(_frames, _opening.Frame))];
+            _cameras = [.. _opening.Cameras.Select(camera => camera.InStream(_frames, _opening.Frame))];
             await _socket.SendAsync(
                 json =>
                 {
@@ -233,7 +233,7 @@ internal sealed class StreamSession : IDisposable
 
         bool hasOwnNoise = changes.ContainsKey(NativeOptions.NoiseSeed.Key);
         return [.. _opening!.Cameras
-            .Select(camera => camera.Of(_frames, _opening.Frame, changes))
+            .Select(camera => camera.InStream(_frames, _opening.Frame, changes))
             .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested)))];
     }
 

@@ -33,7 +33,7 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
             return;
         }
 
-        Begin(new AnswerPart(name, contentType, Nothing, headers) { Length = length });
+        Begin(new AnswerPart(Prefix + name, contentType, Nothing, headers) { Length = length });
         write(_body);
     }
 
@@ -52,7 +52,7 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
         using FileStream file = new(
             Path.GetTempFileName(), FileMode.Create, FileAccess.ReadWrite, FileShare.None, bufferSize: 1 << 16, FileOptions.DeleteOnClose);
         write(file);
-        Begin(new AnswerPart(name, contentType, Nothing, headers) { Length = file.Length });
+        Begin(new AnswerPart(Prefix + name, contentType, Nothing, headers) { Length = file.Length });
         file.Position = 0;
         file.CopyTo(_body);
     }

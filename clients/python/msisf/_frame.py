@@ -76,6 +76,12 @@ class Frame(View):
         self.mjd = float(general["SimulationTime"]["MJD"])
         self.utc = str(general["SimulationTime"]["UTC"])
 
+    def ask_alone(self) -> None:
+        """Lets questions to the Moon name the camera where it is, in place of the body that carries it and others."""
+        self._is_scan_of_several = '"Scan":{' in self._meta
+        options = {name: value for name, value in self._request.items() if name not in _OF_BODY}
+        self._request = {**options, "fixed-state": [self.mjd, *self.position.tolist(), *self.quaternion.tolist()]}
+
     @cached_property
     def meta(self) -> Dict[str, Any]:
         with answers_of("the meta file"):
@@ -108,6 +114,11 @@ class Frame(View):
                 return array
         raise AttributeError(f"the frame has no '{name}'; layers are asked for by render(layers=[...])")
 
+
+#: Options of a request that say where a body is, and how a camera is mounted on it.
+_OF_BODY = frozenset(
+    ("fixed-state position states trajectory trajectory-positions trajectory-attitudes orbit-frame time epoch kepler-set state-vectors "
+     "attitude attitude-frame attitude-transition look-at off-nadir up roll normalize jitter name quaternion offset").split())  # fmt: skip
 
 _NUMBERS = ("latitude", "longitude", "diameter", "minorDiameter", "angle", "height", "h", "v", "semiMajor", "semiMinor", "turn", "inside",
             "hidden", "lit", "incidence", "emission", "residual")  # fmt: skip

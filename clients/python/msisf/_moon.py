@@ -8,7 +8,7 @@ import os
 import ssl
 import threading
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Type, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Type, Union
 from urllib.parse import urlencode
 
 import numpy as np
@@ -16,7 +16,7 @@ import numpy as np
 from ._camera import AnyCamera, Camera, Mounted, options_of
 from ._errors import MsisfError, answers_of
 from ._frame import Frame
-from ._http import Http, parts_of
+from ._http import Http, Part, parts_of
 from ._process import ServerProcess
 from ._stream import Stream
 from ._values import Time, array_of, listed, named, numbers, plain, rows, time_text
@@ -113,20 +113,64 @@ class Moon:
             ServerError: The server does not answer.
         """
         request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options, states)
-        wanted = listed(layers, "layers") or listed(request.pop("layers", None), "layers")
-        in_answer = {**request, "layers": wanted, "layers-format": "npy"} if wanted else request
-        headers, content = self._http.post("/v1/render", in_answer, "multipart/mixed, application/octet-stream, application/json")
+        in_answer = _with_layers(request, layers)
         with answers_of(self.address):
-            self._local.times = _times(headers.get("Server-Timing", ""))
-            parts = parts_of(headers, content)
-            arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
-            warning = headers.get("X-Msisf-Warning")
-            meta = str(parts["json"].content, "utf-8")
-            frame = Frame(self, request, parts["image.raw"], arrays, meta, [warning] if warning else [])
-            frame.camera_models = {
-                name: str(part.content, "utf-8") for name, part in parts.items() if part.headers["content-type"] == "text/plain"
-            }
-            return frame
+            parts, warnings = self._render(in_answer)
+            return self._frame(request, parts, warnings)
+
+    def render_all(
+        self,
+        position: Optional["ArrayLike"] = None,
+        orientation_xyz0: Optional["ArrayLike"] = None,
+        time: Optional[Time] = None,
+        *,
+        cameras: Sequence[Union[AnyCamera, Mounted]],
+        states: Union[str, "ArrayLike", None] = None,
+        look_at: Union[str, "ArrayLike", None] = None,
+        nadir: bool = False,
+        layers: Union[str, Sequence[str]] = (),
+        **options: Any,
+    ) -> List[Frame]:
+        """Draws an image with each of several cameras, in one request.
+
+        Args:
+            cameras: All where the state is, or, as ``Mounted``, on the body whose state it is (docs/rigs.md).
+            position, orientation_xyz0, time, states, look_at, nadir, layers, options: As for ``render``.
+
+        Returns:
+            The frames, in the order of the cameras. Of a camera that scans ``locate`` and ``visible`` can't be asked.
+        """
+        if not cameras:
+            raise MsisfError("give a list of cameras with one at least")
+        body = self._request(position, orientation_xyz0, time, look_at, nadir, None, options, states, has_camera=False)
+        in_answer = _with_layers(body, layers)
+        own = [options_of(one) for one in cameras]
+        frames = []
+        with answers_of(self.address):
+            parts, warnings = self._render({"frame": in_answer, "cameras": own})
+            for index, camera in enumerate(own):
+                prefix = f"{camera.get('name', f'camera{index + 1}')}."
+                ours = {name[len(prefix):]: part for name, part in parts.items() if name.startswith(prefix)}
+                frames.append(self._frame({**body, **camera}, ours, warnings, is_of_several=True))
+        return frames
+
+    def _render(self, request: Mapping[str, Any]) -> Tuple[Dict[str, Part], List[str]]:
+        headers, content = self._http.post("/v1/render", request, "multipart/mixed, application/octet-stream, application/json")
+        self._local.times = _times(headers.get("Server-Timing", ""))
+        warning = headers.get("X-Msisf-Warning")
+        return parts_of(headers, content), [warning] if warning else []
+
+    def _frame(
+        self, request: Mapping[str, Any], parts: Mapping[str, Part], warnings: Sequence[str], is_of_several: bool = False
+    ) -> Frame:
+        arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
+        frame = Frame(self, request, parts["image.raw"], arrays, str(parts["json"].content, "utf-8"), warnings)
+        if is_of_several:
+            frame.ask_alone()
+        frame.camera_models = {
+            name: str(part.content, "utf-8") for name, part in parts.items() if part.headers["content-type"] == "text/plain"
+        }
+        return frame
 
     def view(
         self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any
@@ -234,18 +278,20 @@ class Moon:
         camera: Optional[AnyCamera],
         options: Mapping[str, Any],
         states: Union[str, "ArrayLike", None] = None,
+        has_camera: bool = True,
     ) -> Dict[str, Any]:
+        of_camera = options_of(camera if camera is not None else self._camera) if has_camera else {}
         if "trajectory" in options:
             if any(given is not None for given in (position, orientation, look_at, states)) or nadir:
                 raise MsisfError("a trajectory says where the camera is and how it points; leave the other arguments out")
-            moving = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
+            moving = {**self._options, **of_camera, **named(options)}
             return moving if time is None else {**moving, "time": time_text(time)}
         if (orientation is not None) + (look_at is not None) + bool(nadir) != 1:
             raise MsisfError("give one of orientation_xyz0, look_at and nadir=True: it says how the camera points")
         if (position is None) == (states is None):
             raise MsisfError("give one of position and states: it says where the camera is")
         when = time_text(time)
-        request = {**self._options, **options_of(camera if camera is not None else self._camera), **named(options)}
+        request = {**self._options, **of_camera, **named(options)}
         if states is None:
             place: Dict[str, Any] = {"position": numbers(position, "position", 3)}
         else:
@@ -257,6 +303,11 @@ class Moon:
             return {**request, **place, "time": when, "attitude": turn}
         target = "nadir" if nadir else str(look_at) if isinstance(look_at, str) else numbers(look_at, "look_at", 2, 3)
         return {**request, **place, "time": when, "look-at": target}
+
+
+def _with_layers(request: Dict[str, Any], layers: Union[str, Sequence[str]]) -> Dict[str, Any]:
+    wanted = listed(layers, "layers") or listed(request.pop("layers", None), "layers")
+    return {**request, "layers": wanted, "layers-format": "npy"} if wanted else request
 
 
 def _times(text: str) -> Dict[str, float]:

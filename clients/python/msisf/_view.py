@@ -92,6 +92,7 @@ class View:
     ) -> None:
         self.moon: "Optional[Moon]" = moon
         self._request = dict(request)
+        self._is_scan_of_several = False
         self.position = position
         self.K, self.R, self.t = matrices
         self.distortion = distortion
@@ -143,6 +144,8 @@ class View:
     def _ask(self, path: str, answers: str, given: List[List[float]], read: "Callable[[Any], Any]") -> List[Any]:
         if self.moon is None:
             raise MsisfError("this came out of a pickle and has no server to ask: set its attribute 'moon' to an msisf.Moon")
+        if self._is_scan_of_several:
+            raise MsisfError("the points of a scan can't be asked where it was drawn with other cameras; render it alone")
         if not given:
             return []
         json = self.moon._post(f"/v1/{path}", {"frame": self._request, path: given})

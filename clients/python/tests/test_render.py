@@ -113,6 +113,17 @@ def test_images_of_a_rig_are_those_of_msis(moon, tmp_path):
     line = msisf.Mounted(LINE, (0.0, 0.0, 0.28, 0.96), name="line", options={"lines": 12})
     with moon.stream(cameras=[left, line], transfer="linear", exposure=1) as stream:
         images = stream.render_all((1.9e6, 1e5, 0.0), (0.0, 0.28, 0.0, 0.96), 55289.0, MOTION)
+    frames = moon.render_all(
+        (1.9e6, 1e5, 0.0), (0.0, 0.28, 0.0, 0.96), 55289.0, cameras=[left, line], motion=MOTION, transfer="linear", exposure=1,
+        layers=["radiance-factor", "position"])  # fmt: skip
+    for frame, image in zip(frames, images):
+        np.testing.assert_array_equal(frame.image, image)
+    row, column = np.argwhere(np.isfinite(frames[0].layers["position"][..., 0]))[7]
+    np.testing.assert_allclose(
+        frames[0].locate([(column, row)])[0].position, frames[0].layers["position"][row, column], atol=1e-6)  # fmt: skip
+    with pytest.raises(msisf.MsisfError, match="render it alone"):
+        frames[1].locate([(1, 1)])
+    assert frames[1].meta["GeneralInformation"]["Rig"]["OtherCamera"][0]["name"] == "left"
     for name, image in zip(("left", "line"), images):
         factor = np.load(tmp_path / f"{name}.radiance-factor.npy").reshape(image.shape)
         np.testing.assert_array_equal(image, np.floor(255.0 * np.clip(np.nan_to_num(factor), 0.0, 1.0) + 0.5))
@@ -124,6 +135,8 @@ def test_images_of_a_rig_are_those_of_msis(moon, tmp_path):
     ):  # fmt: skip
         with pytest.raises(msisf.RequestError, match=said):
             moon.stream(cameras=wrong)
+        with pytest.raises(msisf.RequestError, match=said):
+            moon.render_all((1.9e6, 1e5, 0.0), (0.0, 0.28, 0.0, 0.96), 55289.0, cameras=wrong)
 
 
 def test_scan_is_that_of_msis(moon, tmp_path):

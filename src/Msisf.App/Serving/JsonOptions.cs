@@ -57,12 +57,18 @@ internal sealed class JsonOptions
     /// <param name="needsPlace">Whether the options must say where the camera is.</param>
     /// <param name="names">The files that may be named.</param>
     /// <param name="settings">The server's settings.</param>
+    /// <param name="isOfSeveral">Whether other cameras have the options too, as with a rig file.</param>
     /// <exception cref="MsisfException">An option is unknown, not allowed, or wrong.</exception>
     public static RequestedFrame Read(
         IReadOnlyDictionary<string, JsonElement> given, IReadOnlyDictionary<string, JsonElement>? changes, bool needsPlace,
-        ServedNames names, ServeSettings settings)
+        ServedNames names, ServeSettings settings, bool isOfSeveral = false)
     {
         JsonOptions options = new(names, settings);
+        if (isOfSeveral)
+        {
+            options.Put(RigOptions.Rig, "of the request");
+        }
+
         IReadOnlyDictionary<string, JsonElement> replaced = changes ?? new Dictionary<string, JsonElement>();
         foreach ((string key, JsonElement value) in given.Where(pair => !IsReplaced(pair.Key, replaced)).Concat(replaced))
         {
