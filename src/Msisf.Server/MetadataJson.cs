@@ -12,7 +12,8 @@ namespace Msisf.Server;
 /// </summary>
 internal static class MetadataJson
 {
-    private static readonly string[] Lists = ["Pixel", "Input", "ElevationPart", "Crater", "CraterLeftOut", "Landmark", "Row", "OtherCamera"];
+    private static readonly string[] Lists =
+        ["Pixel", "Input", "ElevationPart", "Crater", "CraterLeftOut", "Landmark", "Row", "OtherCamera"];
 
     /// <summary>Attributes that stay texts, even if they look like a number.</summary>
     private static readonly string[] Texts = ["name", "id", "product", "sha256", "hiddenBy"];

@@ -33,7 +33,8 @@ internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[
         }
 
         return new PointsRequest(
-            frames.Read(frame, isOfSeveral: true), [.. list.EnumerateArray().Select((point, index) => PointOf(point, name, index, fields, needed))]);
+            frames.Read(frame, isOfSeveral: true),
+            [.. list.EnumerateArray().Select((point, index) => PointOf(point, name, index, fields, needed))]);
     }
 
     private static double[] PointOf(JsonElement point, string name, int index, string[] fields, int needed)

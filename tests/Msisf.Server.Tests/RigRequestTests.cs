@@ -66,9 +66,9 @@ public sealed class RigRequestTests(RunningServer server) : IClassFixture<Runnin
     [RequiresFact(Part.Ldem4)]
     public async Task Meta_HasListsOfRowsAndCameras()
     {
+        string body = Body.Replace("\"grid\": 8", "\"grid\": 4", StringComparison.Ordinal);
         using HttpResponseMessage answer = await server.PostAsync(
-            "/v1/render", $$"""{"frame": { {{Body.Replace("\"grid\": 8", "\"grid\": 4", StringComparison.Ordinal)}} }, "cameras": {{Cameras}} }""",
-            "multipart/mixed, application/json");
+            "/v1/render", $$"""{"frame": { {{body}} }, "cameras": {{Cameras}} }""", "multipart/mixed, application/json");
         string text = await answer.Content.ReadAsStringAsync();
         Assert.True(answer.IsSuccessStatusCode, text);
         int start = text.IndexOf('{', text.IndexOf("filename=\"line.json\"", StringComparison.Ordinal));

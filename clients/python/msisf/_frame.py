@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from functools import cached_property
 from os import PathLike
@@ -75,6 +76,16 @@ class Frame(View):
         self.sun_direction = away / length if length > 0.0 else away
         self.mjd = float(general["SimulationTime"]["MJD"])
         self.utc = str(general["SimulationTime"]["UTC"])
+
+    @classmethod
+    def of_parts(cls, moon: "Moon", request: Mapping[str, Any], parts: Mapping[str, Part], warnings: Sequence[str]) -> "Frame":
+        """The frame of an answer of several parts."""
+        arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
+        frame = cls(moon, request, parts["image.raw"], arrays, str(parts["json"].content, "utf-8"), warnings)
+        frame.camera_models = {
+            name: str(part.content, "utf-8") for name, part in parts.items() if part.headers["content-type"] == "text/plain"
+        }
+        return frame
 
     def ask_alone(self) -> None:
         """Lets questions to the Moon name the camera where it is, in place of the body that carries it and others."""

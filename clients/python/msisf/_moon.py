@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import os
 import ssl
@@ -113,10 +112,9 @@ class Moon:
             ServerError: The server does not answer.
         """
         request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options, states)
-        in_answer = _with_layers(request, layers)
         with answers_of(self.address):
-            parts, warnings = self._render(in_answer)
-            return self._frame(request, parts, warnings)
+            parts, warnings = self._render(_with_layers(request, layers))
+            return Frame.of_parts(self, request, parts, warnings)
 
     def render_all(
         self,
@@ -137,21 +135,20 @@ class Moon:
             cameras: All where the state is, or, as ``Mounted``, on the body whose state it is (docs/rigs.md).
             position, orientation_xyz0, time, states, look_at, nadir, layers, options: As for ``render``.
 
-        Returns:
-            The frames, in the order of the cameras. Of a camera that scans ``locate`` and ``visible`` can't be asked.
+        The frames are in the order of the cameras. ``locate`` and ``visible`` can't be asked of a camera that scans.
         """
         if not cameras:
             raise MsisfError("give a list of cameras with one at least")
         body = self._request(position, orientation_xyz0, time, look_at, nadir, None, options, states, has_camera=False)
-        in_answer = _with_layers(body, layers)
         own = [options_of(one) for one in cameras]
-        frames = []
         with answers_of(self.address):
-            parts, warnings = self._render({"frame": in_answer, "cameras": own})
+            frames = []
+            parts, warnings = self._render({"frame": _with_layers(body, layers), "cameras": own})
             for index, camera in enumerate(own):
                 prefix = f"{camera.get('name', f'camera{index + 1}')}."
                 ours = {name[len(prefix):]: part for name, part in parts.items() if name.startswith(prefix)}
-                frames.append(self._frame({**body, **camera}, ours, warnings, is_of_several=True))
+                frames.append(Frame.of_parts(self, {**body, **camera}, ours, warnings))
+                frames[-1].ask_alone()
         return frames
 
     def _render(self, request: Mapping[str, Any]) -> Tuple[Dict[str, Part], List[str]]:
@@ -159,18 +156,6 @@ class Moon:
         self._local.times = _times(headers.get("Server-Timing", ""))
         warning = headers.get("X-Msisf-Warning")
         return parts_of(headers, content), [warning] if warning else []
-
-    def _frame(
-        self, request: Mapping[str, Any], parts: Mapping[str, Part], warnings: Sequence[str], is_of_several: bool = False
-    ) -> Frame:
-        arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
-        frame = Frame(self, request, parts["image.raw"], arrays, str(parts["json"].content, "utf-8"), warnings)
-        if is_of_several:
-            frame.ask_alone()
-        frame.camera_models = {
-            name: str(part.content, "utf-8") for name, part in parts.items() if part.headers["content-type"] == "text/plain"
-        }
-        return frame
 
     def view(
         self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any

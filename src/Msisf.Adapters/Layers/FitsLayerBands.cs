@@ -5,8 +5,8 @@ using Msisf.Core.Layers;
 namespace Msisf.Adapters.Layers;
 
 /// <summary>
-/// Writes the layers of an image that is drawn row by row: all of them side by side, some rows at a time, so that the image is drawn once and
-/// memory does not grow with its height. The bytes are those of layers that are written one after the other.
+/// Writes the layers of an image that is drawn row by row: all of them side by side, some rows at a time, so that the image is drawn once
+/// and memory does not grow with its height. The bytes are those of layers that are written one after the other.
 /// </summary>
 internal static class FitsLayerBands
 {

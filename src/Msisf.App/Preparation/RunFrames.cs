@@ -17,8 +17,8 @@ internal sealed record RunFrames(
     RenderSettings Settings, IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, IReadOnlyList<Frame> Frames)
 {
     /// <summary>
-    /// The states from which pieces of the run make the same frames: of the body that carries the cameras of a rig, without jitter, and with
-    /// the motion of a camera that scans.
+    /// The states from which pieces of the run make the same frames: of the body that carries the cameras of a rig, without jitter, and
+    /// with the motion of a camera that scans.
     /// </summary>
     public required IReadOnlyList<SpacecraftState> BodyStates { get; init; }
 
