@@ -5,7 +5,6 @@ using Msisf.App.Settings.Specs;
 using Msisf.Cli.Commands;
 using Msisf.Cli.Help;
 using Msisf.Cli.Parsing;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli;
 

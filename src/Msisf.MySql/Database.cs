@@ -1,5 +1,4 @@
 using System.Data.Common;
-using Msisf.Core.Errors;
 using MySqlConnector;
 
 namespace Msisf.MySql;

@@ -1,6 +1,5 @@
 using System.Data.Common;
 using System.Security.Authentication;
-using Msisf.Core.Errors;
 using MySqlConnector;
 
 namespace Msisf.MySql;

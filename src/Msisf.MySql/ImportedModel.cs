@@ -1,7 +1,5 @@
 using System.Data.Common;
-using System.Globalization;
 using System.Text.RegularExpressions;
-using Msisf.Core.Errors;
 
 namespace Msisf.MySql;
 

@@ -3,7 +3,6 @@ using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Camera;
 

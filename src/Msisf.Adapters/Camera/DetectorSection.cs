@@ -1,6 +1,5 @@
 using Msisf.Adapters.Input;
 using Msisf.Core.Detector;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Camera;
 

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera.Lenses;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Camera;
 

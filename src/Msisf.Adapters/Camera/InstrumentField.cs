@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Camera;
 

@@ -1,9 +1,6 @@
-using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Camera;
 

@@ -1,8 +1,6 @@
 using Msisf.Adapters.Input;
-using System.Globalization;
 using System.Security.Cryptography;
 using Msisf.Core.Detector.Psf;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Camera;
 

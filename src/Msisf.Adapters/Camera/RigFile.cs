@@ -1,9 +1,7 @@
 using System.Security.Cryptography;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Camera;
 

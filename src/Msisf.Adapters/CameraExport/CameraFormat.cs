@@ -1,7 +1,6 @@
 using Msisf.Adapters.IO;
 using Msisf.Adapters.States;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.CameraExport;
 

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Camera.Lenses;
 
 namespace Msisf.Adapters.CameraExport;
 

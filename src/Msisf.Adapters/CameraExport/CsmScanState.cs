@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;

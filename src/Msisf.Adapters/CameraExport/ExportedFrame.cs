@@ -2,7 +2,6 @@ using Msisf.Adapters.States;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 

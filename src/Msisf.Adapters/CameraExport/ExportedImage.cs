@@ -1,10 +1,8 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Render;
 using Msisf.Core.Detector;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.Adapters.CameraExport;

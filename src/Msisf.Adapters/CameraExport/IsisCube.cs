@@ -1,10 +1,8 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
 using Msisf.Adapters.States;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;

@@ -1,14 +1,10 @@
-using System.Globalization;
 using System.Xml;
 using System.Xml.Linq;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
-using Msisf.Core.Time;
 
 namespace Msisf.Adapters.CameraExport;
 

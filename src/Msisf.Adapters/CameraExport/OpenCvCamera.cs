@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using static Msisf.Adapters.CameraExport.ExportedNumber;
 

@@ -1,9 +1,7 @@
-using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;

@@ -1,9 +1,7 @@
 using System.Buffers.Binary;
-using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
 using System.Text.RegularExpressions;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.CameraExport;

@@ -1,6 +1,3 @@
-using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Adapters.CameraExport;
 
 /// <summary>

@@ -1,10 +1,7 @@
-using System.Globalization;
 using System.Xml.Linq;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using static Msisf.Adapters.CameraExport.MetaFileFrame;
 
 namespace Msisf.Adapters.CameraExport;

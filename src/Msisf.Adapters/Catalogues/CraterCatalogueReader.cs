@@ -1,7 +1,4 @@
-using System.Globalization;
 using System.Text;
-using Msisf.Core;
-using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
 using Msisf.Core.Terrain;
 

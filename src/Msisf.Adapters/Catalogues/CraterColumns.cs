@@ -1,5 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
 
 namespace Msisf.Adapters.Catalogues;

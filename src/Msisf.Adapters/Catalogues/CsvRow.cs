@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Catalogues;
 
 /// <summary>A line of a table with named columns.</summary>

@@ -1,8 +1,5 @@
-using System.Globalization;
 using System.Text;
-using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Catalogues;

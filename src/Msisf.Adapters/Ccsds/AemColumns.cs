@@ -1,8 +1,4 @@
-using System.Globalization;
-using Msisf.Adapters.Input;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ccsds;
 

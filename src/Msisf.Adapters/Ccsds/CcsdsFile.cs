@@ -3,8 +3,6 @@ using System.Text;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 
 namespace Msisf.Adapters.Ccsds;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 
 namespace Msisf.Adapters.Ccsds;

@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ccsds;
 

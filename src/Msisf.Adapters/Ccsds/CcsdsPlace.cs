@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Ccsds;
 
 /// <summary>Where in a file a reader is, for its errors and notes.</summary>

@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Xml;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ccsds;
 

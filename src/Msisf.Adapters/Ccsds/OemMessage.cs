@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 
 namespace Msisf.Adapters.Ccsds;

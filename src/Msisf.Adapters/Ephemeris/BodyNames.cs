@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>Names and numbers of bodies, spacecraft and instruments, as NAIF has them and as text kernels add them. Immutable.</summary>

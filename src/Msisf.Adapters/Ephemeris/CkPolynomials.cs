@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>The polynomials of CK types 5 and 6, of any of their subtypes.</summary>

@@ -1,5 +1,4 @@
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ephemeris;
 

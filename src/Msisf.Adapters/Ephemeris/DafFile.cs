@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using System.Text;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 

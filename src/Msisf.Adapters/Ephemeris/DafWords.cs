@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>The numbers of one segment, each checked when it is read. Safe for several threads.</summary>

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Interop;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 

@@ -1,6 +1,5 @@
 using System.Text;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Ephemeris;
 

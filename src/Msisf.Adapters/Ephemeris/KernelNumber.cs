@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>Numbers as text kernels write them, with Fortran's exponents and with dates.</summary>

@@ -1,7 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Ephemeris;
 

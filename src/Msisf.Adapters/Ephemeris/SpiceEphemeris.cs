@@ -1,7 +1,5 @@
 using Msisf.Adapters.Interop;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;

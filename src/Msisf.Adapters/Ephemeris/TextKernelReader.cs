@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>Reads text kernels: name = value, name = ( value value ... ), name += value.</summary>

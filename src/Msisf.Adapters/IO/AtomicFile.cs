@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.IO;
 
 /// <summary>Writes a file completely or not at all: under a temporary name in the same folder, flushed to disk, then renamed.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.IO;
 
 /// <summary>Where the program's own files are: the folder that holds <c>kernels/msisf.tm</c>.</summary>

@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Illumination;
 
 namespace Msisf.Adapters.Illumination;

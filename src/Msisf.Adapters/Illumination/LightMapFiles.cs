@@ -2,7 +2,6 @@ using System.Runtime.InteropServices;
 using Msisf.Adapters.Interop;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Illumination;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
 
 namespace Msisf.Adapters.Illumination;

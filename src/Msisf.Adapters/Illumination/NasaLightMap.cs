@@ -1,9 +1,5 @@
-using System.Globalization;
-using Msisf.Adapters.Raster;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Illumination;

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Input;
 
 /// <summary>The named columns of a batch file.</summary>

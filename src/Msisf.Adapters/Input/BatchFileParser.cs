@@ -1,6 +1,5 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Input;

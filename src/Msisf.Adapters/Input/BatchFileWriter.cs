@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
 

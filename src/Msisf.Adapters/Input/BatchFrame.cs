@@ -1,6 +1,4 @@
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Time;
 

@@ -1,5 +1,4 @@
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Input;
 

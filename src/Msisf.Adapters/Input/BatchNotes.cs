@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Attitude;
 
 namespace Msisf.Adapters.Input;

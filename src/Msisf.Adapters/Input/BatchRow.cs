@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Input;
 
 /// <summary>One line of a batch file with named columns.</summary>

@@ -1,9 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
-using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;

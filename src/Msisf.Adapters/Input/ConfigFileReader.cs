@@ -1,5 +1,4 @@
 using System.Text;
-using Msisf.Core.Errors;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 

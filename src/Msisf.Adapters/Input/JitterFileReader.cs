@@ -1,6 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Input;
 

@@ -1,5 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Input;

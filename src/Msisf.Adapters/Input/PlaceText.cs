@@ -1,4 +1,3 @@
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;

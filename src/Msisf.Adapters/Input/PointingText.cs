@@ -1,5 +1,4 @@
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;

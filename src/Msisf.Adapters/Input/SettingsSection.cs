@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Input;
 
 /// <summary>A YAML file of settings, or one of its sections: typed values by key. Every error names file, line and column.</summary>

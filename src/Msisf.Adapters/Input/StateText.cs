@@ -1,5 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;

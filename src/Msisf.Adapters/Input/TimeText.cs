@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;

@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 

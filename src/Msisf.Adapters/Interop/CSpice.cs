@@ -1,7 +1,5 @@
 using System.Runtime.InteropServices;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Interop;

@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Text;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Interop;

@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 

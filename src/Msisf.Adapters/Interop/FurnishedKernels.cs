@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 

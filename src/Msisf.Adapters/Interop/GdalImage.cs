@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Interop;
 

@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Detector;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 

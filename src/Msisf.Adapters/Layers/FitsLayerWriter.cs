@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;

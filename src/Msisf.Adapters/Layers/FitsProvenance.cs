@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Layers;

@@ -2,7 +2,6 @@ using System.Text.Json;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Layers;

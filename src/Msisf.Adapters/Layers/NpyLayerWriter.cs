@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;

@@ -1,7 +1,6 @@
 using System.Xml;
 using System.Xml.Schema;
 using Msisf.Adapters.Render;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 

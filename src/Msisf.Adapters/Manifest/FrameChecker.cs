@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 

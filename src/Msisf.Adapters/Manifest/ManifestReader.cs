@@ -1,5 +1,4 @@
 using System.Buffers;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Manifest;
 

@@ -1,10 +1,8 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Interop;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Maps;
 using Msisf.Core.Metadata;

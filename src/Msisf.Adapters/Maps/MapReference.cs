@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Maps;
 using Msisf.Core.Metadata;
 

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Interop;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Metadata;

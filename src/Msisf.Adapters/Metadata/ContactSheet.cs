@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Adapters.Render;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Metadata;
 

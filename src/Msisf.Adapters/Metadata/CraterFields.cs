@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Navigation;
 
 namespace Msisf.Adapters.Metadata;

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Navigation;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 

@@ -1,5 +1,4 @@
 using System.Xml;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Metadata;
 

@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Xml;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Metadata;

@@ -1,8 +1,6 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.Metadata;
 

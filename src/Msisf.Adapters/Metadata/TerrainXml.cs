@@ -1,5 +1,4 @@
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Surface;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Adapters.Metadata;
 
 /// <summary>The elements of a meta file that hold a vector or a rotation.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Navigation;

@@ -1,10 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 
 namespace Msisf.Adapters.RealImages;

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.RealImages;
 
 /// <summary>What the label of a real image says: an ISIS cube, a PDS3 or a PDS4 product. Immutable.</summary>

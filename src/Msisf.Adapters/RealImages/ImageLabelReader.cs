@@ -1,7 +1,6 @@
 using System.Xml;
 using System.Xml.Linq;
 using Msisf.Adapters.Raster.Pds;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.RealImages;
 

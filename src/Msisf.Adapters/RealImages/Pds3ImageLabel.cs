@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Pds;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.RealImages;
 

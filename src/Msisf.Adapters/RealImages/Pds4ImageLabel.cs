@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Xml;
 using System.Xml.Linq;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.RealImages;
 

@@ -1,6 +1,4 @@
 using System.Buffers.Binary;
-using System.Globalization;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.RealImages;
 

@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

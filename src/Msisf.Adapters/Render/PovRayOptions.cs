@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Render;
 
 /// <summary>The user's own POV-Ray options.</summary>

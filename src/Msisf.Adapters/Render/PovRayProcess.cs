@@ -1,9 +1,7 @@
-using System.Globalization;
 using System.Text;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Programs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

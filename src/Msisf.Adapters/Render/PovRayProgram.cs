@@ -1,5 +1,4 @@
 using Msisf.Adapters.Programs;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Programs;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

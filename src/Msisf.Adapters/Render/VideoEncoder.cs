@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Programs;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Render;
 

@@ -1,5 +1,4 @@
 using Msisf.Adapters.Render;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Scene;

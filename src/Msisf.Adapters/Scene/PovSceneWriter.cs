@@ -1,5 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Scene;

@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.States;

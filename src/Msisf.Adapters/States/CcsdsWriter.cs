@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Adapters.States;
 
 /// <summary>Writes states as CCSDS files: an orbit ephemeris message (OEM 2.0) and an attitude ephemeris message (AEM 1.0).</summary>

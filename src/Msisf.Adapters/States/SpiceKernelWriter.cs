@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Adapters.States;
 

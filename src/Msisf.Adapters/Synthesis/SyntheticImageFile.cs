@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using Microsoft.Win32.SafeHandles;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Synthesis;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Ephemeris;
 

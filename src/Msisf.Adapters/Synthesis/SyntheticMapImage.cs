@@ -1,5 +1,4 @@
 using Microsoft.Win32.SafeHandles;
-using Msisf.Core.Errors;
 using Msisf.Synthesis;
 
 namespace Msisf.Adapters.Synthesis;

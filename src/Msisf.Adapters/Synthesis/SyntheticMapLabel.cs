@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Synthesis;

@@ -1,9 +1,7 @@
-using System.Globalization;
 using System.Text;
 using Microsoft.Win32.SafeHandles;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Synthesis;
 

@@ -1,7 +1,5 @@
 using System.Buffers.Binary;
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Synthesis;
 

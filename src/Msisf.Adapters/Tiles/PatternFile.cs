@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Tiles;
 
 /// <summary>Tells by its first line and its length whether a file is the wanted pattern.</summary>

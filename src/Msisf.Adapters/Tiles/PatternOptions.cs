@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Tiles;
 
 /// <summary>The kind of patterns; <c>default</c> is mesh2 without a margin.</summary>

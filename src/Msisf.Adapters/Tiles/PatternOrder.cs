@@ -1,5 +1,4 @@
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Tiles;
 

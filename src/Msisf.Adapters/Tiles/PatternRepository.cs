@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 

@@ -1,7 +1,6 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 

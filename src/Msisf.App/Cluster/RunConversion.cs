@@ -8,7 +8,6 @@ using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 

@@ -1,10 +1,8 @@
-using System.Globalization;
 using Msisf.Adapters.Cluster;
 using Msisf.Adapters.Programs;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 

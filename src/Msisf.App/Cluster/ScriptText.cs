@@ -1,8 +1,6 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 

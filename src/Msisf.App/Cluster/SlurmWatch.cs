@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Cluster;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Programs;
 using Msisf.App.Host;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Cluster;
 

@@ -1,8 +1,6 @@
-using System.Globalization;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using Msisf.Adapters.Manifest;
-using Msisf.App.Settings.Specs;
 
 namespace Msisf.App.DataSets;
 

@@ -1,11 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.App.DataSets;

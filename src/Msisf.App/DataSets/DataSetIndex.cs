@@ -1,11 +1,9 @@
-using System.Globalization;
 using System.Text.Json;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Navigation;
 using Msisf.Adapters.States;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.DataSets;

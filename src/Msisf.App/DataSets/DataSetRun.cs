@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Input;
@@ -12,8 +11,6 @@ using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.DataSets;

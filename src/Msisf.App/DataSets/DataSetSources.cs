@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.DataSets;
 

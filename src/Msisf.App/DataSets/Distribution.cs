@@ -1,7 +1,6 @@
 using MathNet.Numerics.Distributions;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.DataSets;
 

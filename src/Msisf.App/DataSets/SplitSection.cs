@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.DataSets;
 

@@ -1,11 +1,8 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
 

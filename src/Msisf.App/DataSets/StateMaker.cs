@@ -1,6 +1,5 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Illumination;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;

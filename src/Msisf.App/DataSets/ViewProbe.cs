@@ -4,7 +4,6 @@ using Msisf.App.Preview;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Tracing;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.App.Host;
 
 /// <summary>Writes log lines to standard error, because standard output is for results only. Thread-safe.</summary>

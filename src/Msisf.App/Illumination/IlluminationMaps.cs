@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Illumination;
 using Msisf.App.Host;
 using Msisf.App.Settings;

@@ -1,10 +1,8 @@
-using System.Globalization;
 using System.Net;
 using System.Text;
 using Msisf.Adapters.Illumination;
 using Msisf.Adapters.IO;
 using Msisf.Core.Illumination;
-using Msisf.Core.Numerics;
 
 namespace Msisf.App.Illumination;
 

@@ -1,9 +1,6 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Time;
 

@@ -1,6 +1,5 @@
 using Msisf.App.Preparation;
 using Msisf.Core.Illumination;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;

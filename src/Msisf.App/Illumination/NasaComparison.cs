@@ -1,10 +1,6 @@
-using System.Globalization;
 using Msisf.Adapters.Illumination;
 using Msisf.Adapters.IO;
-using Msisf.App.Host;
-using Msisf.Core.Errors;
 using Msisf.Core.Illumination;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Illumination;

@@ -1,12 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Illumination;
 using Msisf.Core.Navigation;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Raster.Levels;
 using Msisf.Adapters.Synthesis;
@@ -7,11 +6,8 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;

@@ -2,7 +2,6 @@ using Msisf.Adapters.Input;
 using Msisf.Adapters.Metadata;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;

@@ -1,9 +1,7 @@
-using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;

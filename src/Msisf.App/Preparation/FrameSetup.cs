@@ -1,12 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.Scene;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
-using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;

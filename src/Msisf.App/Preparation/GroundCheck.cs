@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
@@ -6,8 +5,6 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;

@@ -1,11 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;

@@ -4,7 +4,6 @@ using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
 

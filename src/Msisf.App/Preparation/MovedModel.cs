@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;

@@ -2,7 +2,6 @@ using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.IO;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Navigation;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.Core.Orbit;
 using Msisf.Core.Terrain;

@@ -1,10 +1,8 @@
-using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;

@@ -1,6 +1,5 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Preparation;
 

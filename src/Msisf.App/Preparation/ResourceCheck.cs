@@ -1,8 +1,6 @@
-using System.Globalization;
 using Msisf.Adapters.Layers;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;

@@ -1,7 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Preparation;

@@ -1,6 +1,5 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 

@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Host;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 
 namespace Msisf.App.Preparation;

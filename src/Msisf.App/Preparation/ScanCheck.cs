@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
 
 namespace Msisf.App.Preparation;

@@ -1,9 +1,6 @@
-using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 

@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 

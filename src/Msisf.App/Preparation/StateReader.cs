@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
@@ -8,8 +7,6 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

@@ -1,5 +1,4 @@
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;

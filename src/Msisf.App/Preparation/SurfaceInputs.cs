@@ -2,7 +2,6 @@ using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 

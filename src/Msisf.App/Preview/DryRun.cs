@@ -1,11 +1,8 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;

@@ -1,10 +1,7 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Illumination;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 

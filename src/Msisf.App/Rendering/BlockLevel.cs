@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Blocks;
 using Msisf.Core.Terrain;

@@ -1,12 +1,9 @@
-using System.Globalization;
 using System.Runtime.CompilerServices;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
 using Msisf.Core.Blocks;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;

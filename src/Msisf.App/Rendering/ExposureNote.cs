@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

@@ -1,11 +1,9 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Rendering;

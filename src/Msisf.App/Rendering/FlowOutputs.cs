@@ -4,7 +4,6 @@ using Msisf.Adapters.Navigation;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Navigation;

@@ -1,7 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Rendering;

@@ -2,7 +2,6 @@ using System.Diagnostics;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Preparation;
 using Msisf.App.Series;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 

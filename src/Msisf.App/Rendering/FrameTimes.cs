@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.App.Preparation;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Rendering;
 

@@ -1,9 +1,6 @@
-using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
-using Msisf.Core.Tiles;
 using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.App.Rendering;

@@ -2,7 +2,6 @@ using Msisf.Adapters.Tiles;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Core.Tiles;
 
 namespace Msisf.App.Rendering;

@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Scene;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
@@ -14,7 +13,6 @@ using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 

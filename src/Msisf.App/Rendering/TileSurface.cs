@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
 using Msisf.Core.Camera;

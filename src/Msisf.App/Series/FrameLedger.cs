@@ -2,7 +2,6 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 

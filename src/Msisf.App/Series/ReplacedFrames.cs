@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 

@@ -4,7 +4,6 @@ using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Series;
 

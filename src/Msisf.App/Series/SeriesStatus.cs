@@ -1,6 +1,5 @@
 using Msisf.Adapters.Manifest;
 using Msisf.App.Host;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Series;

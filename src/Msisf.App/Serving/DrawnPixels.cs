@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;

@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.App.Preparation;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

@@ -5,7 +5,6 @@ using Msisf.Adapters.Input;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Orbit;
 using Msisf.Core.Render;
 

@@ -1,7 +1,6 @@
 using System.Text.Json;
 using System.Text.Unicode;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Serving;
 

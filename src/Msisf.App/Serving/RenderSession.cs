@@ -4,7 +4,6 @@ using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;

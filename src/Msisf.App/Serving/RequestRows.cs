@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Serving;
 

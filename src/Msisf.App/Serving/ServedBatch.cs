@@ -5,7 +5,6 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;

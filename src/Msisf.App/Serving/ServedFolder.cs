@@ -6,7 +6,6 @@ using Msisf.App.Host;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;

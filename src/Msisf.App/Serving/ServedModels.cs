@@ -3,7 +3,6 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Serving;

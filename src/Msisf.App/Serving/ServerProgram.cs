@@ -2,7 +2,6 @@ using Msisf.Adapters.Programs;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Serving;
 

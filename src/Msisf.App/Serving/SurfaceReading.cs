@@ -1,7 +1,6 @@
 using System.Text.Json.Serialization;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;

@@ -1,7 +1,6 @@
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 

@@ -1,6 +1,5 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 

@@ -3,7 +3,6 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;

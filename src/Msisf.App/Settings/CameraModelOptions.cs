@@ -1,7 +1,6 @@
 using Msisf.Adapters.CameraExport;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;

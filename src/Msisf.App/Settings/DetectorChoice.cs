@@ -1,7 +1,6 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Render;
 

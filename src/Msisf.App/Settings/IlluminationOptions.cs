@@ -1,5 +1,4 @@
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Options;
 
 namespace Msisf.App.Settings;

@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Net;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Maps;
 using Msisf.Core.Render;
 

@@ -1,6 +1,5 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;

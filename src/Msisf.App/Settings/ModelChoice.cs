@@ -1,6 +1,5 @@
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;

@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;

@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

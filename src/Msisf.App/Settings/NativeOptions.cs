@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Layers;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;

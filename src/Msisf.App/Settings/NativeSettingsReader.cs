@@ -2,7 +2,6 @@ using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;

@@ -1,5 +1,4 @@
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
 using Msisf.Core.Navigation;
 

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Tiles;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

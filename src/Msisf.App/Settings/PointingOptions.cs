@@ -1,7 +1,6 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

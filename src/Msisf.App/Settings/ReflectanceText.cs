@@ -1,6 +1,5 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.App.Settings;

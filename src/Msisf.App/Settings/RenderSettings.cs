@@ -1,11 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;

@@ -5,7 +5,6 @@ using Msisf.Adapters.Render;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Layers;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;

@@ -2,7 +2,6 @@ using Msisf.Adapters.Camera;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Settings;

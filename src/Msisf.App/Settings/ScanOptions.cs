@@ -3,9 +3,7 @@ using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.App.Settings;
 

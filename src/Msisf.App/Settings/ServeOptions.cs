@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Msisf.App.Settings;
 
 /// <summary>Settings of the Slurm jobs, and of the last job, which merges the run.</summary>

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Surface.Sources;
 

@@ -2,7 +2,6 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;

@@ -3,8 +3,6 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;

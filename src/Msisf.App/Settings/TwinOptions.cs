@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.States;
@@ -6,7 +5,6 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.States;

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.RealImages;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Twins;
 

@@ -1,8 +1,6 @@
-using System.Globalization;
 using Msisf.Adapters.RealImages;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Twins;
 

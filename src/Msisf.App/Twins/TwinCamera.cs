@@ -1,11 +1,9 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.RealImages;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Twins;
 

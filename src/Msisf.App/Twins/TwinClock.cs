@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.RealImages;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Twins;

@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Render;
 
 namespace Msisf.App.Twins;

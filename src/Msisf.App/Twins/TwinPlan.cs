@@ -1,9 +1,7 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.RealImages;
 using Msisf.Core.Camera;
 using Msisf.Core.Comparison;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Twins;
 

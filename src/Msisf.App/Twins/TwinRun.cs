@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
@@ -13,9 +12,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Comparison;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Layers;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Twins;

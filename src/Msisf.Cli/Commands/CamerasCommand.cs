@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.App.Settings;
 

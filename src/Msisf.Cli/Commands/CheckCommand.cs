@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Series;
 using Msisf.App.Settings;

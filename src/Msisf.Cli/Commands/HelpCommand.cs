@@ -3,7 +3,6 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Cli.Help;
 using Msisf.Cli.Parsing;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
 

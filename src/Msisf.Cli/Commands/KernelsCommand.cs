@@ -1,10 +1,8 @@
-using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Commands;
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.App.Cluster;
 using Msisf.App.Settings;
 

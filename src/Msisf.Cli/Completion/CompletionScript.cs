@@ -1,5 +1,4 @@
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Completion;
 

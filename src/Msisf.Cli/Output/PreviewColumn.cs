@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.App.Preview;
 
 namespace Msisf.Cli.Output;

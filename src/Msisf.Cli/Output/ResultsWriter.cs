@@ -1,5 +1,4 @@
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Output;
 

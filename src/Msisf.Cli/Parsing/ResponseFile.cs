@@ -1,5 +1,4 @@
 using System.CommandLine.Parsing;
-using Msisf.Core.Errors;
 
 namespace Msisf.Cli.Parsing;
 

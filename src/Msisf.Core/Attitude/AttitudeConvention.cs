@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Attitude;
 
 /// <summary>How the rotation of a given attitude is meant. <c>default</c> is the thesis's way.</summary>

@@ -1,7 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Attitude;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Attitude;

@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Attitude;
 
 /// <summary>How a camera's image lies in the axes of its instrument; <c>default</c> is none.</summary>

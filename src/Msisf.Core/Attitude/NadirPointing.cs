@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Attitude;
 
 /// <summary>The attitude that looks straight down with north up.</summary>

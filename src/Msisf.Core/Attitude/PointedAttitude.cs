@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Attitude;
 
 /// <summary>A camera that looks at one target all along a trajectory.</summary>

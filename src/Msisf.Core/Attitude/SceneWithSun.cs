@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;

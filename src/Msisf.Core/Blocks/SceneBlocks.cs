@@ -1,12 +1,8 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles;
 using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Core.Blocks;

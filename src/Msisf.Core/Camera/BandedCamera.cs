@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>A camera whose bands of rows have a state each: one that scans, or whose shutter rolls.</summary>

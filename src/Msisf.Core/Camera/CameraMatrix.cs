@@ -1,5 +1,4 @@
 using Msisf.Core.Camera.Lenses;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 

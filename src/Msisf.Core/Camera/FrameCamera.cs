@@ -1,6 +1,4 @@
 using System.Runtime.Intrinsics;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 

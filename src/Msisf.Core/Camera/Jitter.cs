@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>The axis of the camera about which it turns: x right, y down, z forward.</summary>

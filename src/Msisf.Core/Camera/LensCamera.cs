@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera.Lenses;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 

@@ -1,7 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>How a camera sits on the body that carries it. <c>default</c> has no orientation and is not a mounting.</summary>

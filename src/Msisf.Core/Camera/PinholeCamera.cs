@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>The width that a pixel of an image covers at a distance.</summary>

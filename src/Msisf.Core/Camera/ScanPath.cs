@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Camera;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Camera;
 
 /// <summary>The space that an image, or some of its rows, shows: a four-sided cone from the camera, widened by a margin.</summary>

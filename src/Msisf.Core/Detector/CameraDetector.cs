@@ -1,8 +1,6 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
-using Msisf.Core.Errors;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;

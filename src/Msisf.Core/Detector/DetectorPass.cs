@@ -5,7 +5,6 @@ using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;
 

@@ -1,7 +1,6 @@
 using System.Runtime.Intrinsics;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;
 

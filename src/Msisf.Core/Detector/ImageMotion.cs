@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render;
 using Msisf.Core.Tracing;

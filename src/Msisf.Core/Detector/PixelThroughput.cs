@@ -1,7 +1,5 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render;
 
 namespace Msisf.Core.Detector;
 

@@ -1,5 +1,4 @@
 using Msisf.Core.Detector.Noise;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Detector;
 

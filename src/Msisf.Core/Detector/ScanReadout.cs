@@ -2,8 +2,6 @@ using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
-using Msisf.Core.Scene;
-using Msisf.Core.Time;
 
 namespace Msisf.Core.Detector;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Detector;
 
 /// <summary>A number that depends on the wavelength: the same everywhere, or straight lines between points. Immutable.</summary>

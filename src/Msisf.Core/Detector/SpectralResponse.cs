@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Detector;
 
 /// <summary>The wavelengths to which a camera responds, and how much: transmission and quantum efficiency. Immutable.</summary>

@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>Evaluates a record of modified divided differences, as JPL's integrators write them (SPK types 1 and 21).</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Ephemeris;

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The orientation of a body-fixed frame in space. Safe for several threads.</summary>

@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>How the frames of spacecraft and instruments are turned. Safe for several threads.</summary>

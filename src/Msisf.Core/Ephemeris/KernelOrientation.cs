@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The orientation of a frame that binary PCK kernels give.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>What the finite speed of light does to a position, by the formulas of CSPICE.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>Turns states that turn with the Moon into those along J2000's axes.</summary>

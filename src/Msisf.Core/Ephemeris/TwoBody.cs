@@ -1,7 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>Motion about one mass: ellipse, parabola, hyperbola or a straight line, by universal variables.</summary>

@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Layers;
 
 /// <summary>The layers that a user wants. Immutable.</summary>

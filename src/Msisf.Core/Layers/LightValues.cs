@@ -1,5 +1,4 @@
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Layers;
 

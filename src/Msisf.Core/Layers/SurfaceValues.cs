@@ -1,5 +1,3 @@
-using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tiles;

@@ -2,7 +2,6 @@ using System.Buffers;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Lod;

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Globalization;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 

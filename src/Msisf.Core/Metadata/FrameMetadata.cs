@@ -1,8 +1,6 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Navigation;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;

@@ -1,6 +1,3 @@
-using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Metadata;
 
 /// <summary>The states of an image's rows, as files hold them.</summary>

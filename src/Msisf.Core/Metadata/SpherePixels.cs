@@ -1,6 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;

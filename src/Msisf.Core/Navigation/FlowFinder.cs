@@ -1,11 +1,8 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Surface;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Navigation;

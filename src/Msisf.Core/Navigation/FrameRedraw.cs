@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;

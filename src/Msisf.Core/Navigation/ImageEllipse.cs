@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Navigation;
 

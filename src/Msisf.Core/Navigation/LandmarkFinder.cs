@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;

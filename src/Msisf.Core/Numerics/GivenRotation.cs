@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Numerics;
 
 /// <summary>Takes rotation matrices whose numbers a user gives, so that they are rounded or wrong.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Msisf.Core.Numerics;
 
 /// <summary>How states between samples are found; <c>default</c> is linear.</summary>

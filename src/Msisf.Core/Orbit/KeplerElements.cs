@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Orbit;
 
 /// <summary>An elliptic orbit about the Moon's centre; <c>default</c> is not an orbit and is refused where it is used.</summary>

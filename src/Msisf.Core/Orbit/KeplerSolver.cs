@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Orbit;
 
 /// <summary>Solves Kepler's equation M = E - e sin E for elliptic orbits.</summary>

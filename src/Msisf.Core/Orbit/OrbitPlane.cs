@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Orbit;
 
 /// <summary>The plane of an orbit and the angles that place it; no angle loses digits near 0 or pi. <c>default</c> is no plane.</summary>

@@ -1,6 +1,4 @@
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Orbit;

@@ -1,9 +1,7 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Preview;
 
 /// <summary>Where something stands in the sky of a point of the Moon.</summary>

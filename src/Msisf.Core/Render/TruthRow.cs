@@ -1,5 +1,4 @@
 using Msisf.Core.Render.Visibility;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 

@@ -1,6 +1,5 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Scene;
 

@@ -1,7 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Time;
 

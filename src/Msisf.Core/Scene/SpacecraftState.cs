@@ -1,7 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Scene;

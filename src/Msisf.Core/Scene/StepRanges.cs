@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Scene;
 
 /// <summary>Some steps of a run, as text "3:5,17": single steps and ranges with both ends, from 1. Sorted, without duplicates.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>The four vertices of a cell, m, body-fixed; two of them coincide on the polar side of a fan.</summary>

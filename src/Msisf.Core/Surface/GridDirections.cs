@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>Sines and cosines of every latitude and longitude of an elevation grid; safe for several threads.</summary>

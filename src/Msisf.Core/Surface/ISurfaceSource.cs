@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>A terrain that is more than one grid, and makes its surface itself.</summary>

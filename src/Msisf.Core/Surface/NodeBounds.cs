@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>Bounds of the facets of a node, including its border vertices, as floats that are rounded outwards.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>The seams: the facets between several models, which close the gaps between their cells; immutable.</summary>

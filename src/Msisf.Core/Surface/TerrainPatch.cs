@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface;
 
 /// <summary>The vertices of a block of cells, read from the model; one object is loaded for many blocks.</summary>

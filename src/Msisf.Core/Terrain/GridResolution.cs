@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>Resolution of a grid: samples a degree of a cylindrical one, metres a sample of another.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>Radii of the Moon on a regular grid in a map projection, of all of it or of a part. Safe for several threads.</summary>

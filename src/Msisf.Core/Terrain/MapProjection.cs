@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>Where the samples of a regular grid lie on the Moon; line 0 and sample 0 are the centre of the first pixel.</summary>

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>A part of the Moon with borders on whole degrees; <c>default</c> is empty and never handed out.</summary>

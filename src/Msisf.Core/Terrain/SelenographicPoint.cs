@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>Selenographic latitude and east longitude in rad; <c>default</c> is the origin of both.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>Finds out whether the Moon is between a camera and what it is to look at.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Terrain;
 
 /// <summary>A place by latitude, longitude and height, as a user gives it; <c>default</c> is the origin of both on the sphere.</summary>

@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Lod;
 
 namespace Msisf.Core.Tiles;

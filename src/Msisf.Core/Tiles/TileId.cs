@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles;

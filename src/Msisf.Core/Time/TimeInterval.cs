@@ -1,7 +1,4 @@
 using System.Collections;
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Time;
 

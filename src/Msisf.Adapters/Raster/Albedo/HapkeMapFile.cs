@@ -1,7 +1,5 @@
 using System.Buffers.Binary;
-using System.Globalization;
 using System.Security.Cryptography;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;

@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
 

@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;

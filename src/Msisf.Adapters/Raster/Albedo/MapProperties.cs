@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;

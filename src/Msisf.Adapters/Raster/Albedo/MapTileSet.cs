@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>The tiles of one map that lie in a folder.</summary>

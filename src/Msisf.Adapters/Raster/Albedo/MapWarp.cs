@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Core.Errors;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Albedo;
 

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Adapters.Interop;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render.Photometry;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>A map in one PDS3 image, or in several tiles.</summary>

@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Raster.Pds;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
 

@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Albedo;
 

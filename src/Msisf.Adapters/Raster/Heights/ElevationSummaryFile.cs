@@ -1,5 +1,4 @@
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 

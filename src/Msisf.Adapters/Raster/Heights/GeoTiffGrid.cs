@@ -1,7 +1,4 @@
-using System.Globalization;
-using Msisf.Adapters.Interop;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 

@@ -1,5 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;

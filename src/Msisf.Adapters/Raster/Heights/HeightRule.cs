@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Runtime.Intrinsics;
 using Msisf.Adapters.Interop;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Raster.Heights;

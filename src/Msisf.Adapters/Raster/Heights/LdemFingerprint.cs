@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

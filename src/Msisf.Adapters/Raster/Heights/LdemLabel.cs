@@ -1,5 +1,4 @@
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;

@@ -1,8 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Adapters.Raster.Heights;

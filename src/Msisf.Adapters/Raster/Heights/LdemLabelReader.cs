@@ -1,5 +1,4 @@
 using Msisf.Adapters.Raster.Pds;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

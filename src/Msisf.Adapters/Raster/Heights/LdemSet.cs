@@ -1,5 +1,4 @@
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

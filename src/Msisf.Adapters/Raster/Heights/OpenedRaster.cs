@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.Interop;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

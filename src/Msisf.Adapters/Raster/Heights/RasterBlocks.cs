@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

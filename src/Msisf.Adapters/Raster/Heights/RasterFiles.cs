@@ -1,6 +1,5 @@
 using System.Text;
 using Msisf.Adapters.Interop;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

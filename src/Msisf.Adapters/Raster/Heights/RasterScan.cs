@@ -1,5 +1,3 @@
-using Msisf.Core.Terrain;
-
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>

@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
-using Msisf.Core.Errors;
 using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Adapters.Raster.Heights;

@@ -1,8 +1,6 @@
-using System.Globalization;
 using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Raster.Pds;
-using Msisf.Core.Errors;
 
 namespace Msisf.Adapters.Raster.Heights;
 

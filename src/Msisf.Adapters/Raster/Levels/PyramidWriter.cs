@@ -3,7 +3,6 @@ using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 

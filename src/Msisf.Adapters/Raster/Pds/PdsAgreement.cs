@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>Checks that the labels of one product's files say the same.</summary>

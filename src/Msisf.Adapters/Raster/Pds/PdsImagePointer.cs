@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>The place of the samples that a label's ^IMAGE names.</summary>

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>A value of a PDS3 label: one text, or a sequence or set of values.</summary>

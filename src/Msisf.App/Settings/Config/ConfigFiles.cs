@@ -1,8 +1,6 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Config;
 

@@ -1,6 +1,5 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Config;
 

@@ -1,6 +1,5 @@
 using Msisf.App.Host;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Config;
 

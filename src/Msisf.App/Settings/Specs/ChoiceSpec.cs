@@ -1,5 +1,4 @@
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is one of a few words, each of which stands for a value of one type.</summary>

@@ -1,6 +1,4 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 
 namespace Msisf.App.Settings.Specs;
 

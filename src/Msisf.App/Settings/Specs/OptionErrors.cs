@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>The options of one call as text, from the command line and the configuration files. Immutable.</summary>

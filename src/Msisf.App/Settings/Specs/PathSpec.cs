@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a path; a relative path in a configuration file starts at that file's folder.</summary>

@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Input;
-using Msisf.Core.Errors;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Settings.Specs;

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Detector.Psf;
 
 /// <summary>How the light of a point spreads over the pixels around it: a square of weights whose sum is 1. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Errors;
-
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>Makes a reflectance law from its name and named parameters (docs/photometry.md).</summary>

@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Visibility;
 
 namespace Msisf.Core.Render.Sampling;

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;

@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;

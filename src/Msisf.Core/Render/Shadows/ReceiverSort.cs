@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Shadows;

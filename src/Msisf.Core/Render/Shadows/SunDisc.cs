@@ -1,6 +1,4 @@
 using System.Numerics;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Shadows;
 

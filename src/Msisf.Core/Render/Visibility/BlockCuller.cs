@@ -1,10 +1,5 @@
-using System.Globalization;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Render.Visibility;
 

@@ -1,6 +1,4 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 
 namespace Msisf.Core.Render.Visibility;
 

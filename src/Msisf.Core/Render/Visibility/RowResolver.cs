@@ -2,7 +2,6 @@ using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Render.Visibility;

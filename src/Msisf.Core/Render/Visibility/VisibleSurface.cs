@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Tracing;
 

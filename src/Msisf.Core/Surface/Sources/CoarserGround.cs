@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>The surface of the models coarser than one, in any direction. Safe for several threads.</summary>

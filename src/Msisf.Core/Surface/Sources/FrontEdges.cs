@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>The edges between facets and the gap that is still to be filled; each has the gap on its left.</summary>

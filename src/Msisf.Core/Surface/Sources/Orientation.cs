@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>Tells exactly in which order three points of the surface lie as seen from outside.</summary>

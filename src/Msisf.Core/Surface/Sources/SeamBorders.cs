@@ -1,6 +1,5 @@
 using System.Buffers.Binary;
 using System.Security.Cryptography;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Surface.Sources;
 

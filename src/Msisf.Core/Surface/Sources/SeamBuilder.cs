@@ -1,6 +1,4 @@
 using System.Runtime.InteropServices;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Surface.Sources;
 

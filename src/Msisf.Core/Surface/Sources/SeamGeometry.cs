@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Surface.Sources;

@@ -1,6 +1,3 @@
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>Fills the gaps between models: those that a store knows with what it has kept, the others anew.</summary>

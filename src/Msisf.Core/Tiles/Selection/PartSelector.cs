@@ -1,8 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 using Msisf.Core.Lod;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles.Selection;

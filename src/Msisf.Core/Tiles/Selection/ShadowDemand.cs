@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Tiles.Selection;
