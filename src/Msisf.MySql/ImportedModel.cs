@@ -10,7 +10,6 @@ internal static partial class ImportedModel
 
     /// <summary>The product name of the model for its patterns; the parts of a model above 128 px/deg share the model's name.</summary>
     /// <param name="database">Database of the tables.</param>
-    /// <param name="table">Name of the table.</param>
     /// <exception cref="BadInputException">The import is missing or incomplete, or has parts of several models.</exception>
     /// <exception cref="ExternalPartException">The database failed.</exception>
     public static string ReadProductId(Database database, string table) => database.Query(

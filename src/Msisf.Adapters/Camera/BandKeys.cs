@@ -45,7 +45,6 @@ internal static class BandKeys
 
     /// <summary>Refuses a wavelength that is so short or long that it is in another unit.</summary>
     /// <param name="section">Has the key.</param>
-    /// <param name="key">The key.</param>
     /// <param name="what">What the wavelength is, for the message, e.g. "the band begins at".</param>
     /// <param name="wavelength">The wavelength, above 0.</param>
     /// <exception cref="BadInputException">It is refused; the message guesses the unit.</exception>

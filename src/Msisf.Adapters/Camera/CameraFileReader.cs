@@ -28,7 +28,6 @@ public static class CameraFileReader
         [("msis", 1.0), ("opencv", 0.0), ("colmap", 0.5), ("isis", 1.0), ("matlab", 1.0)];
 
     /// <summary>Reads a file.</summary>
-    /// <param name="path">Its path.</param>
     /// <param name="preset">Name of the preset; null for a file of the user, which is named by its file name.</param>
     /// <param name="size">Width and height, px, for a file that does not say them; null where they are not known.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
@@ -44,7 +43,6 @@ public static class CameraFileReader
     }
 
     /// <summary>Reads a file's content.</summary>
-    /// <param name="content">The bytes.</param>
     /// <param name="path">For messages.</param>
     /// <param name="preset">Name of the preset; null for a file of the user.</param>
     /// <param name="mayNameFiles">Whether it may name another file, the PSF's kernel.</param>

@@ -4,7 +4,6 @@ using Msisf.Core.Attitude;
 namespace Msisf.Adapters.Camera;
 
 /// <summary>The field of view of an instrument kernel, as NAIF's GETFOV has it.</summary>
-/// <param name="pool">Has the kernel.</param>
 /// <param name="prefix">E.g. "INS-77_".</param>
 internal sealed class InstrumentField(KernelPool pool, string prefix)
 {

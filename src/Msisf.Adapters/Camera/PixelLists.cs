@@ -8,8 +8,6 @@ internal static class PixelLists
     private const int MaxNumbers = 300_000;
 
     /// <summary>Reads a list: column and row of each pixel, from 1, and what else belongs to it.</summary>
-    /// <param name="section">The section.</param>
-    /// <param name="key">Key of the list.</param>
     /// <param name="numbersPerPixel">2, or more if a pixel has other numbers.</param>
     /// <param name="geometry">The image's size.</param>
     /// <returns>The numbers of each pixel; empty if the key is not there.</returns>

@@ -16,7 +16,6 @@ public sealed record RigFile(string Path, IReadOnlyList<RigFileCamera> Cameras, 
     private const string OffsetKey = "offset";
 
     /// <summary>Reads a file.</summary>
-    /// <param name="path">Its path.</param>
     /// <param name="options">The keys that a camera may have beside its mounting.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
     public static RigFile Read(string path, IReadOnlyList<string> options)

@@ -13,7 +13,6 @@ internal static class AleIsd
 
     /// <summary>Writes it.</summary>
     /// <param name="writer">Receives the text.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="isInertial">Whether positions and pointing are in J2000; otherwise in the body's axes.</param>
     public static void Write(TextWriter writer, ExportedFrame frame, bool isInertial)
     {

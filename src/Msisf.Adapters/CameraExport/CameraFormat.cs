@@ -111,10 +111,8 @@ public sealed class CameraFormat
     }
 
     /// <summary>Writes the files of formats.</summary>
-    /// <param name="formats">The formats.</param>
     /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="note">Gets how exact the model of a scan is, one line.</param>
     /// <param name="warn">The same where it is less exact than promised.</param>
     /// <returns>Their paths.</returns>

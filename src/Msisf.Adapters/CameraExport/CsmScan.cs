@@ -4,7 +4,6 @@ namespace Msisf.Adapters.CameraExport;
 
 /// <summary>A scan as USGSCSM has it: the detector of all exposures, and the camera's motion at equal intervals.</summary>
 /// <param name="Sensor">The detector and lens.</param>
-/// <param name="Nodes">The motion.</param>
 /// <param name="Misfit">px: what a line-scan leaves of a rolling shutter, whose rows it has as one row that turns.</param>
 internal sealed record CsmScan(CsmSensor Sensor, ScanNodes Nodes, double Misfit)
 {

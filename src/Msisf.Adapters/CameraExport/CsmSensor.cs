@@ -6,7 +6,6 @@ namespace Msisf.Adapters.CameraExport;
 /// The detector and lens of a camera as USGSCSM has them; lengths of the focal plane in pixels along a row in place of mm.
 /// </summary>
 /// <param name="Model">Name of the camera model.</param>
-/// <param name="Lens">The lens.</param>
 /// <param name="Samples">px along a row: offset, of a length along the sensor's x, along its y.</param>
 /// <param name="Lines">px along a column, the same.</param>
 /// <param name="Line">px: where the boresight is, of a frame in the image, of a line-scan on its detector, of a push-frame in a framelet.

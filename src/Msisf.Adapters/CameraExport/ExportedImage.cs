@@ -31,7 +31,6 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
         });
 
     /// <summary>Reads the image of a frame that is there: of a detector from its PNG, others from the layer of radiance factors.</summary>
-    /// <param name="metaFile">The frame's meta file.</param>
     /// <param name="frame">What that says.</param>
     /// <exception cref="BadInputException">Neither has the numbers of the image.</exception>
     public static ExportedImage Read(string metaFile, ExportedFrame frame)

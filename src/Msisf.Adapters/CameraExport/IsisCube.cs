@@ -216,7 +216,6 @@ internal static class IsisCube
     };
 
     /// <summary>A table.</summary>
-    /// <param name="Name">Name.</param>
     /// <param name="Keyword">A line of its label.</param>
     /// <param name="Kernel">The kind of kernel that such a table replaces, as keywords begin.</param>
     /// <param name="Fields">Names of the columns.</param>

@@ -12,7 +12,6 @@ namespace Msisf.Adapters.CameraExport;
 public static class MetaFileFrame
 {
     /// <summary>Reads it; the pixels are not read.</summary>
-    /// <param name="path">The meta file.</param>
     /// <exception cref="BadInputException">It is none, is too old to have the camera, or lacks the states of a scan's rows.</exception>
     public static ExportedFrame Read(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
     {

@@ -20,7 +20,6 @@ internal sealed record ScanRows(
     public int RowsAbove => FlipsFramelets ? RowsOfExposure - 1 : 0;
 
     /// <summary>Reads it.</summary>
-    /// <param name="scan">The element.</param>
     /// <param name="height">px: of the image.</param>
     /// <param name="path">For messages.</param>
     /// <param name="rowStates">The states of all rows from elsewhere; null if they are not known.</param>

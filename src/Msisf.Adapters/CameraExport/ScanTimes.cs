@@ -8,7 +8,6 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="FirstLine">The upper edge of the image.</param>
 /// <param name="OfLine">From a line to the line below; negative where the image grows upwards.</param>
 /// <param name="FirstNode">The first node of the motion.</param>
-/// <param name="OfNode">From node to node.</param>
 /// <param name="Sun">Its position (m) and velocity (m/s) in the middle, in the body's axes.</param>
 internal sealed record ScanTimes(
     double Start, double Center, double FirstLine, double OfLine, double FirstNode, double OfNode,

@@ -17,13 +17,11 @@ public static class CraterCatalogueReader
     public const int MostCratersOfRun = 2_000_000;
 
     /// <summary>Reads a catalogue to look at.</summary>
-    /// <param name="path">The file.</param>
     /// <returns>The largest craters, at most <see cref="MostCraters"/>, the largest first.</returns>
     /// <exception cref="BadInputException">It can't be read, or a value is wrong; the message names file and line.</exception>
     public static IReadOnlyList<Crater> ReadLargest(string path) => Open(path, reader => ReadLargest(reader, path));
 
     /// <summary>Reads a catalogue to look at.</summary>
-    /// <param name="reader">The text.</param>
     /// <param name="fileName">For messages.</param>
     /// <inheritdoc cref="ReadLargest(string)"/>
     public static IReadOnlyList<Crater> ReadLargest(TextReader reader, string fileName)
@@ -58,7 +56,6 @@ public static class CraterCatalogueReader
         Open(path, reader => ReadAll(reader, path, referenceRadius));
 
     /// <summary>Reads all of a catalogue for a run.</summary>
-    /// <param name="reader">The text.</param>
     /// <param name="fileName">For messages.</param>
     /// <param name="referenceRadius">m: radius of the body.</param>
     /// <inheritdoc cref="ReadAll(string, double)"/>

@@ -3,8 +3,6 @@ namespace Msisf.Adapters.Catalogues;
 /// <summary>A line of a table with named columns.</summary>
 /// <param name="FileName">For messages.</param>
 /// <param name="Header">Names of the columns, in small letters.</param>
-/// <param name="Line">Number of the line.</param>
-/// <param name="Fields">The fields.</param>
 internal readonly record struct CsvRow(string FileName, IReadOnlyList<string> Header, int Line, List<string> Fields)
 {
     /// <summary>More lines in one field are a quote that was left open.</summary>

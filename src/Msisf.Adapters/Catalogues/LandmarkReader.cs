@@ -30,7 +30,6 @@ public static class LandmarkReader
         });
 
     /// <summary>Reads a list.</summary>
-    /// <param name="reader">The text.</param>
     /// <param name="fileName">For messages.</param>
     /// <param name="referenceRadius">m: heights count over it.</param>
     /// <inheritdoc cref="Read(string, double)"/>

@@ -36,7 +36,6 @@ internal sealed record AemColumns(string Type)
     private int Count => Known.First(known => known.Type == Type).Count;
 
     /// <summary>Reads the keywords of a block.</summary>
-    /// <param name="metadata">The keywords.</param>
     /// <param name="isFirstVersion">Whether the file is of version 1.0.</param>
     public static AemColumns Of(CcsdsMetadata metadata, bool isFirstVersion)
     {

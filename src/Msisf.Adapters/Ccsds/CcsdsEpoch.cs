@@ -17,7 +17,6 @@ internal readonly record struct CcsdsEpoch(int DayNumber, double SecondsOfDay)
 
     /// <summary>Reads a time.</summary>
     /// <param name="text">Its characters alone.</param>
-    /// <param name="epoch">The time.</param>
     /// <returns>False if it is no time.</returns>
     public static bool TryParse(ReadOnlySpan<char> text, out CcsdsEpoch epoch)
     {

@@ -100,7 +100,6 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
 
     /// <summary>Takes a line of data.</summary>
     /// <param name="epoch">Its time.</param>
-    /// <param name="numbers">Its numbers.</param>
     /// <param name="areNamed">Whether each number had a name of its own (XML), so that they are in the standard's order.</param>
     public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed) =>
         Add(TdbSecondsOf(epoch), numbers, areNamed);

@@ -12,7 +12,6 @@ internal sealed class CcsdsMetadata(string[] known, CcsdsPlace place)
 
     /// <summary>Takes a keyword.</summary>
     /// <param name="written">The keyword as the file has it.</param>
-    /// <param name="value">Its value.</param>
     public void Add(string written, string value)
     {
         string key = written.ToUpperInvariant();

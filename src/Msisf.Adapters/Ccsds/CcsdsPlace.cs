@@ -1,7 +1,6 @@
 namespace Msisf.Adapters.Ccsds;
 
 /// <summary>Where in a file a reader is, for its errors and notes.</summary>
-/// <param name="fileName">The file's name.</param>
 internal sealed class CcsdsPlace(string fileName)
 {
     private readonly Dictionary<string, (int Line, int Count)> _notes = [];

@@ -39,7 +39,6 @@ internal sealed class OemJoints
     /// <summary>Takes a line.</summary>
     /// <param name="time">s.</param>
     /// <param name="state">Position (m) and velocity (m/s); a velocity of 0 is none.</param>
-    /// <param name="line">Its number.</param>
     public void Add(double time, StateVector state, int line)
     {
         if (!_isFirst && state.Velocity != default && _state.Velocity != default)

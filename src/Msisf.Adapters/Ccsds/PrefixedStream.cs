@@ -1,7 +1,6 @@
 namespace Msisf.Adapters.Ccsds;
 
 /// <summary>A stream whose first bytes were read already: it gives them again, then the rest.</summary>
-/// <param name="start">The first bytes.</param>
 /// <param name="rest">The stream behind them.</param>
 internal sealed class PrefixedStream(ReadOnlyMemory<byte> start, Stream rest) : Stream
 {

@@ -16,7 +16,6 @@ public sealed class SlurmProgram
 
     /// <summary>Runs a command to its end.</summary>
     /// <param name="name">One that is on the path.</param>
-    /// <param name="arguments">Its arguments.</param>
     /// <param name="cancellation">Ends it, with all that it started.</param>
     /// <exception cref="ExternalPartException">It is missing or can't be started.</exception>
     public Task<ProcessResult> CallAsync(string name, IReadOnlyList<string> arguments, CancellationToken cancellation)

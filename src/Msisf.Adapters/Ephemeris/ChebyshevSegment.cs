@@ -29,7 +29,6 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
 
     /// <summary>Reads the segment's directory.</summary>
     /// <param name="file">The kernel; must outlive the segment.</param>
-    /// <param name="summary">The segment.</param>
     /// <param name="body">NAIF's number.</param>
     /// <param name="center">NAIF's number.</param>
     /// <param name="seriesPerRecord">3, or 6 with the velocities of SPK type 3.</param>

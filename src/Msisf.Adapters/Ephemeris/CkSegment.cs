@@ -4,7 +4,6 @@ namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>A segment of a CK: how an instrument or a spacecraft is turned. Safe for several threads.</summary>
 /// <param name="file">The kernel; must outlive the segment.</param>
-/// <param name="summary">The segment.</param>
 internal abstract class CkSegment(DafFile file, DafSummary summary)
 {
     /// <summary>NAIF's number of the instrument, which is the class ID of its frame.</summary>

@@ -2,7 +2,6 @@ namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>The numbers of one segment, each checked when it is read. Safe for several threads.</summary>
 /// <param name="file">The kernel; must outlive the object.</param>
-/// <param name="summary">The segment.</param>
 internal sealed class DafWords(DafFile file, DafSummary summary)
 {
     /// <summary>How many numbers the segment has.</summary>
@@ -10,7 +9,6 @@ internal sealed class DafWords(DafFile file, DafSummary summary)
 
     /// <summary>Reads some numbers.</summary>
     /// <param name="first">The first one, from 0.</param>
-    /// <param name="count">How many.</param>
     /// <exception cref="BadInputException">They are not all in the segment, or one is not finite.</exception>
     public double[] Read(long first, int count)
     {
@@ -40,7 +38,6 @@ internal sealed class DafWords(DafFile file, DafSummary summary)
 
     /// <summary>Reads times that must rise.</summary>
     /// <param name="first">The first one, from 0.</param>
-    /// <param name="count">How many.</param>
     /// <exception cref="BadInputException">They do not rise.</exception>
     public double[] ReadRising(long first, int count)
     {

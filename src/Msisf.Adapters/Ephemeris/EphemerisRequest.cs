@@ -3,7 +3,6 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>Which ephemeris engine to open, and with what.</summary>
-/// <param name="Choice">The engine.</param>
 /// <param name="KernelFiles">A meta-kernel, or kernels in load order; relative names start at the working directory.</param>
 /// <param name="InstallationRoot">The folder that holds lib/native.</param>
 /// <param name="CSpicePath">MSISF_CSPICE: the only library to try; null or empty to look in the usual places.</param>

@@ -3,7 +3,6 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>A segment whose states are given in another frame than J2000.</summary>
-/// <param name="segment">The segment.</param>
 /// <param name="frameFromJ2000">The frame at a time in TDB seconds past J2000.</param>
 internal sealed class FramedSegment(IEphemerisSegment segment, Func<double, RotationMatrix> frameFromJ2000) : IEphemerisSegment
 {

@@ -12,7 +12,6 @@ public sealed class KernelAttitude : IAttitudeSource
 
     /// <summary>Looks for the attitudes between the instrument and space.</summary>
     /// <param name="opened">The engine with its kernels.</param>
-    /// <param name="frame">The instrument's frame.</param>
     /// <param name="axes">How the image lies in it.</param>
     /// <exception cref="BadInputException">The frame, a CK or a clock is missing.</exception>
     public KernelAttitude(OpenedEphemeris opened, string frame, InstrumentAxes axes)

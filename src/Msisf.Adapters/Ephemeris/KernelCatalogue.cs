@@ -54,7 +54,6 @@ public sealed class KernelCatalogue : IDisposable
             kernel => DafSegments.Of(kernel, Frames.FrameFromJ2000)));
 
     /// <summary>The number of a spacecraft that the kernels have positions of.</summary>
-    /// <param name="nameOrId">Its name or number.</param>
     /// <param name="cover">The times for which there are data.</param>
     /// <exception cref="BadInputException">No such name is known, or no kernel has the spacecraft; both name what there is.</exception>
     public int SpacecraftOf(string nameOrId, out TdbCover cover)

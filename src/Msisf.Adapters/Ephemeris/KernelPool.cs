@@ -64,7 +64,6 @@ public sealed class KernelPool
     public KernelVariable? Find(string name) => _variables.GetValueOrDefault(name);
 
     /// <summary>The numbers of a variable that must exist.</summary>
-    /// <param name="name">Name of the variable.</param>
     /// <param name="count">How many values it must have.</param>
     /// <exception cref="BadInputException">Missing, texts, or another count.</exception>
     public IReadOnlyList<double> Numbers(string name, int count)
@@ -78,7 +77,6 @@ public sealed class KernelPool
     }
 
     /// <summary>The whole number of a variable that must exist.</summary>
-    /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing, a text, several values, or not a whole number.</exception>
     public int WholeNumber(string name)
     {
@@ -91,7 +89,6 @@ public sealed class KernelPool
     }
 
     /// <summary>The single text of a variable that must exist.</summary>
-    /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing, a number, or several values.</exception>
     public string Text(string name)
     {
@@ -102,7 +99,6 @@ public sealed class KernelPool
     }
 
     /// <summary>The variable of a name that must exist.</summary>
-    /// <param name="name">Name of the variable.</param>
     /// <exception cref="BadInputException">Missing.</exception>
     public KernelVariable Existing(string name) =>
         Find(name) ?? throw new BadInputException($"No text kernel assigns {name}. Add the kernel that does to the list of kernels.");

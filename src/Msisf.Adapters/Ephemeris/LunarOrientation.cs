@@ -13,7 +13,6 @@ public static class LunarOrientation
     private const double SameAngle = 1e-9;
 
     /// <summary>Looks for the orientation.</summary>
-    /// <param name="catalogue">The kernels.</param>
     /// <returns>Which kernels give it: "orientation 31006 of moon_pa_de421_1900-2050.bpc, by moon_080317.tf".</returns>
     /// <exception cref="BadInputException">There is none, or there are two that differ.</exception>
     public static string Of(KernelCatalogue catalogue)

@@ -14,7 +14,6 @@ public static class PoleKernel
 
     /// <summary>Reads a body's orientation.</summary>
     /// <param name="pool">Holds the text kernels.</param>
-    /// <param name="body">The body.</param>
     /// <exception cref="BadInputException">No text kernel has it, or it is not as PCK kernels have it.</exception>
     public static PoleOrientation Read(KernelPool pool, CelestialBody body)
     {

@@ -61,7 +61,6 @@ internal sealed class SpacecraftAttitudes
         TdbCover.Union(_segments.Value[instrument].SelectMany(segment => CoverOf(segment).Intervals));
 
     /// <summary>The times at which a segment has an attitude.</summary>
-    /// <param name="segment">The segment.</param>
     /// <exception cref="BadInputException">The clock is missing, or the kernel is damaged.</exception>
     public TdbCover CoverOf(CkSegment segment)
     {

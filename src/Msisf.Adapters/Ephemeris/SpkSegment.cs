@@ -4,7 +4,6 @@ namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>A segment of an SPK whose data give positions and velocities together.</summary>
 /// <param name="file">The kernel; must outlive the segment.</param>
-/// <param name="summary">The segment.</param>
 internal abstract class SpkSegment(DafFile file, DafSummary summary) : IEphemerisSegment
 {
     /// <inheritdoc/>

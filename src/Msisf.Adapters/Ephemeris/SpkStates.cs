@@ -20,7 +20,6 @@ internal sealed class SpkStates : SpkSegment
 
     /// <summary>Reads the segment's sizes.</summary>
     /// <param name="file">The kernel; must outlive the segment.</param>
-    /// <param name="summary">The segment.</param>
     /// <param name="type">8, 9, 12, 13 or 18.</param>
     /// <exception cref="BadInputException">They contradict each other.</exception>
     public SpkStates(DafFile file, DafSummary summary, int type)

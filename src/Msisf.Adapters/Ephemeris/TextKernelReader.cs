@@ -5,7 +5,6 @@ namespace Msisf.Adapters.Ephemeris;
 public static class TextKernelReader
 {
     /// <summary>Adds what a text kernel assigns to a pool.</summary>
-    /// <param name="reader">The kernel.</param>
     /// <param name="fileName">For messages.</param>
     /// <param name="pool">Receives the values.</param>
     /// <exception cref="BadInputException">Not a text kernel, or an assignment that can't be read; the message names the line.</exception>

@@ -18,9 +18,6 @@ internal sealed record TickIntervals(double[] Ticks, double[] Starts)
 
     /// <summary>Reads them: records, their ticks with a directory, starts with a directory.</summary>
     /// <param name="words">The segment.</param>
-    /// <param name="record">Numbers of a record.</param>
-    /// <param name="count">Number of records.</param>
-    /// <param name="intervals">Number of intervals.</param>
     /// <exception cref="Core.Errors.BadInputException">Ticks do not rise, or an interval does not start at a record.</exception>
     public static TickIntervals Read(DafWords words, int record, int count, int intervals)
     {

@@ -19,7 +19,6 @@ public sealed class AtomicFileSet : IDisposable
     public AtomicFileSet(string? folder = null) => _folder = folder;
 
     /// <summary>Writes one file; its final name appears with <see cref="Commit"/>.</summary>
-    /// <param name="path">The final name.</param>
     /// <param name="write">Writes the content; the stream can seek.</param>
     /// <param name="flushToDisk">See <see cref="AtomicFile.Write"/>.</param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>

@@ -10,7 +10,6 @@ public static class FileHash
     private const int ChunkBytes = 1 << 18;
 
     /// <summary>SHA-256 of a file's content: 64 hexadecimal digits in small letters.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="cancellation">Stops between two pieces of it.</param>
     /// <exception cref="IOException">It can't be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It can't be read.</exception>

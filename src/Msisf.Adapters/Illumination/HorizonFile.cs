@@ -10,8 +10,6 @@ public static class HorizonFile
     private static ReadOnlySpan<byte> Magic => "MSISHOR1"u8;
 
     /// <summary>Writes horizons.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="horizons">The horizons.</param>
     /// <exception cref="ExternalPartException">The disk is full, or refuses.</exception>
     public static void Write(string path, PlaceHorizons horizons) => AtomicFile.Write(path, stream =>
     {
@@ -24,7 +22,6 @@ public static class HorizonFile
     });
 
     /// <summary>Reads horizons; null if there is no such file.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="places">How many places it must have.</param>
     /// <exception cref="BadInputException">It is another file.</exception>
     public static PlaceHorizons? Read(string path, int places) => !File.Exists(path) ? null : FileErrors.ToBadInput(

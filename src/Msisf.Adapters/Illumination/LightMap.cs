@@ -8,7 +8,6 @@ namespace Msisf.Adapters.Illumination;
 public sealed record LightMap(string Name, string Unit, string Meaning, float[] Values);
 
 /// <summary>Where the cells of maps lie.</summary>
-/// <param name="Lines">Number of lines.</param>
 /// <param name="Samples">Cells of a line.</param>
 /// <param name="Cell">m: width of a cell.</param>
 /// <param name="Left">m: X of the left edge.</param>

@@ -52,8 +52,6 @@ public static class LightMapFiles
     }
 
     /// <summary>Writes a map as Cloud Optimized GeoTIFF.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="map">The map.</param>
     /// <param name="placement">Where its cells lie.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL 3.1 is missing, or fails.</exception>

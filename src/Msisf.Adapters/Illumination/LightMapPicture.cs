@@ -23,7 +23,6 @@ public static class LightMapPicture
 
     /// <summary>Writes a PNG.</summary>
     /// <param name="stream">Receives it.</param>
-    /// <param name="map">The map.</param>
     /// <param name="placement">Where its cells lie.</param>
     /// <exception cref="Core.Errors.ExternalPartException">cairo is missing.</exception>
     public static void Write(Stream stream, LightMap map, MapPlacement placement)

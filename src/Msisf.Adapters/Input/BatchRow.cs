@@ -1,8 +1,6 @@
 namespace Msisf.Adapters.Input;
 
 /// <summary>One line of a batch file with named columns.</summary>
-/// <param name="columns">The columns.</param>
-/// <param name="values">Its values.</param>
 internal sealed class BatchRow(BatchColumns columns, string[] values)
 {
     /// <summary>Whether there is a column.</summary>

@@ -6,7 +6,6 @@ using Msisf.Core.Time;
 namespace Msisf.Adapters.Input;
 
 /// <summary>Makes the states of a batch file's lines.</summary>
-/// <param name="columns">The columns.</param>
 /// <param name="said">How the numbers are meant.</param>
 /// <param name="frame">Turns positions and attitudes into those of MOON_ME.</param>
 /// <param name="scene">Terrain, Sun and the Moon's turning, for what refers to them.</param>

@@ -14,7 +14,6 @@ public static class JitterFileReader
         [("roll", JitterAxis.Roll), ("pitch", JitterAxis.Pitch), ("yaw", JitterAxis.Yaw)];
 
     /// <summary>Reads a file.</summary>
-    /// <param name="reader">The text.</param>
     /// <param name="fileName">For messages.</param>
     /// <exception cref="BadInputException">What is wrong in it, by file and line.</exception>
     public static Jitter Read(TextReader reader, string fileName)

@@ -9,7 +9,6 @@ public static class NoiseSeedText
     public const string ValidValues = "a whole number from 0 on, or two with a colon between them: N:STEP";
 
     /// <summary>Reads a seed.</summary>
-    /// <param name="text">The text.</param>
     /// <param name="step">Number of the frame if the text has none.</param>
     /// <exception cref="BadInputException">It is no such text.</exception>
     public static NoiseSeed Parse(string text, ulong step)

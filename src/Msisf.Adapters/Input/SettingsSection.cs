@@ -34,7 +34,6 @@ public sealed class SettingsSection
     public bool IsList(string key) => Find(key) is { IsList: true };
 
     /// <summary>A section below this one; null if it is not there.</summary>
-    /// <param name="key">Its key.</param>
     /// <param name="what">What its keys belong to, for messages, e.g. "a distortion".</param>
     /// <param name="keys">The keys that it may have.</param>
     /// <exception cref="BadInputException">There is a value in its place, or a key is none of these.</exception>
@@ -69,7 +68,6 @@ public sealed class SettingsSection
         : null;
 
     /// <summary>One word of several.</summary>
-    /// <param name="key">The key.</param>
     /// <param name="words">The words that it may be.</param>
     /// <returns>Null if the key is not there.</returns>
     /// <exception cref="BadInputException">It is another word.</exception>
@@ -93,7 +91,6 @@ public sealed class SettingsSection
         : throw Wrong(key, $"'{key}' is {Text(key)}; a number above 0 is needed");
 
     /// <summary>A whole number; null if the key is not there.</summary>
-    /// <param name="key">The key.</param>
     /// <param name="min">Minimum.</param>
     /// <param name="max">Maximum.</param>
     /// <exception cref="BadInputException">It is no whole number, or out of range.</exception>
@@ -104,7 +101,6 @@ public sealed class SettingsSection
             : throw Wrong(key, $"'{key}' is {Text(key)}; a whole number from {min} to {max} is needed");
 
     /// <summary>The numbers of a list, or a single one; null if the key is not there.</summary>
-    /// <param name="key">The key.</param>
     /// <param name="min">How many there must be at least.</param>
     /// <param name="max">How many there may be.</param>
     /// <exception cref="BadInputException">There are too few or too many, or one is no number.</exception>
@@ -123,7 +119,6 @@ public sealed class SettingsSection
     }
 
     /// <summary>The error that a key is not there.</summary>
-    /// <param name="key">The key.</param>
     /// <param name="meaning">What it gives, for messages, e.g. "the image's width in px".</param>
     public BadInputException Missing(string key, string meaning) =>
         new($"{_fileName}, line {_place.Line}, column {_place.Column}: {_what} needs '{key}': {meaning}.");

@@ -82,7 +82,6 @@ internal sealed class CSpice
     /// frame's centre to the observer, which is 0).
     /// </summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="body">The body.</param>
     /// <param name="time">UTC.</param>
     /// <param name="aberration">What of light's finite speed is taken in.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
@@ -109,7 +108,6 @@ internal sealed class CSpice
 
     /// <summary>The rotation that turns J2000 components into those of a body's frame.</summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="body">The body.</param>
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
     public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time)
@@ -163,7 +161,6 @@ internal sealed class CSpice
 
     /// <summary>Whether a text kernel has a variable of a body, such as POLE_RA.</summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="naifNumber">NAIF's number of the body.</param>
     /// <param name="item">The variable's name after that number.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
     public bool HasVariable(IReadOnlyList<string> kernels, int naifNumber, string item)

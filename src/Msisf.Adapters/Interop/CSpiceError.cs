@@ -10,7 +10,6 @@ internal static class CSpiceError
     private const int MessageLength = 1841;
 
     /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="function">The C function.</param>
     /// <param name="time">What it was asked for.</param>
     /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
     public static void ThrowIfFailed(string function, ModifiedJulianDate time)
@@ -22,7 +21,6 @@ internal static class CSpiceError
     }
 
     /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="function">The C function.</param>
     /// <param name="ephemerisSeconds">The time that it was asked for: TDB seconds past J2000.</param>
     /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
     public static void ThrowIfFailed(string function, double ephemerisSeconds)
@@ -34,7 +32,6 @@ internal static class CSpiceError
     }
 
     /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="function">The C function.</param>
     /// <param name="argument">What it was called with.</param>
     /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
     public static void ThrowIfFailed(string function, string argument)

@@ -10,7 +10,6 @@ internal static unsafe class FitsChecksums
 
     /// <summary>Writes both, of what CFITSIO has in memory.</summary>
     /// <param name="file">The file; <see cref="CFitsio.Gate"/> is held.</param>
-    /// <param name="status">CFITSIO's status.</param>
     public static void Put(CFitsioHandle file, ref int status)
     {
         PutEmpty(file, ref status);

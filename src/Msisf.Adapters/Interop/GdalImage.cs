@@ -55,7 +55,6 @@ internal sealed unsafe class GdalImage : IDisposable
     public double? NoData { get; }
 
     /// <summary>Opens an image.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
     /// <exception cref="BadInputException">GDAL can't read the file.</exception>

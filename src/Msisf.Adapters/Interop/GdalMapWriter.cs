@@ -92,7 +92,6 @@ internal static unsafe class GdalMapWriter
 /// <summary>What GDAL is told of a map.</summary>
 /// <param name="Type">Of its numbers, in GDAL's words.</param>
 /// <param name="Samples">Cells of a line.</param>
-/// <param name="Lines">Number of lines.</param>
 /// <param name="Corner">X and Y of the upper left corner, and the width of a cell, m.</param>
 /// <param name="Reference">The projection, in PROJ's words or as WKT.</param>
 internal sealed record GdalMap(string Type, int Samples, int Lines, (double Left, double Top, double Cell) Corner, string Reference)

@@ -10,7 +10,6 @@ public static class DetectorFitsWriter
 {
     /// <summary>Writes one file. The bytes depend on the arguments alone.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
-    /// <param name="image">The image.</param>
     /// <param name="settings">The detector; goes into the header.</param>
     /// <param name="frame">Goes into the header.</param>
     /// <param name="provenance">Goes there too.</param>

@@ -25,7 +25,6 @@ public static class FitsLayerWriter
     /// <param name="frame">Goes into the primary header.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
     /// <param name="compression">Of their data.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>

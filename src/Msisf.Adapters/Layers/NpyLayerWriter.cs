@@ -17,7 +17,6 @@ public static class NpyLayerWriter
     /// <param name="frame">Goes into the JSON file.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <returns>The paths, the JSON file last.</returns>
@@ -88,7 +87,6 @@ public static class NpyLayerWriter
     /// <param name="frame">Goes into the JSON file.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
     /// <param name="hasHeads">Whether the array files have heads; without, they are "layer.raw" and hold nothing but the numbers.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>

@@ -19,9 +19,7 @@ internal sealed class StoredLayer : IDisposable
     private readonly byte[] _bytes;
 
     /// <summary>Takes memory.</summary>
-    /// <param name="layer">The layer.</param>
     /// <param name="type">Of the stored numbers.</param>
-    /// <param name="layout">Of the memory.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
     public StoredLayer(Layer layer, LayerType type, LayerLayout layout, int width, int height)

@@ -12,7 +12,6 @@ public sealed class FileStructure(string metaFileDtd)
     private const long MaxCharactersFromEntities = 100_000;
 
     /// <summary>Checks an image or a meta file; other files are not checked.</summary>
-    /// <param name="path">The file.</param>
     /// <returns>What is wrong with it; null if nothing is.</returns>
     /// <exception cref="IOException">It can't be read.</exception>
     /// <exception cref="UnauthorizedAccessException">It can't be read.</exception>

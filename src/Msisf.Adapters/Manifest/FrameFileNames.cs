@@ -19,7 +19,6 @@ public static class FrameFileNames
     ];
 
     /// <summary>All names that files of a frame can have.</summary>
-    /// <param name="frame">Name of the frame.</param>
     public static IEnumerable<string> Of(string frame) => Endings.Select(ending => frame + ending);
 
     /// <summary>Whether a file may be made of a frame that is there, by msis camera-model, so that no record names it.</summary>

@@ -36,7 +36,6 @@ public sealed class ManifestFile
     public string FilePath { get; }
 
     /// <summary>Appends lines, all or none. Lines that threads append while others wait for the lock are written together.</summary>
-    /// <param name="records">The lines.</param>
     /// <exception cref="ExternalPartException">The file system refuses, or another process keeps the lock.</exception>
     public void Append(params IEnumerable<ManifestRecord> records)
     {
@@ -80,7 +79,6 @@ public sealed class ManifestFile
     public void AppendLocked(IEnumerable<ManifestRecord> records) => AppendBytes([.. records.SelectMany(ManifestLine.Write)]);
 
     /// <summary>Replaces the file by one with these lines. Within <see cref="Locked"/> only.</summary>
-    /// <param name="records">The lines.</param>
     /// <param name="folder">Where the new file is until it is whole: see <see cref="AtomicFileSet"/>.</param>
     public void Replace(IEnumerable<ManifestRecord> records, string folder)
     {

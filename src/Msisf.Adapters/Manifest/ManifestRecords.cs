@@ -15,7 +15,6 @@ public sealed record SettingsRecord(string Key, string Description) : ManifestRe
 public sealed record RunRecord(string Run, string Settings, int Frames) : ManifestRecord;
 
 /// <summary>A frame that a run expects.</summary>
-/// <param name="Run">The run.</param>
 /// <param name="Step">From 1.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>
 /// <param name="Frame">Key of the frame: of its settings and its state.</param>
@@ -36,7 +35,6 @@ public sealed record FrameRecord(int Step, string Name, string Frame, string Set
 public sealed record OutputFile(string Name, long Bytes, string Sha256);
 
 /// <summary>A file that belongs to all frames of the folder, as the index of a data set.</summary>
-/// <param name="File">The file.</param>
 public sealed record SharedFileRecord(OutputFile File) : ManifestRecord;
 
 /// <summary>A frame that could not be made.</summary>

@@ -32,7 +32,6 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
     /// <summary>Writes the image: I/F, or the numbers of a detector.</summary>
     /// <param name="files">Receives the file.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="image">The image.</param>
     /// <returns>Its path.</returns>
     public string WriteImage(AtomicFileSet files, string stem, ExportedImage image)
     {
@@ -51,9 +50,7 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
     /// <param name="stem">Path of the frame's files, without extension.</param>
     /// <param name="truth">What the pixels show.</param>
     /// <param name="provenance">Of the frame.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of real numbers.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>Their paths.</returns>
     public IReadOnlyList<string> WriteLayers(
         AtomicFileSet files, string stem, IGroundTruth truth, LayerProvenance provenance, LayerSet layers, LayerPrecision precision,

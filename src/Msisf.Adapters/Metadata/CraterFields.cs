@@ -12,7 +12,6 @@ internal static class CraterFields
     public static string WordOf(CraterLeftOutReason reason) => reason == CraterLeftOutReason.Hyperbola ? "hyperbola" : "no-ellipse";
 
     /// <summary>The numbers; null where one is not defined.</summary>
-    /// <param name="view">The crater.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static IEnumerable<(string Name, double? Value)> Of(CraterView view, double referenceRadius) =>
     [

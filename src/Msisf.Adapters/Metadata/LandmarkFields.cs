@@ -8,7 +8,6 @@ namespace Msisf.Adapters.Metadata;
 internal static class LandmarkFields
 {
     /// <summary>The values; empty where one is not defined.</summary>
-    /// <param name="view">The landmark.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static IEnumerable<(string Name, string Value)> Of(LandmarkView view, double referenceRadius)
     {

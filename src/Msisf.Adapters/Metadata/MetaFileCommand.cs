@@ -6,7 +6,6 @@ namespace Msisf.Adapters.Metadata;
 public static class MetaFileCommand
 {
     /// <summary>Reads the words of the CommandLine element; the pixels are not read.</summary>
-    /// <param name="path">The meta file.</param>
     /// <returns>The words without their quotes; null for a file that is missing, can't be read, or has no such element.</returns>
     public static IReadOnlyList<string>? Read(string path)
     {

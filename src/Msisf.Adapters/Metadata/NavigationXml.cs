@@ -7,7 +7,6 @@ namespace Msisf.Adapters.Metadata;
 internal static class NavigationXml
 {
     /// <summary>The elements, each line with its end.</summary>
-    /// <param name="navigation">The truth.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static string Elements(NavigationTruth navigation, double referenceRadius)
     {

@@ -17,7 +17,6 @@ internal static class OriginXml
     public const string PiecesChecksum = "sha256OfPieces";
 
     /// <summary>The lines, without the last LF.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="digits">Of the numbers.</param>
     public static string Lines(FrameMetadata frame, LongEDigits digits) =>
         string.Join(

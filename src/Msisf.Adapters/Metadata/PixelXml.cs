@@ -15,7 +15,6 @@ internal static class PixelXml
         surface == PixelSurface.Terrain ? MaximumLengthOnSphere + TerrainXml.MaximumLength : MaximumLengthOnSphere;
 
     /// <summary>Writes the element of a record.</summary>
-    /// <param name="record">The pixel.</param>
     /// <param name="destination">At least <see cref="MaximumLength"/> bytes.</param>
     /// <param name="digits">Of the numbers.</param>
     /// <returns>How many bytes there are.</returns>

@@ -12,7 +12,6 @@ internal static class XmlText
     /// the control characters that XML can't hold become their images (U+2400 and on), unpaired surrogates and
     /// non-characters the replacement character.
     /// </summary>
-    /// <param name="text">Any text.</param>
     public static string Escape(string text)
     {
         StringBuilder escaped = new(text.Length);
@@ -54,6 +53,5 @@ internal static class XmlText
     }
 
     /// <summary>Escapes a text for an attribute's value in double quotes.</summary>
-    /// <param name="text">Any text.</param>
     public static string EscapeAttribute(string text) => Escape(text).Replace("\"", "&quot;", StringComparison.Ordinal);
 }

@@ -15,7 +15,6 @@ public static class CocoWriter
 
     /// <summary>Writes the craters.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
-    /// <param name="craters">The craters.</param>
     /// <param name="camera">The frame's.</param>
     /// <param name="image">Number and file name of the image.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>

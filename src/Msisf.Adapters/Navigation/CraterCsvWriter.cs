@@ -11,7 +11,6 @@ public static class CraterCsvWriter
 
     /// <summary>Writes the craters.</summary>
     /// <param name="writer">Receives the text.</param>
-    /// <param name="craters">The craters.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static void Write(TextWriter writer, CratersOfFrame craters, double referenceRadius)
     {

@@ -23,7 +23,6 @@ public static class FlowFiles
 
     /// <summary>Writes Middlebury's .flo: single precision, unknown where the point has no place in the other image.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
-    /// <param name="flow">The flow.</param>
     public static void WriteMiddlebury(Stream stream, FlowField flow)
     {
         Span<byte> head = stackalloc byte[12];
@@ -48,7 +47,6 @@ public static class FlowFiles
 
     /// <summary>Writes KITTI's flow: 16-bit colours, valid where the point is seen and both parts are below 512 px.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
-    /// <param name="flow">The flow.</param>
     public static void WriteKitti(Stream stream, FlowField flow)
     {
         ushort[] colors = new ushort[3 * flow.Classes.Length];

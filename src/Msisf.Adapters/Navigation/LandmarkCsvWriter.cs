@@ -17,7 +17,6 @@ public static class LandmarkCsvWriter
 
     /// <summary>Writes the landmarks.</summary>
     /// <param name="writer">Receives the text.</param>
-    /// <param name="landmarks">The landmarks.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public static void Write(TextWriter writer, LandmarksOfFrame landmarks, double referenceRadius)
     {

@@ -5,7 +5,6 @@ namespace Msisf.Adapters.Programs;
 
 /// <summary>Starts another program and waits for its end. No shell takes part: arguments reach the program as they are.</summary>
 /// <param name="Program">The program's file.</param>
-/// <param name="Arguments">Its arguments.</param>
 public sealed record ChildProgram(string Program, IReadOnlyList<string> Arguments)
 {
     /// <summary>How long a killed program may take to disappear: one that waits for a dead disk never does.</summary>
@@ -97,7 +96,6 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
 }
 
 /// <summary>What a program gave when it ended.</summary>
-/// <param name="ExitCode">Its exit code.</param>
 /// <param name="Output">Its standard output.</param>
 /// <param name="Error">Its standard error.</param>
 public sealed record ProcessResult(int ExitCode, string Output, string Error);

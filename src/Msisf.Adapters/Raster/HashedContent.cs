@@ -9,7 +9,6 @@ internal static class HashedContent
 {
     /// <summary>Writes content.</summary>
     /// <param name="stream">An empty file.</param>
-    /// <param name="head">The head.</param>
     /// <param name="write">Writes the values.</param>
     public static void Write(Stream stream, ReadOnlySpan<byte> head, Action<BinaryWriter> write)
     {

@@ -6,12 +6,10 @@ namespace Msisf.Adapters.Raster;
 /// The possible places of a file that is derived from a model: beside the model, or, if that folder can't be written to, in the user's
 /// cache.
 /// </summary>
-/// <param name="Beside">Beside the model.</param>
 /// <param name="Cached">In the cache, under a name of the model's own place; null without a cache.</param>
 public sealed record SidecarPlaces(string Beside, string? Cached)
 {
     /// <summary>The places for a model.</summary>
-    /// <param name="beside">The place beside the model.</param>
     /// <param name="productId">The model's name.</param>
     /// <param name="extension">Of the file, with its dot.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
@@ -27,7 +25,6 @@ public sealed record SidecarPlaces(string Beside, string? Cached)
         Cached is null || TakesFiles(Path.GetDirectoryName(Path.GetFullPath(Beside))!) ? Beside : Cached;
 
     /// <summary>Whether files can be made in a folder.</summary>
-    /// <param name="folder">The folder.</param>
     /// <param name="isMade">Whether it is made if it is missing.</param>
     internal static bool TakesFiles(string folder, bool isMade = false)
     {

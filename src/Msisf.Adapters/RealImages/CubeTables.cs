@@ -79,8 +79,6 @@ public sealed class CubeTables
 }
 
 /// <summary>A table of numbers.</summary>
-/// <param name="Name">Its name.</param>
 /// <param name="Columns">Names of its columns.</param>
-/// <param name="Rows">The numbers.</param>
 /// <param name="Label">Its keywords.</param>
 internal sealed record CubeTable(string Name, IReadOnlyList<string> Columns, double[][] Rows, PdsObject Label);

@@ -23,7 +23,6 @@ internal static class Pds4ImageLabel
     };
 
     /// <summary>Reads the label.</summary>
-    /// <param name="root">Its root.</param>
     /// <param name="path">Its file.</param>
     /// <exception cref="BadInputException">Something is missing or wrong.</exception>
     public static ImageLabel Read(XElement root, string path)

@@ -25,7 +25,6 @@ public enum PixelType
 }
 
 /// <summary>Where and how the pixels of an image lie in a file.</summary>
-/// <param name="Path">The file.</param>
 /// <param name="Offset">Bytes before the first pixel.</param>
 /// <param name="Type">Of the numbers.</param>
 /// <param name="IsBigEndian">Their byte order.</param>
@@ -77,7 +76,6 @@ public sealed record PixelLayout(
     /// <summary>Reads lines of a band.</summary>
     /// <param name="band">From 0.</param>
     /// <param name="first">The first line, from 0.</param>
-    /// <param name="count">How many.</param>
     /// <returns>By lines; NaN where there is no value.</returns>
     /// <exception cref="BadInputException">The file can't be read.</exception>
     public float[] Read(int band, int first, int count) => FileErrors.ToBadInput($"{Path}: can't be read", () =>

@@ -70,7 +70,6 @@ public static class PngFile
     public static PngHeader Check(Stream source, string name) => CopyImage(source, Stream.Null, name);
 
     /// <summary>Checks the image of a finished frame.</summary>
-    /// <param name="path">The file.</param>
     /// <exception cref="BadInputException">Not a PNG, cut off, or damaged; the message has the path.</exception>
     /// <exception cref="ExternalPartException">It can't be read.</exception>
     public static PngHeader CheckFile(string path) => FileErrors.ToExternalPart($"{path}: can't be read", () =>
@@ -137,7 +136,6 @@ internal static class PngChunk
     private const int TypeLength = 4;
 
     /// <summary>Writes a whole chunk.</summary>
-    /// <param name="destination">The file.</param>
     /// <param name="type">Four letters.</param>
     /// <param name="data">May be empty.</param>
     public static void Write(Stream destination, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data)

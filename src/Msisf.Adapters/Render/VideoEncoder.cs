@@ -12,9 +12,7 @@ public static class VideoEncoder
     public static string? Find(string searchPath) => SearchPath.Find(searchPath, OperatingSystem.IsWindows() ? "ffmpeg.exe" : "ffmpeg");
 
     /// <summary>Encodes the images as H.264 in 4:2:0, which every player shows. An odd last row or column is doubled.</summary>
-    /// <param name="program">ffmpeg.</param>
     /// <param name="images">Absolute paths, in their order; at least one.</param>
-    /// <param name="framesPerSecond">Of the video.</param>
     /// <param name="workFolder">Existing folder for what is made on the way.</param>
     /// <param name="destination">The video's file, in an existing folder; ends in .mp4.</param>
     /// <param name="cancellation">Ends ffmpeg.</param>

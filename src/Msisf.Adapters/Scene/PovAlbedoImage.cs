@@ -7,14 +7,11 @@ namespace Msisf.Adapters.Scene;
 public static class PovAlbedoImage
 {
     /// <summary>Radiance factor that the image's white has with the Sun in the zenith, by Lambert's law.</summary>
-    /// <param name="map">The map.</param>
     public static double DiffuseOf(AlbedoMap map) => (map.Offset + (map.Step * ushort.MaxValue)) / map.Reference.CosIncidence;
 
     /// <summary>Writes the image.</summary>
     /// <param name="stream">Receives it.</param>
     /// <param name="name">The map's name, for messages.</param>
-    /// <param name="map">The map.</param>
-    /// <param name="level">The level.</param>
     /// <exception cref="BadInputException">The map does not show the whole Moon, or a value is negative.</exception>
     public static void Write(Stream stream, string name, AlbedoMap map, int level)
     {

@@ -32,7 +32,6 @@ public static class StateTables
 
     /// <summary>The trajectory format of TUM's RGB-D benchmark.</summary>
     /// <param name="writer">Receives the text.</param>
-    /// <param name="states">The states.</param>
     /// <param name="numbers">Numbers of images, which stand for their times; null for the times.</param>
     public static void WriteTum(TextWriter writer, IReadOnlyList<SpacecraftState> states, IReadOnlyList<int>? numbers = null)
     {

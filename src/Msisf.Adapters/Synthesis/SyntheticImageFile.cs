@@ -7,7 +7,6 @@ namespace Msisf.Adapters.Synthesis;
 /// <param name="file">Open for writing at any offset, with the length of the image and without samples yet.</param>
 /// <param name="productId">The product, for messages.</param>
 /// <param name="format">How samples are stored.</param>
-/// <param name="lineSamples">Samples of a line.</param>
 internal sealed class SyntheticImageFile(SafeFileHandle file, string productId, SyntheticSampleFormat format, int lineSamples)
 {
     private readonly Lock _gate = new();
@@ -18,10 +17,8 @@ internal sealed class SyntheticImageFile(SafeFileHandle file, string productId, 
     public (double Minimum, double Maximum) Extremes => (_minimum, _maximum);
 
     /// <summary>Does the work of all blocks; each thread keeps the buffers of its worker.</summary>
-    /// <param name="blocks">Number of blocks.</param>
     /// <param name="options">Number of threads, and what stops them between blocks.</param>
     /// <param name="startWorker">Makes a worker.</param>
-    /// <param name="write">Writes one block.</param>
     /// <exception cref="MsisfException">The first error of a block.</exception>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public void WriteBlocks<TWorker>(int blocks, ParallelOptions options, Func<TWorker> startWorker, Action<int, TWorker> write)

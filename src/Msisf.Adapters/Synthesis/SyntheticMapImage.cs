@@ -5,7 +5,6 @@ namespace Msisf.Adapters.Synthesis;
 
 /// <summary>Computes the image of a synthetic polar map on several threads and writes each block to its place.</summary>
 /// <param name="terrain">The ground.</param>
-/// <param name="options">The map.</param>
 internal sealed class SyntheticMapImage(SyntheticTerrain terrain, SyntheticMapOptions options)
 {
     private const int BlockSide = 512;

@@ -16,7 +16,6 @@ internal static class SyntheticProductFiles
     /// <param name="bytes">Length of the image.</param>
     /// <param name="storedBytes">Bytes of it that take room on the disk.</param>
     /// <param name="writeImage">Writes the samples that are not 0; returns the minimum and maximum sample.</param>
-    /// <param name="writeLabel">Writes the label.</param>
     /// <returns>Path of the label.</returns>
     /// <exception cref="BadInputException">The name is that of a file that is not synthetic.</exception>
     /// <exception cref="ExternalPartException">The disk is too full, or refuses.</exception>

@@ -4,7 +4,6 @@ using Msisf.Adapters.Raster.Heights;
 namespace Msisf.Adapters.Synthesis;
 
 /// <summary>How a synthetic product stores its heights, as the LOLA archive: in 16-bit steps of 0.5 m, or in 32-bit floats, km.</summary>
-/// <param name="Type">The type of the samples.</param>
 public sealed record SyntheticSampleFormat(LdemSampleType Type)
 {
     private const double IntegerStep = 0.5; // m a unit

@@ -102,7 +102,6 @@ internal sealed class AsciiWriter : IDisposable
 
     /// <summary>Writes a number over what was written before.</summary>
     /// <param name="position">Bytes that were written before that place.</param>
-    /// <param name="number">The number.</param>
     /// <param name="digits">Its digits, with leading zeros.</param>
     public void WriteOver(long position, long number, byte digits)
     {

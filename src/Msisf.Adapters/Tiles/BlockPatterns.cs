@@ -21,8 +21,6 @@ public sealed class BlockPatterns
     private readonly string _levels;
 
     /// <summary>Takes the surface.</summary>
-    /// <param name="repository">The repository.</param>
-    /// <param name="blocks">The surface's blocks.</param>
     /// <param name="terrain">The same surface.</param>
     /// <param name="levels">The level of each model, e.g. "0-2-x"; empty for the models themselves.</param>
     public BlockPatterns(PatternRepository repository, SceneBlocks blocks, ITerrain terrain, string levels = "")
@@ -49,7 +47,6 @@ public sealed class BlockPatterns
     public static string FolderNameOf(ITerrain terrain) => NameOf(terrain.ProductId);
 
     /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
-    /// <param name="blocks">The blocks.</param>
     /// <param name="maxParallelism">How many to work on at once, at least 1.</param>
     /// <param name="cancellation">Stops between two patterns.</param>
     /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or a model is damaged.</exception>
@@ -90,8 +87,6 @@ public sealed class BlockPatterns
 
 /// <summary>A pattern of a block of a surface.</summary>
 /// <param name="path">Its file.</param>
-/// <param name="blocks">The surface.</param>
-/// <param name="block">The block.</param>
 internal sealed class BlockPatternOrder(string path, SceneBlocks blocks, SceneBlock block) : PatternOrder(path)
 {
     /// <inheritdoc/>

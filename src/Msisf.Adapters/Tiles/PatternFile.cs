@@ -20,7 +20,6 @@ internal static class PatternFile
     }
 
     /// <summary>Checks a file by one read, whatever its size.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="headerWithoutLength">The header that is wanted (see <see cref="PatternHeader"/>).</param>
     /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
     public static State Inspect(string path, byte[] headerWithoutLength)

@@ -47,9 +47,6 @@ internal static class PatternHeader
     }
 
     /// <summary>The same of a block of a surface; the hash is over all that the file holds.</summary>
-    /// <param name="blocks">The surface.</param>
-    /// <param name="block">The block.</param>
-    /// <param name="meshes">Its meshes.</param>
     public static byte[] WithoutLength(SceneBlocks blocks, SceneBlock block, IReadOnlyList<BlockMesh> meshes)
     {
         string place = blocks.ProductIdOf(block) is { } product

@@ -36,7 +36,6 @@ internal sealed class PatternMaker
     }
 
     /// <summary>Makes the patterns that are missing.</summary>
-    /// <param name="orders">The patterns.</param>
     /// <param name="progress">Is told, from any thread, how many are ready.</param>
     /// <returns>How many were made here.</returns>
     public int Ensure(IReadOnlyCollection<PatternOrder> orders, IProgress<int>? progress)

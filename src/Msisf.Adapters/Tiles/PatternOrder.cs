@@ -14,7 +14,6 @@ internal abstract class PatternOrder(string path)
     public abstract Content Read();
 
     /// <summary>What the file of an order must hold.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="header">Its header, without the length (<see cref="PatternHeader"/>).</param>
     /// <param name="makeWriter">Makes what writes the whole file.</param>
     public sealed class Content(string path, byte[] header, Func<Action<Stream>> makeWriter)

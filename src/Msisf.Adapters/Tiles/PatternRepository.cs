@@ -23,7 +23,6 @@ public sealed class PatternRepository : IDisposable
     private readonly Dictionary<string, ClaimFile> _claims = [];
 
     /// <summary>Names the repository; the folder is made when the first pattern is written.</summary>
-    /// <param name="root">Its folder.</param>
     public PatternRepository(string root)
         : this(root, PatternMaker.LongestWait)
     {
@@ -40,14 +39,12 @@ public sealed class PatternRepository : IDisposable
     public string FolderOf(int pixelsPerDegree) => FolderOf(pixelsPerDegree.ToString(CultureInfo.InvariantCulture));
 
     /// <summary>A folder of the repository.</summary>
-    /// <param name="name">Its name.</param>
     public string FolderOf(string name) => Path.Combine(_root, name);
 
     /// <summary>The file of a tile's pattern.</summary>
     public string PathOf(TileId tile, int pixelsPerDegree) => PathOf(SurfacePart.Whole(tile), pixelsPerDegree);
 
     /// <summary>The file of a part.</summary>
-    /// <param name="part">Which.</param>
     /// <param name="pixelsPerDegree">Samples a degree of the model itself, whatever the part's level.</param>
     public string PathOf(SurfacePart part, int pixelsPerDegree) => Path.Combine(
         FolderOf(pixelsPerDegree),
@@ -83,7 +80,6 @@ public sealed class PatternRepository : IDisposable
 
     /// <summary>The same for parts of tiles at levels of detail, as mesh2 without margin.</summary>
     /// <param name="parts">The parts; double ones count once.</param>
-    /// <param name="builders">Of the model and its levels.</param>
     /// <param name="maxParallelism">How many parts to work on at once, at least 1.</param>
     /// <param name="cancellation">Stops between two parts.</param>
     /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or the model is damaged.</exception>
@@ -111,7 +107,6 @@ public sealed class PatternRepository : IDisposable
 
     /// <summary>Makes the patterns of a folder that are missing, damaged, or made of other samples.</summary>
     /// <param name="orders">The patterns, each once.</param>
-    /// <param name="folder">Their folder.</param>
     /// <param name="maxParallelism">How many to work on at once, at least 1.</param>
     /// <param name="progress">Is told, from any thread, how many are ready.</param>
     /// <param name="cancellation">Stops between two patterns.</param>

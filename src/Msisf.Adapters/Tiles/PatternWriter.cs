@@ -28,7 +28,6 @@ public static class PatternWriter
 
     /// <summary>Writes a pattern.</summary>
     /// <param name="output">A stream that can seek; the pattern begins at its position.</param>
-    /// <param name="mesh">The mesh.</param>
     /// <param name="productId">PRODUCT_ID of the elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
@@ -36,8 +35,6 @@ public static class PatternWriter
 
     /// <summary>Writes a pattern of a block whose header is known.</summary>
     /// <param name="output">As above.</param>
-    /// <param name="meshes">The meshes.</param>
-    /// <param name="headerWithoutLength">The header.</param>
     /// <param name="isOneSided">Whether the facets are met from outside only, because there are ways to their other side.</param>
     internal static void Write(Stream output, IReadOnlyList<BlockMesh> meshes, byte[] headerWithoutLength, bool isOneSided) => Write(
         output,

@@ -12,7 +12,6 @@ internal sealed class PieceArguments
     private readonly OptionValues _values;
 
     /// <summary>Collects the options of the run.</summary>
-    /// <param name="values">The options of the run.</param>
     /// <param name="endsWithCheck">Whether the script checks all frames of the run at its end.</param>
     /// <exception cref="UsageException">An option can't be used in pieces.</exception>
     public PieceArguments(OptionValues values, bool endsWithCheck)

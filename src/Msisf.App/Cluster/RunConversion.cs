@@ -26,7 +26,6 @@ internal sealed class RunConversion
     /// <summary>Checks the run, cuts it into pieces, and writes the script and the files that it needs.</summary>
     /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
     /// <param name="call">The words of the call, for the head of the script.</param>
-    /// <param name="format">Format of the script.</param>
     /// <param name="scriptPath">Path of the script, relative to the folder of the outputs; missing folders are created.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <exception cref="MsisfException">The run itself would fail; nothing has been written.</exception>
@@ -160,11 +159,9 @@ internal sealed class RunConversion
 }
 
 /// <summary>A run that was converted to a script.</summary>
-/// <param name="Script">Full path of the script.</param>
 /// <param name="StatesFile">
 /// Full path of the states file that was written beside the script; null if the run has a batch file of its own.
 /// </param>
 /// <param name="OutputFolder">Folder of the frames.</param>
 /// <param name="FrameCount">Number of frames in all pieces.</param>
-/// <param name="PieceCount">Number of pieces.</param>
 internal sealed record ConvertedRun(string Script, string? StatesFile, string OutputFolder, int FrameCount, int PieceCount);

@@ -27,7 +27,6 @@ internal static class ScriptText
 
     /// <summary>The script for Slurm.</summary>
     /// <param name="script">Content of the script.</param>
-    /// <param name="slurm">Settings of the Slurm jobs.</param>
     /// <exception cref="UsageException">There are more pieces than a job array can have, or sbatch does not accept a path.</exception>
     public static string Slurm(PieceScript script, SlurmSettings slurm)
     {

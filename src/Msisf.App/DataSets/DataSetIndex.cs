@@ -9,8 +9,6 @@ using Msisf.Core.Scene;
 namespace Msisf.App.DataSets;
 
 /// <summary>Writes the index of a data set: all images in CSV, and each split in the formats that are wished.</summary>
-/// <param name="images">The images.</param>
-/// <param name="camera">Their camera.</param>
 internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraModel camera)
 {
     /// <summary>Name of the index in CSV.</summary>
@@ -52,7 +50,6 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
 
     /// <summary>Writes the index of a split in one of the other formats.</summary>
     /// <param name="files">Receives the files.</param>
-    /// <param name="folder">Folder of the data set.</param>
     /// <param name="split">Name of the split.</param>
     /// <param name="format">coco, tum or kitti.</param>
     /// <returns>The paths.</returns>

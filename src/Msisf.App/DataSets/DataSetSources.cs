@@ -6,7 +6,6 @@ namespace Msisf.App.DataSets;
 
 /// <summary>A file or model that a data set is made from.</summary>
 /// <param name="Kind">What it is.</param>
-/// <param name="Name">Its name.</param>
 /// <param name="Sha256">Its checksum; of a model that of parts of its files.</param>
 /// <param name="Licence">How it may be used.</param>
 internal sealed record DataSetSource(string Kind, string Name, string Sha256, string Licence)
@@ -17,8 +16,6 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
     /// <summary>Checks that the licence of each file that the user names is known, before anything is drawn.</summary>
     /// <param name="spec">Has the licences that the user knows.</param>
     /// <param name="settings">The run's settings.</param>
-    /// <param name="model">The elevation models.</param>
-    /// <param name="maps">The maps of the surface.</param>
     /// <exception cref="BadInputException">A licence is missing.</exception>
     public static void RequireLicences(DataSetSpec spec, RenderSettings settings, ElevationModel model, SurfaceInputs maps)
     {

@@ -6,7 +6,6 @@ namespace Msisf.App.DataSets;
 
 /// <summary>How a number of a data set's states is distributed; always within limits.</summary>
 /// <param name="Kind">The word of the data set's file.</param>
-/// <param name="Numbers">Its numbers.</param>
 internal sealed record Distribution(string Kind, IReadOnlyList<double> Numbers)
 {
     /// <summary>What a distribution may look like, for messages.</summary>

@@ -9,7 +9,6 @@ namespace Msisf.App.DataSets;
 /// <param name="Candidate">Number of the point of the unit cube that it comes from, from 0 in each split.</param>
 /// <param name="Region">The region that its place was drawn in.</param>
 /// <param name="Drawn">The drawn numbers; both images of a pair have the same.</param>
-/// <param name="State">The state.</param>
 internal sealed record DrawnState(
     string Split, long Candidate, Region Region, IReadOnlyDictionary<Quantity, double> Drawn, SpacecraftState State)
 {

@@ -1,11 +1,9 @@
 namespace Msisf.App.DataSets;
 
 /// <summary>How often a number lies in each of some intervals of the same width.</summary>
-/// <param name="Name">Of the number.</param>
 /// <param name="Unit">Its unit; empty for a ratio.</param>
 /// <param name="Asked">The distribution that was asked for; null for a number that follows from others.</param>
 /// <param name="Min">Smallest number.</param>
-/// <param name="Mean">Mean of all.</param>
 /// <param name="Max">Greatest number.</param>
 /// <param name="From">Where the first interval begins.</param>
 /// <param name="Width">Width of an interval; 0 if all numbers are the same.</param>

@@ -5,7 +5,6 @@ namespace Msisf.App.DataSets;
 /// <summary>A region between two parallels and two meridians, in degrees.</summary>
 /// <param name="South">At least -90.</param>
 /// <param name="North">Above <paramref name="South"/>, at most 90.</param>
-/// <param name="West">Any.</param>
 /// <param name="East">Above <paramref name="West"/> by at most 360.</param>
 internal readonly record struct Region(double South, double North, double West, double East)
 {
@@ -44,7 +43,6 @@ internal readonly record struct Region(double South, double North, double West, 
 }
 
 /// <summary>A part of a data set, as for training, and the regions that it shows.</summary>
-/// <param name="Name">Its name.</param>
 /// <param name="Count">Number of images, or of pairs.</param>
 /// <param name="Regions">At least one; none touches one of another split.</param>
 /// <param name="IsBound">Whether its images may show nothing beyond one of the regions.</param>

@@ -42,7 +42,6 @@ internal sealed class StateDraw
 
     /// <summary>Draws all states.</summary>
     /// <param name="progress">Receives a step for each image.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">No state meets the conditions.</exception>
     public DrawnStates Run(IRunProgress progress, CancellationToken cancellation)
     {
@@ -163,7 +162,6 @@ internal sealed class StateDraw
 internal sealed record DrawnStates(IReadOnlyList<DrawnState> States, IReadOnlyList<SplitDraw> Splits);
 
 /// <summary>How a split was drawn.</summary>
-/// <param name="Split">The split.</param>
 /// <param name="Candidates">How many states were looked at.</param>
 /// <param name="Rejected">How many of them did not meet a condition, by the first that failed.</param>
 internal sealed record SplitDraw(Split Split, long Candidates, IReadOnlyDictionary<string, int> Rejected);

@@ -15,9 +15,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     private const double SunDistance = 1.495978707e11;
 
     /// <summary>The states of one image, or of both of a pair.</summary>
-    /// <param name="split">The split.</param>
     /// <param name="candidate">Number of the point.</param>
-    /// <param name="point">The point.</param>
     public DrawnState[] Of(Split split, long candidate, double[] point)
     {
         Dictionary<Quantity, double> drawn = spec.Distributions.ToDictionary(

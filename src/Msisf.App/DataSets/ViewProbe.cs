@@ -20,8 +20,6 @@ internal sealed class ViewProbe
 
     /// <summary>Prepares the small images.</summary>
     /// <param name="settings">The run's settings.</param>
-    /// <param name="model">The elevation model.</param>
-    /// <param name="maps">The maps of the surface.</param>
     /// <param name="times">Receives the times.</param>
     public ViewProbe(RenderSettings settings, ElevationModel model, SurfaceInputs maps, RunTimes times)
     {

@@ -5,7 +5,6 @@ internal interface IProgressDisplay
 {
     /// <summary>Starts the display of a run with several steps; disposing the result ends it.</summary>
     /// <param name="title">Name of the work.</param>
-    /// <param name="total">Number of steps.</param>
     /// <param name="unattended">Whether the run is unattended, so that no progress bar is drawn.</param>
     IRunProgress Start(string title, int total, bool unattended);
 }
@@ -14,7 +13,6 @@ internal interface IProgressDisplay
 internal interface IRunProgress : IDisposable
 {
     /// <summary>Reports that one step is done.</summary>
-    /// <param name="name">Name of the step.</param>
     void Advance(string name);
 }
 

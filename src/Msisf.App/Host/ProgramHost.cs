@@ -13,7 +13,6 @@ internal sealed class ProgramHost
     private readonly Func<string, string?> _environment;
     private readonly Lazy<GeoTiffFiles> _geoTiffs;
 
-    /// <param name="clock">Clock.</param>
     /// <param name="environment">Gets a variable of the environment.</param>
     public ProgramHost(TimeProvider clock, Func<string, string?> environment)
     {

@@ -9,7 +9,6 @@ namespace Msisf.App.Illumination;
 /// Immutable.
 /// </summary>
 /// <param name="Lines">Number of lines, from the top.</param>
-/// <param name="Samples">Cells of a line.</param>
 /// <param name="Cell">m: width of a cell, of a polar map at the pole.</param>
 /// <param name="Left">m: X of the left edge, with the pole or longitude 0 in the middle.</param>
 /// <param name="Top">m: Y of the upper edge.</param>

@@ -6,7 +6,6 @@ namespace Msisf.App.Illumination;
 
 /// <summary>The light of places hour by hour over a month (from new Moon to new Moon it takes 29.5 days).</summary>
 /// <param name="From">MJD, UTC, of the first hour.</param>
-/// <param name="Places">The light of each place.</param>
 internal sealed record MonthOfLight(double From, IReadOnlyList<MonthOfLight.Place> Places)
 {
     private const double HalfDays = 15.0;
@@ -16,10 +15,7 @@ internal sealed record MonthOfLight(double From, IReadOnlyList<MonthOfLight.Plac
     /// <summary>Finds it.</summary>
     /// <param name="model">The ground.</param>
     /// <param name="directions">Places, BODY_FIXED, length 1.</param>
-    /// <param name="middle">Middle of the month.</param>
     /// <param name="sunAt">Says where the Sun is at times, m, BODY_FIXED.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public static MonthOfLight Find(
         ElevationModel model, Vector3D[] directions, ModifiedJulianDate middle,
         Func<IEnumerable<ModifiedJulianDate>, Vector3D[]> sunAt, int threads, CancellationToken cancellation)

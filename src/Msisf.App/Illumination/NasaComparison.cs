@@ -9,7 +9,6 @@ namespace Msisf.App.Illumination;
 /// Compares maps of light with those of Mazarico et al. in LOLA's archive, cell by cell: permanent shadow with what is never lit, the mean
 /// visible part of the Sun, and the best-lit places of both.
 /// </summary>
-/// <param name="region">The cells.</param>
 /// <param name="directions">Their middles.</param>
 internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Vector3D> directions)
 {
@@ -22,7 +21,6 @@ internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Ve
     private readonly List<string> _rows = ["map,quantity,msisf,nasa,unit"];
 
     /// <summary>Compares a map.</summary>
-    /// <param name="map">The map.</param>
     /// <param name="lights">The light of the cells, on the ground.</param>
     /// <returns>A sentence that says the most important.</returns>
     /// <exception cref="BadInputException">The map shows no cell of the region.</exception>

@@ -14,7 +14,6 @@ internal static class AlbedoSource
     private static readonly string[] Images = [".tif", ".tiff", ".img", ".cub", ".jp2", ".vrt", ".jpg", ".jpeg", ".png"];
 
     /// <summary>Opens the maps, the coarsest first; none if the run has none. What is used is logged.</summary>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <exception cref="MsisfException">A map is given, but can't be used.</exception>
     public static IReadOnlyList<OpenedAlbedoMap> Open(RenderSettings settings, ProgramHost host)

@@ -183,7 +183,6 @@ internal sealed class ElevationModel : IDisposable
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, WholeMoon, _summary.Value);
 
     /// <summary>The surface parts that a frame needs.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="errorPixels">
     /// px: how far levels of detail may shift a point in the image; null for the whole patterns of the tiles without levels of detail.
     /// </param>

@@ -15,7 +15,6 @@ internal static class FrameSetup
 {
     /// <summary>The frames to make. The Sun's positions are computed one after another, because CSPICE is not thread-safe.</summary>
     /// <param name="states">The states of the whole run, in the order of the input.</param>
-    /// <param name="names">The names of all frames of the run.</param>
     /// <param name="settings">The settings of the run, which also select the steps to make.</param>
     /// <param name="sun">Where the Sun is; not used if it is ignored.</param>
     /// <param name="cancellation">Cancels the work between two states.</param>
@@ -89,7 +88,6 @@ internal static class FrameSetup
 /// <param name="Step">Number of the frame, from 1, in the order of the input.</param>
 /// <param name="Name">File name of its outputs, without extension.</param>
 /// <param name="Time">Time, UTC.</param>
-/// <param name="Camera">Camera of the image.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Motion">How the camera moves during the exposure; null for images without it.</param>
 /// <param name="Noise">The noise of the camera's detector; null for that of the detector's seed and the frame's state.</param>

@@ -11,7 +11,6 @@ internal static class GroundCheck
     private const int NamedSteps = 5;
 
     /// <summary>Checks the cameras of all frames.</summary>
-    /// <param name="frames">The frames.</param>
     /// <param name="model">The terrain; null to take the reference sphere for it.</param>
     /// <param name="span">s: how long the shutter is open about a frame's time; matters for cameras that move.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>

@@ -5,7 +5,6 @@ using Msisf.Core.Render;
 namespace Msisf.App.Preparation;
 
 /// <summary>The elevation model of a run, opened at the first request: some cameras are placed over it before a frame needs it.</summary>
-/// <param name="settings">The run's settings.</param>
 /// <param name="host">Knows the folder of the installation, and receives log messages and times.</param>
 internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) : IDisposable
 {

@@ -44,7 +44,6 @@ internal static class PlausibleMistakes
     private const double LowOrbit = 200_000.0;
 
     /// <summary>The warnings that the camera's settings deserve.</summary>
-    /// <param name="trajectory">The settings.</param>
     /// <param name="body">The body that is drawn.</param>
     public static IEnumerable<string> In(TrajectorySettings trajectory, CelestialBody body) => trajectory switch
     {
@@ -105,7 +104,6 @@ internal static class PlausibleMistakes
     }
 
     /// <summary>The width on the ground of an image with its camera looking down on the sphere, m.</summary>
-    /// <param name="frame">The image.</param>
     /// <param name="radius">m: radius of the sphere.</param>
     public static double WidthOnGround(Frame frame, double radius) => 2.0 * Math.Tan(frame.Camera.Bands[0].Camera.FieldOfView / 2.0)
         * Math.Abs(frame.Camera.PositionBodyFixed.Length - radius);

@@ -8,7 +8,6 @@ namespace Msisf.App.Preparation;
 /// <summary>
 /// The states of a run and the frames of one of its cameras. The elevation model is opened only if a camera is placed or pointed by it.
 /// </summary>
-/// <param name="Settings">The settings of the camera.</param>
 /// <param name="States">The states of all frames of the camera, in the order of the input.</param>
 /// <param name="Names">File names of all frames, without extension.</param>
 /// <param name="Frames">The frames to make.</param>
@@ -27,7 +26,6 @@ internal sealed record RunFrames(
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Those of each camera.</returns>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<RunFrames> Read(

@@ -24,7 +24,6 @@ internal sealed class RunInputs : IDisposable
     /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public RunInputs(Func<IReadOnlyList<string>> kernels, ProgramHost host, CancellationToken cancellation)
     {
         _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
@@ -38,7 +37,6 @@ internal sealed class RunInputs : IDisposable
     public Task<IReadOnlyList<InputFile>> Kernels { get; }
 
     /// <summary>Begins with the elevation models.</summary>
-    /// <param name="models">The models.</param>
     /// <param name="maps">The maps of the surface, whose checksums are known.</param>
     public void Begin(IReadOnlyList<LdemSet> models, IReadOnlyList<InputFile> maps)
     {

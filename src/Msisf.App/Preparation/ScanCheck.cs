@@ -11,7 +11,6 @@ internal static class ScanCheck
     private const double MaxSlip = 0.5;
 
     /// <summary>Checks the first two exposures of an image; where they show no ground there is nothing to compare.</summary>
-    /// <param name="frame">The image.</param>
     /// <param name="log">Gets a warning of lines that leave gaps.</param>
     /// <param name="referenceRadius">m: radius of the sphere that the ground is taken for.</param>
     /// <exception cref="BadInputException">The charge of TDI moves another way than the image.</exception>

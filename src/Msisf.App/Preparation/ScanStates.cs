@@ -85,7 +85,6 @@ internal static class ScanStates
     }
 
     /// <summary>The state of an image between samples.</summary>
-    /// <param name="motion">The motion.</param>
     /// <param name="time">UTC.</param>
     /// <param name="file">For messages.</param>
     /// <exception cref="BadInputException">The time is before the first sample or after the last.</exception>

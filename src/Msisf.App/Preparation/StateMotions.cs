@@ -22,7 +22,6 @@ internal static class StateMotions
     private const double SecondsPerDay = 86400.0;
 
     /// <summary>The states with their motions; without any if no shutter needs them.</summary>
-    /// <param name="states">The states.</param>
     /// <param name="trajectory">Where they come from.</param>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="UsageException">A motion is missing, or said twice.</exception>
@@ -57,7 +56,6 @@ internal static class StateMotions
 
     /// <summary>The motion on an orbit at a time.</summary>
     /// <param name="time">UTC.</param>
-    /// <param name="stateAt">The state at any time.</param>
     /// <param name="orbit">The orbit with its attitude.</param>
     /// <exception cref="BadInputException">The camera turns too fast.</exception>
     public static CameraMotion About(ModifiedJulianDate time, Func<ModifiedJulianDate, SpacecraftState> stateAt, OrbitSettings orbit)
@@ -83,7 +81,6 @@ internal static class StateMotions
 
     /// <summary>The motion on a mission's path at a time; at the ends of its cover of the inner side.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, inside the cover.</param>
-    /// <param name="path">The path.</param>
     public static CameraMotion About(double tdbSeconds, ICameraPath path)
     {
         double start = path.Cover.Contains(tdbSeconds - HalfStep) ? tdbSeconds - HalfStep : tdbSeconds;

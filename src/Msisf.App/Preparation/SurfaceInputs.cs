@@ -11,7 +11,6 @@ namespace Msisf.App.Preparation;
 /// <param name="Albedo">Map of the reflectance; null for none. Disposed with this object.</param>
 /// <param name="Sites">Maps that count before it where they have data, the finest last. Disposed with this object.</param>
 /// <param name="Hapke">Map of Hapke's parameters; null for none.</param>
-/// <param name="Files">The files of all.</param>
 internal sealed record SurfaceInputs(
     OpenedAlbedoMap? Albedo, IReadOnlyList<OpenedAlbedoMap> Sites, HapkeMapFile? Hapke, IReadOnlyList<InputFile> Files) : IDisposable
 {

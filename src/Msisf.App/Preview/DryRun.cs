@@ -105,7 +105,6 @@ internal static class DryRun
 /// <param name="Step">Number of the frame, from 1, in the order of the input.</param>
 /// <param name="Time">Time, UTC.</param>
 /// <param name="HeightOverGround">Height of the camera over the terrain, m; over the reference sphere if there is no model.</param>
-/// <param name="View">What the image will show.</param>
 /// <param name="PixelsPerCell">Width of a cell of the model in the middle of the image, px; null if that shows no ground.</param>
 internal sealed record PreviewRow(int Step, ModifiedJulianDate Time, double HeightOverGround, FramePreview View, double? PixelsPerCell)
 {

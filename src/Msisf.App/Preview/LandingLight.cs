@@ -8,9 +8,7 @@ using Msisf.Core.Time;
 namespace Msisf.App.Preview;
 
 /// <summary>Says how long the ground below the end of a landing stays lit, by the shadows of the elevation models.</summary>
-/// <param name="model">The models.</param>
 /// <param name="engine">Gives the Sun.</param>
-/// <param name="isMoon">Whether it is the Moon.</param>
 internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool isMoon)
 {
     /// <summary>m: a run that ends lower over the ground is a landing.</summary>
@@ -28,9 +26,7 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
 
     /// <summary>Writes the note.</summary>
     /// <param name="positionBodyFixed">The last camera, m.</param>
-    /// <param name="time">Its time.</param>
     /// <param name="log">Receives the note.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public void Write(Vector3D positionBodyFixed, ModifiedJulianDate time, ILog log, CancellationToken cancellation)
     {
         Vector3D direction = positionBodyFixed.Normalized();

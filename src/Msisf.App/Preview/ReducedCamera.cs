@@ -8,7 +8,6 @@ namespace Msisf.App.Preview;
 /// larger, and its aperture is smaller by as much. Drawn fast, it tells the levels of an image. Blur, defects and noise are left out.
 /// </summary>
 /// <param name="Model">Its geometry.</param>
-/// <param name="Detector">Its detector.</param>
 internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detector)
 {
     /// <summary>px: longer side of the small image.</summary>
@@ -34,7 +33,6 @@ internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detecto
     }
 
     /// <summary>The geometry of a camera with the same view and fewer pixels; a small one keeps its size.</summary>
-    /// <param name="model">The camera's.</param>
     /// <param name="longerSide">px: maximum width and height.</param>
     public static CameraModel ModelOf(CameraModel model, int longerSide)
     {

@@ -17,7 +17,6 @@ internal sealed class SignalPreview : IDisposable
     /// <summary>Reduces the camera.</summary>
     /// <param name="settings">The run's settings, with a detector whose exposure time is known.</param>
     /// <param name="isNoiseChosen">Whether the user chose the noise, which then is there whatever the detector's seed.</param>
-    /// <param name="model">The elevation model.</param>
     /// <param name="maps">The maps of the surface; disposed with this object.</param>
     /// <param name="times">Receives the times.</param>
     public SignalPreview(

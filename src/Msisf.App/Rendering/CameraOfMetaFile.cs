@@ -9,9 +9,6 @@ namespace Msisf.App.Rendering;
 internal static class CameraOfMetaFile
 {
     /// <summary>Reads it from the meta file, so that it is the same afterwards; a detector's shutter is not in there.</summary>
-    /// <param name="stream">The meta file.</param>
-    /// <param name="name">Its name.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="metadata">What the meta file was written from.</param>
     /// <param name="settings">The options.</param>
     public static ExportedFrame Read(Stream stream, string name, Frame frame, FrameMetadata metadata, RenderSettings settings)

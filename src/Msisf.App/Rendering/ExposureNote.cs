@@ -6,7 +6,6 @@ using Msisf.Core.Detector;
 namespace Msisf.App.Rendering;
 
 /// <summary>Watches how the exposure suits the frames of a run, and notes once if it does not. Thread-safe.</summary>
-/// <param name="settings">The detector.</param>
 /// <param name="isNoiseChosen">Whether the user chose the noise, which then is there whatever the detector's seed.</param>
 internal sealed class ExposureNote(DetectorSettings settings, bool isNoiseChosen)
 {
@@ -25,7 +24,6 @@ internal sealed class ExposureNote(DetectorSettings settings, bool isNoiseChosen
     private readonly SortedDictionary<int, ExposureShares> _frames = [];
 
     /// <summary>Takes a frame.</summary>
-    /// <param name="step">Number of the frame.</param>
     /// <param name="image">Its image, read out.</param>
     /// <param name="radianceFactors">I/F of each pixel, 0 in space and in shadow.</param>
     public void Add(int step, DetectorImage image, ReadOnlySpan<double> radianceFactors)

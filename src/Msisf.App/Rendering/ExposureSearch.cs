@@ -21,11 +21,7 @@ internal static class ExposureSearch
     /// <param name="settings">The run's settings.</param>
     /// <param name="states">The states of the whole run.</param>
     /// <param name="frames">The frames to make; their cameras are checked for the time in which the shutter is open.</param>
-    /// <param name="model">The elevation model.</param>
-    /// <param name="maps">The maps of the surface.</param>
-    /// <param name="sun">The ephemeris.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">There is no such time, or a camera lies below the terrain.</exception>
     public static RenderSettings Resolve(
         RenderSettings settings, IReadOnlyList<SpacecraftState> states, IReadOnlyList<Frame> frames, ElevationModel model,

@@ -17,11 +17,7 @@ internal sealed class FlowOutputs(NavigationSettings settings)
     /// <summary>Writes the files of a frame.</summary>
     /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="rendered">The drawn frame.</param>
-    /// <param name="metadata">The frame's.</param>
-    /// <param name="provenance">The frame's.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>The paths.</returns>
     public IReadOnlyList<string> Write(
         AtomicFileSet files, string stem, Frame frame, RenderedFrame rendered, FrameMetadata metadata, LayerProvenance provenance,

@@ -9,8 +9,6 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Rendering;
 
 /// <summary>Says about the frames of a run what their meta files and layers tell beside the image. Thread-safe.</summary>
-/// <param name="settings">The run's settings.</param>
-/// <param name="model">The elevation model.</param>
 /// <param name="version">Version of the program.</param>
 /// <param name="inputs">The files that the frames are made from; may wait for their checksums.</param>
 internal sealed class FrameDescription(
@@ -20,7 +18,6 @@ internal sealed class FrameDescription(
     public string? Orientation { get; init; }
 
     /// <summary>What the meta file says of the whole frame.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="rendered">The result of the renderer.</param>
     /// <param name="arguments">The canonical arguments of the frame.</param>
     public FrameMetadata Describe(Frame frame, RenderedFrame rendered, string arguments) => new(

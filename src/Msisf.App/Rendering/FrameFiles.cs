@@ -54,7 +54,6 @@ internal sealed class FrameFiles
         FileOptions.DeleteOnClose);
 
     /// <summary>Writes the files.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="rendered">The result of the renderer.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <returns>The paths of the files, in the order in which they are shown to the user.</returns>

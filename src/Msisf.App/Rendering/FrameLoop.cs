@@ -37,7 +37,6 @@ internal sealed class FrameLoop
     }
 
     /// <summary>Makes all frames; the paths of a frame's files are printed when those of all earlier frames have been printed.</summary>
-    /// <param name="frames">The frames.</param>
     /// <param name="known">For each frame, its outputs if it exists and is complete, or null if it must be made.</param>
     /// <param name="atOnce">Number of frames drawn at once.</param>
     /// <param name="cores">Number of cores, shared by the frames.</param>

@@ -31,7 +31,6 @@ internal sealed class FrameMaker
     }
 
     /// <summary>Makes a frame, unless another process is making it.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="threads">Number of threads for drawing.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <returns>The frame's files; null if another process is making it.</returns>

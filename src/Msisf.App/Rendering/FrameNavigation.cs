@@ -36,7 +36,6 @@ internal sealed class FrameNavigation(NavigationInputs inputs)
     /// <summary>Writes the files of a frame.</summary>
     /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="step">Number of the frame.</param>
     /// <param name="metadata">The frame's, with the truth.</param>
     /// <returns>The paths.</returns>
     public static IReadOnlyList<string> Write(AtomicFileSet files, string stem, int step, FrameMetadata metadata)

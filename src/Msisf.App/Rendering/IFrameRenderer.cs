@@ -16,7 +16,6 @@ internal interface IFrameRenderer : IDisposable
     int FramesAhead { get; }
 
     /// <summary>Makes one frame. Its files appear when all are complete, the image last.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="threads">Number of threads that it may use.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
@@ -44,7 +43,6 @@ internal sealed class RendererOfRun(IReadOnlyList<IFrameRenderer> cameras) : IFr
 }
 
 /// <summary>The result of a renderer, from which the files of a frame are written.</summary>
-/// <param name="Renderer">The renderer.</param>
 /// <param name="Image">The image, PNG; can be read again from its start.</param>
 /// <param name="ImageName">Name of the image in messages.</param>
 /// <param name="WriteScene">Writes the scene that was rendered; null if the renderer has none.</param>

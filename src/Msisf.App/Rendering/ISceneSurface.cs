@@ -21,9 +21,7 @@ internal interface ISceneSurface : IDisposable
     int Count { get; }
 
     /// <summary>Selects what a frame needs.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="threads">Number of threads that it may use.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation);
 }
 

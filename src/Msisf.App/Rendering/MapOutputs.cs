@@ -12,7 +12,6 @@ using Msisf.Core.Render;
 namespace Msisf.App.Rendering;
 
 /// <summary>Puts frames and their layers on a map. Thread-safe.</summary>
-/// <param name="settings">The map.</param>
 /// <param name="native">Which layers, and how precise.</param>
 /// <param name="libraryPath">MSISF_GDAL, or null.</param>
 /// <param name="log">Is told of frames without ground.</param>
@@ -21,11 +20,7 @@ internal sealed class MapOutputs(MapSettings settings, NativeSettings native, st
     /// <summary>Writes the files of a frame.</summary>
     /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="rendered">The drawn frame.</param>
-    /// <param name="metadata">The frame's.</param>
-    /// <param name="provenance">The frame's.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>The paths; none if the frame shows no ground.</returns>
     public IReadOnlyList<string> Write(
         AtomicFileSet files, string stem, Frame frame, RenderedFrame rendered, FrameMetadata metadata, LayerProvenance provenance,

@@ -62,9 +62,7 @@ internal sealed class NativeDrawing
         : _grey;
 
     /// <summary>Draws a frame.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
     {
@@ -128,12 +126,8 @@ internal sealed class NativeDrawing
     public NativeRenderer RendererOf(Frame frame) => _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
 
     /// <summary>Draws some rows of an image that is scanned: those of whole exposures.</summary>
-    /// <param name="frame">The image.</param>
-    /// <param name="renderer">That of the whole image.</param>
-    /// <param name="rows">The rows.</param>
     /// <param name="keepsTruth">Whether their ground truth is asked for.</param>
     /// <param name="threads">Number of threads; the rows do not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public NativeImage DrawRows(
         Frame frame, NativeRenderer renderer, PixelRows rows, bool keepsTruth, int threads, CancellationToken cancellation)
     {
@@ -163,13 +157,10 @@ internal sealed class NativeDrawing
     }
 
     /// <summary>Exposes the rows of a frame one by one, each about its own time, and reads them out together.</summary>
-    /// <param name="detector">The detector.</param>
     /// <param name="renderer">Draws the rows.</param>
     /// <param name="frame">The frame; its time is the middle of its middle row.</param>
     /// <param name="middle">It at its own time.</param>
     /// <param name="moving">The rolling shutter, and how the camera moves.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     private DetectorImage ExposeRows(
         CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, (Shutter Shutter, CameraMotion Motion) moving,
         int threads, CancellationToken cancellation)
@@ -191,12 +182,8 @@ internal sealed class NativeDrawing
     }
 
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
-    /// <param name="detector">The detector.</param>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
-    /// <param name="frame">The frame.</param>
     /// <param name="middle">It at its own time.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     private DetectorImage Expose(
         CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, int threads, CancellationToken cancellation)
     {

@@ -9,8 +9,6 @@ namespace Msisf.App.Rendering;
 /// Draws frames from the elevation model with the program's own renderer and writes their files. Files of some frames are written while
 /// other frames are drawn.
 /// </summary>
-/// <param name="drawing">Draws the frames.</param>
-/// <param name="files">Writes their files.</param>
 /// <param name="exposure">Watches the exposure of a detector; null without one.</param>
 /// <param name="times">Receives the time for the image.</param>
 internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles files, ExposureNote? exposure, RunTimes times) : IFrameRenderer

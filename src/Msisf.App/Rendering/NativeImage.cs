@@ -99,7 +99,6 @@ internal sealed class NativeImage : IDisposable
 
     /// <summary>Copies the grey levels, or the numbers of the detector, by rows from the top, in the byte order of this computer.</summary>
     /// <param name="levels">Receives them; <see cref="BytesPerPixel"/> for each pixel.</param>
-    /// <param name="threads">Number of threads.</param>
     public void CopyLevels(Memory<byte> levels, int threads)
     {
         if (Detected is { } detected)

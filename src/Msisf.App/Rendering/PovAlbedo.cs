@@ -15,7 +15,6 @@ internal sealed class PovAlbedo
     private readonly OpenedAlbedoMap _map;
     private readonly string _folder;
 
-    /// <param name="map">The map.</param>
     /// <param name="folder">The folder of the patterns, where POV-Ray looks for included files.</param>
     public PovAlbedo(OpenedAlbedoMap map, string folder) => (_map, _folder) = (map, folder);
 

@@ -18,7 +18,6 @@ internal sealed class ProcessSlots : IDisposable
     }
 
     /// <summary>Waits until a process may run.</summary>
-    /// <param name="isSmall">Whether it is small.</param>
     /// <param name="cancellation">Ends the waiting.</param>
     /// <returns>Is disposed when the process has ended.</returns>
     public async Task<IDisposable> TakeAsync(bool isSmall, CancellationToken cancellation)

@@ -14,7 +14,6 @@ internal sealed class ReadyPatterns<T>
     public int Count => _ready.Count;
 
     /// <summary>Makes the patterns that are missing.</summary>
-    /// <param name="wanted">The patterns.</param>
     /// <param name="ensure">Checks or makes those that were not asked for before.</param>
     /// <returns>Number of patterns that were made.</returns>
     public int Ensure(IEnumerable<T> wanted, Func<T[], PatternSet> ensure)

@@ -12,13 +12,11 @@ namespace Msisf.App.Rendering;
 /// where the
 /// meta file or layers ask for their ground truth.
 /// </summary>
-/// <param name="drawing">Draws the strips.</param>
 /// <param name="files">Writes the files.</param>
 /// <param name="times">Receives the time for the image.</param>
 internal sealed class StripedScan(NativeDrawing drawing, FrameFiles files, RunTimes times)
 {
     /// <summary>Draws an image and writes its files.</summary>
-    /// <param name="frame">The image.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <param name="cancellation">Stops the work; no file is left.</param>
     /// <returns>The paths of the files.</returns>

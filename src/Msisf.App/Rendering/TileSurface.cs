@@ -17,7 +17,6 @@ internal sealed class TileSurface : ISceneSurface
     private readonly LevelMeshBuilders _builders;
     private readonly ReadyPatterns<SurfacePart> _ready = new();
 
-    /// <param name="model">The model.</param>
     /// <param name="errorPixels">px: how far levels of detail may shift a point in the image; null for whole tiles without levels.</param>
     /// <param name="repository">The folder of the patterns; disposed with this object.</param>
     public TileSurface(ElevationModel model, double? errorPixels, PatternRepository repository)

@@ -10,7 +10,6 @@ internal static class TimingReport
 {
     /// <summary>All times as one line of JSON.</summary>
     /// <param name="times">Times of the parts of the run.</param>
-    /// <param name="outputs">Outputs of all frames.</param>
     public static string Of(RunTimes times, IReadOnlyList<FrameOutputs> outputs)
     {
         double total = times.TotalSeconds;

@@ -25,7 +25,6 @@ internal sealed class FrameLedger : IDisposable
 
     /// <summary>Opens the manifest of a folder, and registers the run there if it is new.</summary>
     /// <param name="folder">Existing folder of the outputs.</param>
-    /// <param name="plan">The run.</param>
     /// <param name="overwrite">Whether existing frames are to be made again.</param>
     /// <param name="log">Receives a warning about lines of the manifest that can't be read, and a note on a frame to replace.</param>
     /// <exception cref="UsageException">
@@ -88,7 +87,6 @@ internal sealed class FrameLedger : IDisposable
     /// Records a frame's files in the manifest before they get their final names, so that no file exists without its record. Files of an
     /// earlier frame of this name that the new one does not replace are removed.
     /// </summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="files">The frame's files, written but not yet renamed to their final names.</param>
     /// <param name="paths">The paths of the files, in the order in which they are shown to the user.</param>
     public void Made(Frame frame, AtomicFileSet files, IReadOnlyList<string> paths)

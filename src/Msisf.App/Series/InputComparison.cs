@@ -18,7 +18,6 @@ internal sealed class InputComparison(ILog log)
 
     /// <summary>Compares an existing meta file with the run.</summary>
     /// <param name="metaFile">Path of the meta file; it may be missing, or older than its format's version 3.</param>
-    /// <param name="now">The input files of the run.</param>
     public void Compare(string metaFile, IReadOnlyList<InputFile> now)
     {
         IReadOnlyList<InputFile> made = MetaFileInputs.Read(metaFile);

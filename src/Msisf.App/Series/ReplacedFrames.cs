@@ -20,7 +20,6 @@ internal static class ReplacedFrames
     /// </summary>
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="plan">The run, which the manifest does not have yet.</param>
-    /// <param name="known">Content of the manifest.</param>
     /// <param name="log">Receives the note.</param>
     /// <exception cref="UsageException">Finished frames of a series would be replaced; the message says what differs.</exception>
     public static void Refuse(string folder, RunPlan plan, ManifestContent known, ILog log)
@@ -60,7 +59,6 @@ internal static class ReplacedFrames
     /// </summary>
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="plan">The run, which the manifest does not have yet.</param>
-    /// <param name="known">Content of the manifest.</param>
     /// <exception cref="UsageException">There are such files.</exception>
     public static void RefuseUnrecorded(string folder, RunPlan plan, ManifestContent known)
     {

@@ -55,7 +55,6 @@ internal sealed class RunPlan
     /// The records to add to a manifest for this run; empty if the manifest contains the run and no later run expects other frames of the
     /// same names.
     /// </summary>
-    /// <param name="known">Content of the manifest.</param>
     public IReadOnlyList<ManifestRecord> Registration(ManifestContent known)
     {
         ExpectedRecord[] frames = [.. Frames.Select(planned => planned.Frame)];
@@ -88,7 +87,6 @@ internal sealed class RunPlan
 
 /// <summary>The frames of one camera of a run.</summary>
 /// <param name="States">The states of all its frames, in the order of the input.</param>
-/// <param name="Names">The frames' names.</param>
 /// <param name="Identity">What decides them beside their states.</param>
 internal sealed record PlannedCamera(IReadOnlyList<SpacecraftState> States, IReadOnlyList<string> Names, RunIdentity Identity)
 {

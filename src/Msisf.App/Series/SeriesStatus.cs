@@ -29,7 +29,6 @@ internal sealed class SeriesStatus
     /// <summary>Checks a folder quickly: compares the existence and lengths of the files with the manifest.</summary>
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="MsisfException">The folder does not exist or contains no manifest of a run.</exception>
     public static SeriesStatus Read(string folder, ProgramHost host, CancellationToken cancellation) =>
         Of(folder, SeriesManifest.Read(folder, host.Log), new FrameChecker(folder, CheckDepth.Lengths), cancellation);
@@ -50,7 +49,6 @@ internal sealed class SeriesStatus
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="manifest">Content of the folder's manifest.</param>
     /// <param name="checker">Checks single frames.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public static SeriesStatus Of(string folder, ManifestContent manifest, FrameChecker checker, CancellationToken cancellation) => new(
         folder,
         [.. manifest.Expected.Values

@@ -11,7 +11,6 @@ internal sealed record StrayFile(string Name, bool IsLeftOver)
 {
     /// <summary>The files, sorted by name. Hidden ones, which runs use while they work, do not count.</summary>
     /// <param name="folder">Folder of the outputs.</param>
-    /// <param name="manifest">Content of its manifest.</param>
     public static IReadOnlyList<StrayFile> In(string folder, ManifestContent manifest)
     {
         HashSet<string> known =

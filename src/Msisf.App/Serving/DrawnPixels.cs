@@ -6,7 +6,6 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Serving;
 
 /// <summary>Reads pixels of a frame of which only the parts around them are drawn.</summary>
-/// <param name="camera">Camera of the frame.</param>
 /// <param name="draw">Draws the frame, with ground truth, as a camera sees it that is a part of the frame's.</param>
 /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
 internal sealed class DrawnPixels(ICamera camera, Func<ICamera, NativeFrame> draw, int? firstInventedPart)

@@ -8,7 +8,6 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Serving;
 
 /// <summary>Follows single rays of a frame on the surface that it shows. The Sun is a point. Thread-safe.</summary>
-/// <param name="frame">The frame.</param>
 /// <param name="tracer">Traces rays on the surface.</param>
 /// <param name="firstInventedPart">Facets of this part and of those after it are invented; null of frames without.</param>
 internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstInventedPart)

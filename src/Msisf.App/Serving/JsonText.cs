@@ -37,7 +37,6 @@ internal static class JsonText
     }
 
     /// <summary>A text or a number as text.</summary>
-    /// <param name="value">The value.</param>
     /// <param name="name">What it is, for the message.</param>
     /// <exception cref="UsageException">It is neither.</exception>
     public static string Of(JsonElement value, string name) => value.ValueKind switch
@@ -53,8 +52,6 @@ internal static class JsonText
         string.Join(separator, array.EnumerateArray().Select(value => Of(value, name)));
 
     /// <summary>A message with each text of a request cut short that is too long for it.</summary>
-    /// <param name="message">The message.</param>
-    /// <param name="json">The request.</param>
     /// <param name="longest">Characters of a text that are repeated at most.</param>
     public static string WithoutLongTexts(string message, JsonElement json, int longest) => json.ValueKind switch
     {

@@ -55,8 +55,6 @@ internal sealed class RenderSession : IDisposable
         _maps.Value.WholeAlbedo);
 
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
-    /// <param name="place">Where it is.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <param name="suns">Positions of the Sun that other cameras of the same request know; null for none.</param>
     /// <exception cref="MsisfException">There is no such frame.</exception>
     public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation, KnownSuns? suns = null)
@@ -75,9 +73,7 @@ internal sealed class RenderSession : IDisposable
     }
 
     /// <summary>Draws a frame.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public NativeImage Draw(PreparedFrame frame, int threads, CancellationToken cancellation) =>
         _drawing.Draw(frame.Frame, threads, cancellation);
 
@@ -88,10 +84,7 @@ internal sealed class RenderSession : IDisposable
         _levels.FirstInventedPart(frame.Frame.Camera, Settings.Native.Render.DetailSubsamplesPerAxis));
 
     /// <summary>Reads pixels of a frame as it is drawn, with smooth normals and penumbras if it has them.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="pixels">Points of the image; what is read is the middle of the pixel that holds each.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="BadInputException">A point lies outside the image.</exception>
     public SurfaceReading?[] ReadDrawn(PreparedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
     {
@@ -136,6 +129,5 @@ internal sealed class RenderSession : IDisposable
 }
 
 /// <summary>A frame that can be drawn.</summary>
-/// <param name="State">Its state.</param>
 /// <param name="Frame">Its camera and light.</param>
 internal sealed record PreparedFrame(SpacecraftState State, Frame Frame);

@@ -3,7 +3,6 @@ using Msisf.App.Host;
 namespace Msisf.App.Serving;
 
 /// <summary>Collects the warnings of each request for its answer; all other messages go to the log of the server. Thread-safe.</summary>
-/// <param name="server">The log of the server.</param>
 internal sealed class RequestLog(ILog server) : ILog
 {
     private readonly AsyncLocal<List<string>?> _warnings = new();

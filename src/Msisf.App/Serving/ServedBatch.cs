@@ -18,11 +18,9 @@ internal static class ServedBatch
     private const double LeastStep = 1.0; // s
 
     /// <summary>Reads the states as a run does; named columns may need the terrain.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="requested">Options, and the model whose terrain it is.</param>
     /// <param name="ephemeris">Where the Sun is, for cameras that are pointed by it.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="MsisfException">The file is wrong.</exception>
     public static IReadOnlyList<ServedFrame> Frames(
         string path, RequestedFrame requested, ServedEphemeris ephemeris, ProgramHost host, CancellationToken cancellation)

@@ -11,7 +11,6 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Serving;
 
 /// <summary>The finished frames of an output folder. Read again when the folder's manifest has changed. Thread-safe.</summary>
-/// <param name="folder">The folder.</param>
 /// <param name="names">Maps that the server has; a frame's map of another name is left out of its options.</param>
 /// <param name="log">Receives warnings.</param>
 internal sealed class ServedFolder(string folder, ServedNames names, ILog log)

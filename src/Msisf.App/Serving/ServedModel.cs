@@ -25,9 +25,6 @@ internal sealed class ServedModel : IDisposable
 
     /// <summary>Names a model.</summary>
     /// <param name="name">Name of its product.</param>
-    /// <param name="resolution">Its resolution.</param>
-    /// <param name="isSynthetic">Whether it is synthetic.</param>
-    /// <param name="isWholeMoon">Whether it is of the whole Moon.</param>
     /// <param name="path">Its label, or the file itself.</param>
     /// <param name="ldem">The <c>--ldem</c> that means it; null if a run finds it without.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
@@ -74,7 +71,6 @@ internal sealed class ServedModel : IDisposable
 
     /// <summary>Several models as one surface.</summary>
     /// <param name="models">Two or more.</param>
-    /// <param name="name">Its name.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="blend">Which of two models gives way where they meet.</param>
     public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host, NestBlend blend)

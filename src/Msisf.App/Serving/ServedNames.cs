@@ -72,7 +72,6 @@ internal sealed class ServedNames : IDisposable
 
     /// <summary>The path of a catalogue of craters, or of a list of landmarks.</summary>
     /// <param name="option">Key of the option, for the message.</param>
-    /// <param name="name">Its name.</param>
     /// <exception cref="UsageException">There is none.</exception>
     public string Catalogue(string option, string name) =>
         _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);
@@ -103,7 +102,6 @@ internal sealed class ServedNames : IDisposable
         KnownCamera(name) ?? (CameraChoice.Find(name, folders) is { } found ? _cameraFiles.GetOrAdd(name, found) : null);
 
     /// <summary>Lets requests name a camera of the server's own.</summary>
-    /// <param name="camera">The camera.</param>
     /// <returns>Its name, with which no file of a folder begins.</returns>
     public string Add(CameraFile camera)
     {

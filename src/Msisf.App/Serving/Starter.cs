@@ -31,7 +31,6 @@ internal static class Starter
     /// Ends when the program that started this one is gone: its pipe to standard input ends, or it dies while others that it started keep
     /// the pipe open.
     /// </summary>
-    /// <param name="input">Standard input.</param>
     /// <param name="cancellation">Ends the wait.</param>
     public static async Task GoneAsync(TextReader input, CancellationToken cancellation)
     {

@@ -21,7 +21,6 @@ namespace Msisf.App.Serving;
 /// <param name="LitFraction">Part of the Sun that is seen from there, 0 to 1.</param>
 /// <param name="PixelScale">m: width of a pixel across the line of sight.</param>
 /// <param name="Slope">Degrees between the normal and the radius.</param>
-/// <param name="Facet">Facet of the surface.</param>
 internal sealed record SurfaceReading(
     double Latitude, double Longitude, double Height, double[] Position, double Distance, double Incidence, double Emission, double Phase,
     double? IlluminationDirection, string Lit, double LitFraction, double PixelScale, double Slope, FacetReading Facet)
@@ -33,8 +32,6 @@ internal sealed record SurfaceReading(
     public double? ShadedAt { get; init; }
 
     /// <summary>Reads what a ray of the camera meets.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="ray">Its ray.</param>
     /// <param name="hit">Where the ray meets the surface.</param>
     /// <param name="light">How the point is lit.</param>
     /// <param name="lightBodyFixed">The Sun, or the lamp at the camera, m.</param>

@@ -9,8 +9,6 @@ namespace Msisf.App.Settings;
 internal static class BodyChoice
 {
     /// <summary>The body.</summary>
-    /// <param name="values">The options.</param>
-    /// <param name="renderer">The renderer.</param>
     /// <param name="resolution">The resolution of the elevation model.</param>
     /// <exception cref="UsageException">Another option has no meaning with the body.</exception>
     public static CelestialBody Read(OptionValues values, RendererKind renderer, GridResolution resolution)

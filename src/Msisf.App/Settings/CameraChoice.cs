@@ -19,7 +19,6 @@ internal static class CameraChoice
     private const string Extension = ".yaml";
 
     /// <summary>Reads the camera; null if none is given.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="open">Opens the camera of a name; null for a preset or a file.</param>
     /// <exception cref="MsisfException">
     /// There is no such camera, its file is wrong or not the one that is meant, or the renderer or another option contradicts it.

@@ -45,8 +45,6 @@ internal static class CameraModelOptions
     };
 
     /// <summary>Reads the formats of a run.</summary>
-    /// <param name="values">The options.</param>
-    /// <param name="renderer">The renderer.</param>
     /// <exception cref="UsageException">A word is no format, or the renderer does not know the pixels.</exception>
     public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, RendererKind renderer)
     {

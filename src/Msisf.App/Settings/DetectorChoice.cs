@@ -74,7 +74,6 @@ internal static class DetectorChoice
 
     /// <summary>The layers that there are: those of the detector only with one.</summary>
     /// <param name="layers">What the user wants; null for nothing.</param>
-    /// <param name="detector">The camera's detector.</param>
     /// <exception cref="UsageException">A layer of the detector is named, and there is none.</exception>
     public static LayerSet? LayersOf(LayerSet? layers, CameraFileDetector? detector)
     {

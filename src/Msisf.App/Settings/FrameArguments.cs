@@ -42,7 +42,6 @@ internal static class FrameArguments
     }
 
     /// <summary>The canonical arguments of one frame: its state and the settings.</summary>
-    /// <param name="state">State of the frame.</param>
     /// <param name="settings">The result of <see cref="OfSettings"/>.</param>
     public static string Of(SpacecraftState state, string settings)
     {

@@ -27,7 +27,6 @@ internal static class IndirectOptions
     };
 
     /// <summary>Reads the options; null if no such light is asked for.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="scans">Whether the camera's rows have times of their own.</param>
     /// <exception cref="UsageException">A value is wrong, or has no meaning with others.</exception>
     public static IndirectLight? Read(OptionValues values, bool scans)

@@ -57,6 +57,5 @@ internal static class MapOptions
 }
 
 /// <summary>The checked option of maps.</summary>
-/// <param name="Kind">Which.</param>
 /// <param name="Cell">m: width of a cell.</param>
 internal sealed record MapSettings(MapKind Kind, double Cell);

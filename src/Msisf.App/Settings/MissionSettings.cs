@@ -54,6 +54,5 @@ internal sealed record InstrumentChoice(string Instrument, InstrumentAxes? Axes)
 
 /// <summary>A quaternion.</summary>
 /// <param name="Attitude">From the epoch on.</param>
-/// <param name="Frame">Its frame.</param>
 /// <param name="Epoch">UTC; null where the attitude does not change in its frame.</param>
 internal sealed record QuaternionChoice(AttitudeTransition Attitude, AttitudeFrame Frame, ModifiedJulianDate? Epoch) : AttitudeChoice;

@@ -5,7 +5,6 @@ using Msisf.Core.Time;
 namespace Msisf.App.Settings;
 
 /// <summary>Reads how a camera flies by the files of a mission, and which options are combined.</summary>
-/// <param name="values">The options.</param>
 /// <param name="readAttitude">Reads the quaternion; null if there is none.</param>
 /// <param name="readTimes">Reads the times that the user gives.</param>
 internal sealed class MissionSettingsReader(

@@ -9,7 +9,6 @@ internal static class ModelChoice
 {
     /// <summary>The resolution of the run's model: a map of a part has its own.</summary>
     /// <exception cref="UsageException">The options contradict the map that --ldem names.</exception>
-    /// <param name="values">The options.</param>
     /// <param name="geoTiffs">Opens elevation models in GeoTIFF, and keeps them; null to close them again.</param>
     public static GridResolution ResolutionOf(OptionValues values, GeoTiffFiles? geoTiffs)
     {

@@ -12,7 +12,6 @@ namespace Msisf.App.Settings;
 internal static class NativeSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="map">The options of the map and of the band.</param>
     /// <param name="detector">The camera's detector; null without one.</param>
     /// <param name="scans">Whether the camera's rows have times of their own.</param>

@@ -5,7 +5,6 @@ using Msisf.Core.Surface.Sources;
 namespace Msisf.App.Settings;
 
 /// <summary>Invented detail below the elevation models.</summary>
-/// <param name="Seed">The seed.</param>
 /// <param name="FinestLevel">The narrowest cells are 2^this m wide.</param>
 internal sealed record RefineSettings(ulong Seed, int FinestLevel)
 {
@@ -23,7 +22,6 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
 
     /// <summary>The layers that a frame has with or without invented detail.</summary>
     /// <param name="layers">The layers that are asked for; null for none.</param>
-    /// <param name="isAll">Whether these are all.</param>
     /// <param name="settings">The invented detail, if there is any.</param>
     /// <exception cref="UsageException">One of them needs invented detail.</exception>
     public static LayerSet? LayersOf(LayerSet? layers, bool isAll, RefineSettings? settings)
@@ -41,7 +39,6 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
     }
 
     /// <summary>The settings; null without invented detail.</summary>
-    /// <param name="values">The options.</param>
     /// <exception cref="UsageException">They are wrong, or do not go with others.</exception>
     public static RefineSettings? Read(OptionValues values)
     {

@@ -17,7 +17,6 @@ namespace Msisf.App.Settings;
 internal static class RenderSettingsReader
 {
     /// <summary>Reads and checks all options.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="openCamera">Opens the camera of a name; null for a preset or a file.</param>
     /// <param name="geoTiffs">Opens elevation models in GeoTIFF, to be used again for the run; null if the run is not made here.</param>
     /// <param name="known">Resolution of the model, so that its files need not be asked; null if it is not known.</param>

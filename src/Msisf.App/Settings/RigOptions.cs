@@ -26,7 +26,6 @@ internal static class RigOptions
     ];
 
     /// <summary>Reads the settings of a run: those of each camera of its rig, or of the only one.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="geoTiffs">Opens elevation models in GeoTIFF, to be used again for the run; null if the run is not made here.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option can't be combined with another.</exception>
     public static IReadOnlyList<RenderSettings> Read(OptionValues values, GeoTiffFiles? geoTiffs = null)

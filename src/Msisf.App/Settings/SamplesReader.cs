@@ -14,7 +14,6 @@ internal static class SamplesReader
     private const int Max = NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis;
 
     /// <summary>Reads the option.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="grey">The grey levels in which the error is meant.</param>
     /// <returns>Samples along a pixel's edge, 1 with auto, and the sampling of auto, else null.</returns>
     /// <exception cref="UsageException">The value is neither.</exception>

@@ -69,7 +69,6 @@ internal static class ScanOptions
 
     /// <summary>Reads how an image is scanned; null for a frame.</summary>
     /// <param name="camera">The camera file; null for none.</param>
-    /// <param name="values">The options.</param>
     /// <exception cref="UsageException">The camera does not scan so.</exception>
     public static Scan? Read(CameraFile? camera, OptionValues values)
     {
@@ -133,7 +132,6 @@ internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, lon
 {
     /// <summary>Reads a content.</summary>
     /// <param name="path">For messages.</param>
-    /// <param name="content">The bytes.</param>
     /// <exception cref="BadInputException">What is wrong in it.</exception>
     public static JitterFile Of(string path, byte[] content)
     {

@@ -12,7 +12,6 @@ namespace Msisf.App.Settings;
 /// <param name="Region">Part of the Moon that gets the detail.</param>
 /// <param name="Rest">What lies outside the region.</param>
 /// <param name="SampleType">How samples are stored; null for the default of the resolution.</param>
-/// <param name="Folder">Folder of the model.</param>
 /// <param name="Unattended">Whether to draw no progress bar.</param>
 internal sealed record SynthesisSettings(
     int PixelsPerDegree,

@@ -45,7 +45,6 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
 }
 
 /// <summary>Images along a motion that states are samples of.</summary>
-/// <param name="Samples">The file of the states.</param>
 /// <param name="Times">Times of the images, UTC; null for one at the first sample.</param>
 internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<ModifiedJulianDate>? Times) : TrajectorySettings
 {

@@ -37,7 +37,6 @@ internal sealed class TrajectorySettingsReader
         ];
 
     /// <summary>Reads and checks the options.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="batchFile">
     /// The option that names the batch file, which has another name in msis patterns; null for the option of a run.
     /// </param>

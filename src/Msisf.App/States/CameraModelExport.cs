@@ -12,7 +12,6 @@ namespace Msisf.App.States;
 internal static class CameraModelExport
 {
     /// <summary>Writes all files, or none.</summary>
-    /// <param name="values">The options.</param>
     /// <param name="host">Output and installation of the program.</param>
     /// <exception cref="MsisfException">A file can't be read, or a format can't say its camera.</exception>
     public static void Write(OptionValues values, ProgramHost host)

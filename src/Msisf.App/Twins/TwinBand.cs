@@ -10,8 +10,6 @@ namespace Msisf.App.Twins;
 internal sealed record TwinBand(int Index, double? Nanometres)
 {
     /// <summary>Finds the band.</summary>
-    /// <param name="label">The product's label.</param>
-    /// <param name="values">The options.</param>
     /// <exception cref="MsisfException">The product does not have the band.</exception>
     public static TwinBand Of(ImageLabel label, OptionValues values)
     {

@@ -10,7 +10,6 @@ namespace Msisf.App.Twins;
 /// <summary>The camera of a product: a known one, or the user's.</summary>
 /// <param name="Known">What is known of such products; null for a camera of the user's.</param>
 /// <param name="Word">What <c>--camera</c> is given.</param>
-/// <param name="File">The camera.</param>
 /// <param name="AxesText">How the image lies in the frame of the instrument, as <c>--instrument-axes</c> has it.</param>
 internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile File, string AxesText)
 {
@@ -23,7 +22,6 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
     public InstrumentAxes Axes => InstrumentAxes.Parse(AxesText);
 
     /// <summary>Finds the camera.</summary>
-    /// <param name="label">The product's label.</param>
     /// <param name="nanometres">Wavelength of its band; null if the label does not say it.</param>
     /// <param name="values">The options; they name the renderer.</param>
     /// <exception cref="MsisfException">It is not known, and the user gives none; or it can't draw the product.</exception>
@@ -55,7 +53,6 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
     }
 
     /// <summary>When the product was taken.</summary>
-    /// <param name="label">Its label.</param>
     /// <param name="clock">Turns its times into TDB.</param>
     /// <param name="givenPeriod">s: what the user says to be from one exposure to the next; null for what label or camera say.</param>
     /// <exception cref="MsisfException">The label does not say it.</exception>

@@ -7,7 +7,6 @@ using Msisf.Core.Time;
 namespace Msisf.App.Twins;
 
 /// <summary>Turns the times of a label into TDB seconds past J2000.</summary>
-/// <param name="label">The label.</param>
 /// <param name="kernels">Has the leap seconds, and perhaps the spacecraft's clock.</param>
 /// <param name="spacecraft">NAIF's number.</param>
 internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int spacecraft)
@@ -15,7 +14,6 @@ internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int s
     private const string Computed = "_COMPUTED";
 
     /// <summary>The time of a count of the spacecraft's clock; null without the keyword, or if nothing here knows the clock.</summary>
-    /// <param name="name">The keyword.</param>
     /// <exception cref="BadInputException">It is no count.</exception>
     public double? OfCount(string name) => OfCube(name)
         ?? (label.Find(name) is { } count && SpacecraftClock.IsIn(kernels.Catalogue.Pool, spacecraft)
@@ -37,7 +35,6 @@ internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int s
     }
 
     /// <summary>The time of a keyword in UTC.</summary>
-    /// <param name="name">The keyword.</param>
     /// <exception cref="BadInputException">It is missing, or no time.</exception>
     public double OfUtc(string name)
     {

@@ -21,7 +21,6 @@ internal sealed record TwinComparison(
     /// <param name="drawn">I/F of its twin, the same size.</param>
     /// <param name="phase">degrees: the phase angle of each pixel; NaN where no surface is seen.</param>
     /// <param name="width">px.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Null if nothing lit is drawn where the real image has pixels.</returns>
     public static TwinComparison? Of(float[] real, float[] drawn, float[] phase, int width, CancellationToken cancellation)
     {

@@ -4,7 +4,6 @@ using Msisf.Core.Comparison;
 namespace Msisf.App.Twins;
 
 /// <summary>Writes the numbers of a twin for programs.</summary>
-/// <param name="result">The twin.</param>
 internal sealed class TwinJson(TwinResult result)
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };

@@ -5,7 +5,6 @@ using Msisf.Core.Comparison;
 namespace Msisf.App.Twins;
 
 /// <summary>Writes the page of a twin. It needs no other file and no network.</summary>
-/// <param name="result">The twin.</param>
 internal sealed class TwinPage(TwinResult result)
 {
     private const string Style =

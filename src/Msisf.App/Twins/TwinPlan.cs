@@ -8,15 +8,11 @@ namespace Msisf.App.Twins;
 /// <summary>How the twin of a product is drawn: exposures, and which of their pixels make those of the product.</summary>
 /// <param name="Start">TDB seconds past J2000: middle of the first exposure.</param>
 /// <param name="Period">s from one exposure to the next.</param>
-/// <param name="Exposures">How many.</param>
-/// <param name="Pixels">The product's pixels.</param>
 internal sealed record TwinPlan(double Start, double Period, int Exposures, ProductPixels Pixels)
 {
     private const int MostReduced = 10_000;
 
     /// <summary>Plans a twin.</summary>
-    /// <param name="label">The product's label.</param>
-    /// <param name="camera">Its camera.</param>
     /// <param name="times">When it was taken.</param>
     /// <param name="known">What is known of such products; null for a camera of the user's.</param>
     /// <param name="window">Lines of the product to draw, from 1; null for all.</param>

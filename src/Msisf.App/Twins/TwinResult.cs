@@ -5,8 +5,6 @@ namespace Msisf.App.Twins;
 
 /// <summary>A twin and what is known of it.</summary>
 /// <param name="Label">Label of the real image.</param>
-/// <param name="Camera">Its camera.</param>
-/// <param name="Band">Its band.</param>
 /// <param name="Plan">How it was drawn.</param>
 /// <param name="Settings">Of the run that drew it.</param>
 /// <param name="Version">Of the program.</param>

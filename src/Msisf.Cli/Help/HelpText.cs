@@ -11,7 +11,6 @@ internal static class HelpText
     /// <summary>Prints the help.</summary>
     /// <param name="output">Receives the text.</param>
     /// <param name="path">The words by which the command is called; empty for the render command.</param>
-    /// <param name="command">The command.</param>
     public static void Write(TextWriter output, string path, CommandSpec command)
     {
         foreach (string line in Lines(path, command))

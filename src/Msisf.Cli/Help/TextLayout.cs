@@ -27,7 +27,6 @@ internal static class TextLayout
     }
 
     /// <summary>Breaks a call of the program into lines, each continued by a backslash before an option.</summary>
-    /// <param name="call">The call.</param>
     /// <param name="indent">Indentation of the first line, columns.</param>
     public static IEnumerable<string> CallLines(string call, int indent)
     {

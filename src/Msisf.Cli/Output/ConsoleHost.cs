@@ -9,7 +9,6 @@ internal static class ConsoleHost
     /// <param name="results">Standard output.</param>
     /// <param name="error">Standard error.</param>
     /// <param name="standardInput">Opens standard input.</param>
-    /// <param name="clock">Clock.</param>
     /// <param name="environment">Gets a variable of the environment.</param>
     public static ProgramHost Create(
         TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, Func<string, string?> environment)

@@ -10,7 +10,6 @@ internal static class ResponseFile
 {
     /// <summary>Reads a response file; the signature is that of <see cref="System.CommandLine.Parsing.TryReplaceToken"/>.</summary>
     /// <param name="path">Text after the '@'.</param>
-    /// <param name="arguments">The arguments in the file.</param>
     /// <param name="error">Error message.</param>
     public static bool TryRead(string path, out IReadOnlyList<string>? arguments, out string? error)
     {

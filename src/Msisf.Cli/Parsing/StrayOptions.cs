@@ -9,9 +9,7 @@ namespace Msisf.Cli.Parsing;
 internal static class StrayOptions
 {
     /// <summary>Checks a parsed command line.</summary>
-    /// <param name="line">The parsed command line.</param>
     /// <exception cref="UsageException">An option is given twice, or does not belong to the command.</exception>
-    /// <param name="command">The command of the line.</param>
     public static void Refuse(ParseResult line, CommandSpec command)
     {
         if (Repeated(line, command) is { } repeated)

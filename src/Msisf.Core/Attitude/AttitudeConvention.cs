@@ -1,7 +1,6 @@
 namespace Msisf.Core.Attitude;
 
 /// <summary>How the rotation of a given attitude is meant. <c>default</c> is the thesis's way.</summary>
-/// <param name="Axes">Axes of the camera.</param>
 /// <param name="Direction">Which way the rotation turns vectors.</param>
 public readonly record struct AttitudeConvention(CameraAxes Axes, RotationDirection Direction)
 {

@@ -14,7 +14,6 @@ public sealed class FramedAttitude : IAttitudeSource
 
     /// <summary>Takes the attitude.</summary>
     /// <param name="attitude">Turns camera axes into those of <paramref name="frame"/>, from the epoch on.</param>
-    /// <param name="frame">The frame of the attitude.</param>
     /// <param name="epoch">Epoch of the attitude, UTC.</param>
     /// <param name="ephemeris">How the Moon turns; only the frames at rest need it.</param>
     /// <exception cref="ArgumentNullException">The frame is at rest, and there is no ephemeris.</exception>

@@ -33,7 +33,6 @@ public sealed class SampledAttitude : IAttitudeSource
 }
 
 /// <summary>A part of a file's attitudes, which are of one frame.</summary>
-/// <param name="Samples">The attitudes.</param>
 /// <param name="MoonMeFromFrame">
 /// For a frame that turns with the Moon, the constant rotation to MOON_ME; null for J2000's axes.
 /// </param>

@@ -9,8 +9,6 @@ public static class Squad
 {
     /// <summary>The attitude between two samples.</summary>
     /// <param name="before">The sample before the first; null at the start, as if the turn between the two had gone on.</param>
-    /// <param name="first">The first.</param>
-    /// <param name="second">The second.</param>
     /// <param name="after">The sample behind the second; null at the end.</param>
     /// <param name="part">0 at the first, 1 at the second.</param>
     public static UnitQuaternion At(

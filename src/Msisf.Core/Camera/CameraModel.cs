@@ -172,7 +172,6 @@ public sealed class CameraModel
     /// </summary>
     /// <param name="right">Tangent to the right of the optical axis.</param>
     /// <param name="down">Tangent below it.</param>
-    /// <param name="point">The point.</param>
     /// <returns>False if the lens does not show it.</returns>
     public bool TryToImage(double right, double down, out RenderingPoint point)
     {

@@ -27,6 +27,5 @@ public readonly record struct CameraState(
     Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera, double Seconds = 0.0, Vector3D? SunPositionBodyFixed = null);
 
 /// <summary>Neighbouring rows of an image that a camera sees in one state.</summary>
-/// <param name="Rows">The rows.</param>
 /// <param name="Camera">Sees these rows only: its first row is the first of them.</param>
 public readonly record struct CameraBand(PixelRows Rows, FrameCamera Camera);

@@ -8,7 +8,6 @@ public sealed class PinholeCamera : FrameCamera
 {
     /// <summary>Places the camera of the thesis.</summary>
     /// <param name="positionBodyFixed">Focal point, m, body-fixed.</param>
-    /// <param name="moonFromCamera">Orientation.</param>
     /// <param name="fieldOfView">Horizontal field of view, rad, from <see cref="Tolerances.MinFieldOfView"/> to below pi.</param>
     /// <param name="width">Image width, px, at least 1.</param>
     /// <param name="height">Image height, px, at least 1.</param>

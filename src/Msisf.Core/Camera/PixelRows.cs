@@ -6,7 +6,6 @@ namespace Msisf.Core.Camera;
 public readonly record struct PixelRows(int First, int End)
 {
     /// <summary>Cuts an image into strips of about equal height.</summary>
-    /// <param name="height">Rows of the image.</param>
     /// <param name="strips">How many are wanted; an image with few rows gives fewer.</param>
     /// <param name="unit">Each strip but the last begins at a multiple of this.</param>
     public static IReadOnlyList<PixelRows> Strips(int height, int strips, int unit)

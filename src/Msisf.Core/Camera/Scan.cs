@@ -42,7 +42,6 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
     public bool FlipsFramelets { get; init; }
 
     /// <summary>px: height of the image.</summary>
-    /// <param name="model">The camera.</param>
     public int HeightOf(CameraModel model) => Count * (Kind == ScanKind.PushFrame ? RowsOf(model).End - RowsOf(model).First : 1);
 
     /// <summary>s after the image's time: the middle of an exposure.</summary>
@@ -66,7 +65,6 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
     }
 
     /// <summary>The camera of one exposure, all of its rows in the detector's order.</summary>
-    /// <param name="model">The camera.</param>
     /// <param name="exposure">From 0.</param>
     /// <param name="rowsBelow">px: how far below its place a stage of TDI lies; 0 for others.</param>
     public CameraModel ExposureOf(CameraModel model, int exposure, double rowsBelow) => Kind switch
@@ -83,7 +81,6 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
         : new PixelRows(0, HeightOf(model) / Count);
 
     /// <summary>The row of the image, from 0, that shows a row of an exposure.</summary>
-    /// <param name="model">The camera.</param>
     /// <param name="exposure">From 0.</param>
     /// <param name="row">Of the exposure, from 0.</param>
     public int ImageRowOf(CameraModel model, int exposure, int row)

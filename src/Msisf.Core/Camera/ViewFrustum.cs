@@ -64,7 +64,6 @@ internal sealed class ViewFrustum
     }
 
     /// <summary>The frustum around the samples of a camera with a lens.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="tangents">The samples lie in this part of the ideal image plane.</param>
     public static ViewFrustum Of(FrameCamera camera, in TangentBox tangents)
     {
@@ -126,7 +125,6 @@ internal sealed class ViewFrustum
     }
 
     /// <summary>Finds the rows of the image in which a box may be seen.</summary>
-    /// <param name="box">The box.</param>
     /// <param name="rows">All rows of the frustum for a box that meets the plane through the camera parallel to the image.</param>
     /// <returns>False for a box that is certainly outside.</returns>
     public bool TryFindRows(in OrientedBox box, out PixelRows rows)

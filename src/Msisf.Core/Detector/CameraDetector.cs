@@ -62,8 +62,6 @@ public sealed class CameraDetector
     /// The frame at its own time, drawn with <see cref="WindowOf"/>; with ground truth if there is a motion.
     /// </param>
     /// <param name="motion">How the camera moves.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="BadInputException">More than <see cref="MaxSubExposures"/> are needed.</exception>
     public SubExposures SubExposuresOf(NativeFrame middle, CameraMotion motion, int threads, CancellationToken cancellation)
     {
@@ -102,30 +100,25 @@ public sealed class CameraDetector
     /// <param name="weight">Part of the exposure for which the instant stands.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Collect(NativeFrame drawn, double weight, DetectorImage image, int threads, CancellationToken cancellation) =>
         Collect(drawn, new PixelRows(0, image.Height), weight, image, threads, cancellation);
 
     /// <summary>Collects the electrons of one instant in some rows.</summary>
     /// <param name="drawn">These rows at that instant, drawn with <see cref="WindowOf"/>.</param>
-    /// <param name="rows">The rows.</param>
     /// <param name="weight">Part of the exposure for which the instant stands.</param>
     /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     internal void Collect(
         NativeFrame drawn, PixelRows rows, double weight, DetectorImage image, int threads, CancellationToken cancellation) => _pass.Expose(
         drawn.RadianceFactorMemory, _throughput, row => PerSteradian(drawn, row - rows.First), _ => weight, rows, image, threads,
         cancellation);
 
     /// <summary>Reads out the image of a frame when all its electrons are collected.</summary>
-    /// <param name="image">The image.</param>
     /// <param name="time">Time of the frame, UTC; goes into the noise.</param>
     /// <param name="camera">The frame's camera at that time; goes into the noise.</param>
     /// <param name="seed">The noise whatever time and camera are; null for that of the detector's seed, of time and camera.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Read(
         DetectorImage image, ModifiedJulianDate time, ICamera camera, NoiseSeed? seed, int threads, CancellationToken cancellation)

@@ -18,7 +18,6 @@ public sealed class DetectedFrame : IGroundTruth
     /// <param name="camera">Camera of the frame, without margin.</param>
     /// <param name="drawn">The frame with margin; must live longer than this.</param>
     /// <param name="margin">px.</param>
-    /// <param name="image">The detector's image.</param>
     public DetectedFrame(ICamera camera, NativeFrame drawn, int margin, DetectorImage image)
     {
         Camera = camera;

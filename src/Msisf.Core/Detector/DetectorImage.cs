@@ -37,7 +37,6 @@ public sealed class DetectorImage
     public NoiseSeed? Noise { get; internal set; }
 
     /// <summary>Copies a row of another image of the same width.</summary>
-    /// <param name="other">The image.</param>
     /// <param name="row">Its row, from 0.</param>
     /// <param name="target">Which row it becomes, from 0.</param>
     internal void Take(DetectorImage other, int row, int target)

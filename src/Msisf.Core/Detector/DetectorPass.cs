@@ -21,7 +21,6 @@ internal sealed class DetectorPass
     private readonly Converter _converter;
 
     /// <summary>Prepares a detector.</summary>
-    /// <param name="settings">Of the detector.</param>
     /// <param name="pattern">Its fixed pattern.</param>
     public DetectorPass(DetectorSettings settings, FixedPattern pattern)
     {
@@ -41,8 +40,6 @@ internal sealed class DetectorPass
     /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
     /// <param name="rows">The detector's rows on which the light falls.</param>
     /// <param name="image">Receives the electrons.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public void Expose(
         ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, Func<int, double> perSteradianOfRow, Func<int, double> weightOfRow,
         PixelRows rows, DetectorImage image, int threads, CancellationToken cancellation)
@@ -82,10 +79,7 @@ internal sealed class DetectorPass
     }
 
     /// <summary>Computes the digital numbers and the saturation from <see cref="DetectorImage.Electrons"/>.</summary>
-    /// <param name="image">The image.</param>
     /// <param name="noise">Random numbers of the frame; null for an image without noise.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public void Read(DetectorImage image, NoiseSource? noise, int threads, CancellationToken cancellation)
     {
         if (_settings.Smear is not null)

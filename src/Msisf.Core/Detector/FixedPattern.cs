@@ -11,10 +11,8 @@ internal sealed class FixedPattern
     private readonly int _width;
 
     /// <summary>Computes the pattern.</summary>
-    /// <param name="settings">Of the detector.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
-    /// <param name="threads">Number of threads.</param>
     public FixedPattern(DetectorSettings settings, int width, int height, int threads)
     {
         _settings = settings;

@@ -18,11 +18,9 @@ internal static class ImageMotion
 
     /// <summary>The greatest motion in a time, if it went on all the time as it does where it is fastest.</summary>
     /// <param name="frame">The frame at the middle of the time, with ground truth.</param>
-    /// <param name="motion">Of the camera.</param>
     /// <param name="span">s.</param>
     /// <param name="maxSegments">Into how many parts the time may be cut to follow the points.</param>
     /// <param name="threads">Number of threads; the result does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>px; infinite if it can't be followed.</returns>
     public static double Greatest(
         NativeFrame frame, CameraMotion motion, double span, int maxSegments, int threads, CancellationToken cancellation)

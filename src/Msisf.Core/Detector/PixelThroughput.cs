@@ -13,7 +13,6 @@ internal static class PixelThroughput
     /// </summary>
     /// <param name="camera">The camera, in any state.</param>
     /// <param name="isFlatFielded">Whether all pixels get the throughput of a pixel on the axis.</param>
-    /// <param name="threads">Number of threads.</param>
     /// <returns>By rows from the top, each from left to right.</returns>
     public static double[] Of(ICamera camera, bool isFlatFielded, int threads)
     {

@@ -25,10 +25,8 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
         : shot.Scan.ExposureOf(shot.Model, 0, 0.0)).At(shot.Path.States[0]);
 
     /// <summary>Exposes and reads out an image, or some of its rows.</summary>
-    /// <param name="shot">The image.</param>
     /// <param name="rows">The rows: those of whole exposures; of a rolling shutter all.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>What is drawn in the middle of each exposure, and the detector's numbers.</returns>
     public (NativeFrame Drawn, DetectorImage Image) Expose(
         ScannedShot shot, PixelRows rows, int threads, CancellationToken cancellation)
@@ -65,7 +63,6 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
     /// <param name="number">From 0.</param>
     /// <param name="drawn">Gets what the exposure's pixels show in the middle of its time.</param>
     /// <param name="shared">The detector's image that all exposures share; null for one of its own.</param>
-    /// <param name="cancellation">Stops the work.</param>
     private sealed class Exposure(
         ScanReadout readout, ScannedShot shot, int number, DrawnBands drawn, DetectorImage? shared, CancellationToken cancellation)
     {

@@ -12,7 +12,6 @@ public static class DifferenceLine
     public static int Words(int terms) => (4 * terms) + 11;
 
     /// <summary>The state at a time.</summary>
-    /// <param name="record">The record.</param>
     /// <param name="terms">Number of terms of each table.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>km, km/s.</returns>

@@ -1,8 +1,6 @@
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The orientation of a frame that binary PCK kernels give.</summary>
-/// <param name="segments">Segments of the binary PCK kernels.</param>
-/// <param name="frame">The frame.</param>
 public sealed class KernelOrientation(SegmentTable segments, BodyFixedFrame frame) : IFrameOrientation
 {
     /// <inheritdoc/>

@@ -7,7 +7,6 @@ public static class LightSpeed
     public const double KilometresPerSecond = 299_792.458;
 
     /// <summary>How long light takes over a distance.</summary>
-    /// <param name="distanceKm">km.</param>
     /// <returns>s.</returns>
     public static double TimeOver(double distanceKm) => distanceKm / KilometresPerSecond;
 

@@ -28,7 +28,6 @@ internal sealed class LayerRow
     private int _rowOfBand;
 
     /// <summary>Starts with a frame.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="meshPixelsPerDegree">
     /// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
     /// </param>

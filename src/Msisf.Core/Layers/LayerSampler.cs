@@ -39,7 +39,6 @@ public sealed class LayerSampler
 
     /// <summary>Computes one row of some layers; what several of them need is computed once.</summary>
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
-    /// <param name="layers">The layers to compute.</param>
     /// <param name="planes">
     /// Filled: the planes of the first layer, then those of the second, ...; values from left to right, in the layer's unit; NaN
     /// marks the undefined ones. Whole numbers are exact.

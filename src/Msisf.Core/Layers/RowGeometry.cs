@@ -9,10 +9,6 @@ internal static class RowGeometry
     private static readonly int Lanes = Vector512<double>.Count;
 
     /// <summary>A vector less multiples of a row's vectors.</summary>
-    /// <param name="whole">The vector.</param>
-    /// <param name="factors">The multiples.</param>
-    /// <param name="vectors">The row's vectors.</param>
-    /// <param name="count">How many.</param>
     /// <param name="rest">Receives the differences.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static void FindRest(Vector3D whole, double[] factors, VectorRow vectors, int count, VectorRow rest)
@@ -27,10 +23,8 @@ internal static class RowGeometry
     /// Angles between two rows of vectors in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, three times
     /// as fast.
     /// </summary>
-    /// <param name="u">The one row.</param>
     /// <param name="v">The other one.</param>
     /// <param name="sign">1, or -1 for the angles to the opposite of <paramref name="v"/>.</param>
-    /// <param name="count">Number of vectors.</param>
     /// <param name="degrees">Receives the angles.</param>
     public static void FindAngles(VectorRow u, VectorRow v, double sign, int count, double[] degrees)
     {
@@ -50,11 +44,7 @@ internal static class RowGeometry
     /// Angles between two rows of vectors in degrees, right to the last digits at 0 and 180 too (<see cref="Vector3D.AngleBetween(Vector3D,
     /// Vector3D)"/>).
     /// </summary>
-    /// <param name="u">The one row.</param>
-    /// <param name="uLengths">Lengths of its vectors.</param>
     /// <param name="v">The other one.</param>
-    /// <param name="vLengths">Lengths of its vectors.</param>
-    /// <param name="count">Number of vectors.</param>
     /// <param name="degrees">Receives the angles.</param>
     public static void FindExactAngles(VectorRow u, double[] uLengths, VectorRow v, double[] vLengths, int count, double[] degrees)
     {

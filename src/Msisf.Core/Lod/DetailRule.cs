@@ -32,7 +32,6 @@ public sealed class DetailRule
     private readonly double _referenceRadius;
 
     /// <summary>Takes the model and the allowed error.</summary>
-    /// <param name="levels">The model and its levels.</param>
     /// <param name="errorPixels">How far a coarser level may move what is seen, in pixels; 0 for the model itself everywhere.</param>
     public DetailRule(TerrainLevels levels, double errorPixels)
     {
@@ -49,7 +48,6 @@ public sealed class DetailRule
     public double SlackPixels => ErrorsOfSlack * _errorPixels;
 
     /// <summary>The level of a whole image, from the camera's height over the reference sphere; only mountains can be nearer.</summary>
-    /// <param name="footprint">Of the image's pixels.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     /// <returns>0 for the model itself; each further level has half the resolution.</returns>
     public int LevelOfImage(PixelFootprint footprint, int subsamplesPerAxis)

@@ -8,7 +8,6 @@ namespace Msisf.Core.Lod;
 public interface IFrameTerrain
 {
     /// <summary>The terrain of a frame; mostly the same object for frames that need the same.</summary>
-    /// <param name="camera">The frame's camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     ITerrain For(ICamera camera, int subsamplesPerAxis);
 }
@@ -22,7 +21,6 @@ public sealed class FullDetail(ITerrain terrain) : IFrameTerrain
 }
 
 /// <summary>Every frame shows the coarsest level of one model that is fine enough for all of it.</summary>
-/// <param name="levels">The model and its levels.</param>
 /// <param name="errorPixels">px: how far a coarser level may move what is seen.</param>
 public sealed class ModelDetail(TerrainLevels levels, double errorPixels) : IFrameTerrain
 {
@@ -34,7 +32,6 @@ public sealed class ModelDetail(TerrainLevels levels, double errorPixels) : IFra
 }
 
 /// <summary>Every frame shows the models and as much invented detail as its pixels need.</summary>
-/// <param name="terrain">The models with their detail.</param>
 public sealed class RefinedDetail(RefinedTerrain terrain) : IFrameTerrain
 {
     /// <inheritdoc/>

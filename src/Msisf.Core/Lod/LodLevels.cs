@@ -18,7 +18,6 @@ public sealed class LodLevels : TerrainLevels
     public override int Count => _levels.Length;
 
     /// <summary>Takes a model; nothing is read or computed yet.</summary>
-    /// <param name="source">The model.</param>
     /// <param name="stored">
     /// Levels that were made before, in any order (their resolutions say which); those without one are computed when they are read.
     /// </param>

@@ -21,7 +21,6 @@ public sealed class MapLevels : TerrainLevels
     public override int Count => _levels.Count;
 
     /// <summary>Takes a map; nothing is read or computed yet.</summary>
-    /// <param name="map">The map.</param>
     /// <param name="cacheBytes">Memory for computed blocks, all levels together.</param>
     /// <param name="keepsGaps">
     /// Whether levels have places without data, for coarser models to fill; a coarse sample has none only if none of its samples has.

@@ -69,7 +69,6 @@ public sealed class NestedLevels
     }
 
     /// <summary>Whether a model has data wherever a finer one has, well within its border.</summary>
-    /// <param name="coarser">Number of the one.</param>
     /// <param name="finer">Number of the other.</param>
     internal bool Covers(int coarser, int finer) => _covers.GetOrAdd(
         (coarser, finer), pair => ModelReach.Covers(Scene.WholeParts[pair.Coarser], Scene.WholeParts[pair.Finer]));

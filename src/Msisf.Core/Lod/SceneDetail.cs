@@ -18,7 +18,6 @@ public sealed class SceneDetail : IFrameTerrain
     private readonly DetailRule[] _rules;
 
     /// <summary>Takes the models.</summary>
-    /// <param name="levels">The models and their levels.</param>
     /// <param name="errorPixels">px: how far a coarser level may move what is seen.</param>
     public SceneDetail(NestedLevels levels, double errorPixels)
     {

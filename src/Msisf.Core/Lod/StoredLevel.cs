@@ -8,7 +8,6 @@ public sealed class StoredLevel : BlockedGrid
     private readonly float[] _heights;
 
     /// <summary>Takes the samples.</summary>
-    /// <param name="map">The map.</param>
     /// <param name="halvings">How many times its resolution is halved.</param>
     /// <param name="heights">
     /// m over the reference radius, NaN without data: the level's window line by line, as <see cref="BlockReducer"/> makes them.

@@ -1,13 +1,9 @@
 namespace Msisf.Core.Maps;
 
 /// <summary>Which pixel of an image each cell of a map shows. Cells have their borders at multiples of their width.</summary>
-/// <param name="Projection">The map's.</param>
 /// <param name="Cell">m: width of a cell.</param>
 /// <param name="Left">m: X of the left edge.</param>
 /// <param name="Top">m: Y of the upper edge.</param>
-/// <param name="Lines">Number of lines.</param>
-/// <param name="Samples">Cells of a line.</param>
-/// <param name="ImagePixels">Number of pixels of the image.</param>
 /// <param name="Pixels">
 /// Line by line from the top: the pixel, counted by rows of the image from 0, in which the ground in the cell's middle is seen; -1 where
 /// the image does not show it.

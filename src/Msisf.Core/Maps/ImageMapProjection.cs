@@ -18,7 +18,6 @@ public enum MapKind
 /// <summary>
 /// A map of a sphere as PROJ and GDAL have it: X to the right and Y upwards, m. Immutable; <c>default</c> has no meaning.
 /// </summary>
-/// <param name="Kind">Which.</param>
 /// <param name="Latitude">rad: of the centre; 0 of equirectangular maps, +-pi / 2 of polar ones.</param>
 /// <param name="Longitude">rad: of the centre; of polar maps 0, which is down at the north pole and up at the south pole.</param>
 /// <param name="Radius">m.</param>

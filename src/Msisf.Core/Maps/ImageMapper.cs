@@ -29,10 +29,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
     private readonly TerrainTracer _tracer = new(terrain);
 
     /// <summary>The map of all that the image shows.</summary>
-    /// <param name="kind">Which.</param>
     /// <param name="cell">m: width of a cell.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>Null if the image shows no ground.</returns>
     /// <exception cref="BadInputException">The map can't show that ground, or has too many cells, or none.</exception>
     public ImageMap? Find(MapKind kind, double cell, int threads, CancellationToken cancellation)

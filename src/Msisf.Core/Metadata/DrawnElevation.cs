@@ -6,7 +6,6 @@ namespace Msisf.Core.Metadata;
 /// <summary>The elevation model of a frame, and the levels of detail that the frame was drawn at.</summary>
 /// <param name="ProductId">Name of the model, e.g. "LDEM_64".</param>
 /// <param name="IsSynthetic">Whether the model is synthetic, not the real Moon.</param>
-/// <param name="Resolution">Resolution of the model.</param>
 /// <param name="FinestDrawn">Resolution of the finest level in the image; the model's own where that was drawn.</param>
 /// <param name="CoarsestDrawn">Resolution of the coarsest level in the image; the native renderer draws an image at one level.</param>
 public sealed record DrawnElevation(
@@ -19,7 +18,6 @@ public sealed record DrawnElevation(
 /// <summary>One of several elevation models of a frame.</summary>
 /// <param name="ProductId">Name of the model, e.g. "LDEM_80S_80M".</param>
 /// <param name="IsSynthetic">Whether the model is synthetic, not the real Moon.</param>
-/// <param name="Resolution">Resolution of the model.</param>
 /// <param name="Drawn">Resolution of the level in the image; null for a model that is left out, because a coarser one is as fine.</param>
 public sealed record ElevationPart(string ProductId, bool IsSynthetic, GridResolution Resolution, GridResolution? Drawn)
 {

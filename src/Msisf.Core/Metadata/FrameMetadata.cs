@@ -71,7 +71,6 @@ public sealed record InputFile(InputKind Kind, string Name, long Bytes, string S
 }
 
 /// <summary>The body that a frame shows, and the sphere over which its heights are counted.</summary>
-/// <param name="Body">The body.</param>
 /// <param name="ReferenceRadius">m.</param>
 public sealed record DrawnGlobe(CelestialBody Body, double ReferenceRadius)
 {

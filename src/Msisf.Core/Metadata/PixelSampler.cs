@@ -14,7 +14,6 @@ public sealed class PixelSampler
     private readonly IPixelView _view;
 
     /// <summary>Prepares a frame on the reference sphere.</summary>
-    /// <param name="camera">The frame's camera.</param>
     /// <param name="grid">The grid of pixels in the camera's image.</param>
     /// <param name="surface">What the pixels show.</param>
     /// <param name="light">The Sun, or the light that stands for it.</param>

@@ -13,10 +13,8 @@ internal static class CraterCovariance
     /// Covariance of centre x, y, semi-major and semi-minor axis, angle; null if the ellipse has no angle, or none can be seen.
     /// </summary>
     /// <param name="see">How a disc is seen; null if it is not seen as an ellipse.</param>
-    /// <param name="crater">The crater.</param>
     /// <param name="errors">Its errors, taken as independent.</param>
     /// <param name="radius">m: from the Moon's centre to the crater's.</param>
-    /// <param name="ellipse">The crater's.</param>
     public static double[]? Of(
         Func<CraterDisc, ImageEllipse?> see, Crater crater, CraterErrors errors, double radius, ImageEllipse ellipse)
     {

@@ -12,7 +12,6 @@ namespace Msisf.Core.Navigation;
 public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D Major, Vector3D Minor)
 {
     /// <summary>The disc of a crater.</summary>
-    /// <param name="crater">The crater.</param>
     /// <param name="radius">m from the Moon's centre to the ground in the middle of the crater.</param>
     public static CraterDisc Of(Crater crater, double radius)
     {
@@ -59,7 +58,6 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
 
     /// <summary>The ellipse of the rim in the image of a pinhole.</summary>
     /// <param name="camera">Without a lens.</param>
-    /// <param name="ellipse">The ellipse.</param>
     /// <returns>False if the rim crosses or touches the camera's plane, so that it is seen as a hyperbola, or lies behind it.</returns>
     /// <remarks>
     /// J. A. Christian, H. Derksen, R. Watkins, "Lunar crater identification in digital images", J. Astronaut. Sci. 68 (2021) 1056: a disc

@@ -5,7 +5,6 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Navigation;
 
 /// <summary>Finds the craters that an image shows, and how.</summary>
-/// <param name="catalogue">The craters.</param>
 /// <param name="rim">Where their rims are.</param>
 /// <param name="leastDiameter">px: smaller ones are only counted.</param>
 public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, double leastDiameter)
@@ -20,8 +19,6 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
     private const double ManyPointsFrom = 40.0;
 
     /// <summary>The craters that a pinhole or another camera sees, without what only the drawn frame tells.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="light">The light.</param>
     /// <param name="terrain">The terrain that the frame shows.</param>
     public CratersOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
     {

@@ -14,8 +14,6 @@ public static class CraterPixels
     private const double PixelsOfParts = 200.0;
 
     /// <summary>The craters with their hidden and lit parts.</summary>
-    /// <param name="craters">The craters of the frame.</param>
-    /// <param name="frame">The frame.</param>
     public static CratersOfFrame WithParts(CratersOfFrame craters, IGroundTruth frame) =>
         craters with { Views = [.. craters.Views.Select(view => WithParts(view, frame))] };
 
@@ -23,10 +21,6 @@ public static class CraterPixels
     /// The <see cref="Crater.Number"/> of the crater that each pixel shows, by rows; 0 for none. Of several the smallest in the image: a
     /// pixel shows a crater if its centre lies in the crater's ellipse and the terrain there does not hide the crater's disc.
     /// </summary>
-    /// <param name="craters">The craters of the frame.</param>
-    /// <param name="frame">The frame.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public static int[] NumbersOf(CratersOfFrame craters, IGroundTruth frame, int threads, CancellationToken cancellation = default)
     {
         ICamera camera = frame.Camera;

@@ -3,7 +3,6 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Navigation;
 
 /// <summary>A crater in an image.</summary>
-/// <param name="Crater">The crater.</param>
 /// <param name="Disc">Its disc, m, body-fixed.</param>
 /// <param name="Ellipse">How its rim is seen.</param>
 public sealed record CraterView(Crater Crater, CraterDisc Disc, ImageEllipse Ellipse)
@@ -43,7 +42,6 @@ public sealed record CraterView(Crater Crater, CraterDisc Disc, ImageEllipse Ell
 }
 
 /// <summary>A crater that an image shows some of, but not as an ellipse.</summary>
-/// <param name="Crater">The crater.</param>
 /// <param name="Reason">Why.</param>
 public sealed record CraterLeftOut(Crater Crater, CraterLeftOutReason Reason);
 

@@ -10,7 +10,6 @@ internal static class EllipseFit
 
     /// <summary>Finds the ellipse.</summary>
     /// <param name="curve">Points around it, at least six.</param>
-    /// <param name="ellipse">The ellipse.</param>
     /// <param name="residual">px: root mean square distance of the points from it.</param>
     /// <returns>False if no ellipse fits.</returns>
     /// <remarks>

@@ -21,8 +21,6 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
 
     /// <summary>The flow.</summary>
     /// <param name="target">The other frame.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public FlowField Find(FlowTarget target, int threads, CancellationToken cancellation)
     {
         FlowField flow = new(frame.Camera.Width, frame.Camera.Height);
@@ -115,6 +113,4 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
 }
 
 /// <summary>The other frame of a flow.</summary>
-/// <param name="Camera">Its camera.</param>
-/// <param name="Light">Its light.</param>
 public sealed record FlowTarget(FrameCamera Camera, SceneLight Light);

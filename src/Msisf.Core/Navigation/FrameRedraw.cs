@@ -26,10 +26,7 @@ public sealed class FrameRedraw(NativeRenderer renderer, ICamera camera, int mar
     public SunModel Sun => options.Sun;
 
     /// <summary>Draws the frame.</summary>
-    /// <param name="light">The light.</param>
     /// <param name="sun">Whether it is a point or the Sun's disc.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public NativeFrame With(SceneLight light, SunModel sun, int threads, CancellationToken cancellation) => renderer.Render(
         camera,
         light,

@@ -24,8 +24,6 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     }
 
     /// <summary>The ellipse whose points x have (x - centre)^T shape^-1 (x - centre) = 1.</summary>
-    /// <param name="x">Centre.</param>
-    /// <param name="y">Centre.</param>
     /// <param name="columns">
     /// Vectors the sum of whose squares (v v^T) is the shape; its determinant is then a sum of squares too and keeps its digits where the
     /// ellipse is narrow.

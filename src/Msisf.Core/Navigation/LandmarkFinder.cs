@@ -7,7 +7,6 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Navigation;
 
 /// <summary>Finds where an image shows landmarks, and what hides them. Single rays are followed; the Sun is a point. Thread-safe.</summary>
-/// <param name="landmarks">The landmarks.</param>
 public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
 {
     /// <summary>m: how far before a landmark a ray towards it may end; rounding on the way from the camera is less.</summary>
@@ -19,8 +18,6 @@ public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
     private readonly ConditionalWeakTable<ITerrain, TerrainTracer> _tracers = [];
 
     /// <summary>The landmarks of a frame.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="light">The light.</param>
     /// <param name="terrain">The terrain that the frame shows.</param>
     public LandmarksOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
     {

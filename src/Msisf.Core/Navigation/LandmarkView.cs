@@ -3,7 +3,6 @@ using Msisf.Core.Surface;
 namespace Msisf.Core.Navigation;
 
 /// <summary>A landmark whose place lies inside an image.</summary>
-/// <param name="Landmark">The landmark.</param>
 /// <param name="PointBodyFixed">m.</param>
 /// <param name="X">Rendering coordinate.</param>
 /// <param name="Y">Rendering coordinate.</param>

@@ -13,7 +13,6 @@ public readonly record struct PixelDerivatives(
     Vector3D XByShift, Vector3D XByTurn, Vector3D XByPoint, Vector3D YByShift, Vector3D YByTurn, Vector3D YByPoint)
 {
     /// <summary>The derivatives at a point in front of a camera.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="pointBodyFixed">m.</param>
     /// <remarks>
     /// The point is p = M^T (P - C) in camera axes, its tangents are -p.y / p.x to the right and p.z / p.x down. A shift of the camera

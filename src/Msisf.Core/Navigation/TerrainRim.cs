@@ -16,8 +16,6 @@ internal static class TerrainRim
     private const int Places = 9;
 
     /// <summary>The rim, m, body-fixed.</summary>
-    /// <param name="disc">The disc.</param>
-    /// <param name="terrain">The terrain.</param>
     /// <param name="directions">How many points.</param>
     public static Vector3D[] Of(in CraterDisc disc, ITerrain terrain, int directions)
     {

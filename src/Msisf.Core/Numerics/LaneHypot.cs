@@ -18,8 +18,6 @@ internal static class LaneHypot
     private const long HeadMask = unchecked((long)0xFFFF_FFFF_F800_0000);
 
     /// <summary>Finds the lengths of a row's vectors.</summary>
-    /// <param name="vectors">The vectors.</param>
-    /// <param name="count">How many.</param>
     /// <param name="lengths">Receives their lengths, and up to seven numbers after them.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // else it would run with unoptimised vectors at first
     public static void Lengths(VectorRow vectors, int count, double[] lengths)
@@ -32,8 +30,6 @@ internal static class LaneHypot
     }
 
     /// <summary>Finds the distances of a row's points from the third axis.</summary>
-    /// <param name="vectors">The points.</param>
-    /// <param name="count">How many.</param>
     /// <param name="distances">Receives their distances, and up to seven numbers after them.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static void AxisDistances(VectorRow vectors, int count, double[] distances)

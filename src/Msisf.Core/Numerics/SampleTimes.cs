@@ -63,7 +63,6 @@ public sealed class SampleTimes
     }
 
     /// <summary>The times of some samples, counted from a time near them so that they keep their digits.</summary>
-    /// <param name="first">The first sample.</param>
     /// <param name="origin">From when they are counted.</param>
     /// <param name="times">Gets them.</param>
     public void CopyTo(int first, double origin, Span<double> times)

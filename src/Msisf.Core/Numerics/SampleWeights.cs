@@ -10,7 +10,6 @@ public static class SampleWeights
     public const int MaxSamples = 32;
 
     /// <summary>The polynomial of the least degree through all values.</summary>
-    /// <param name="times">Times of the samples.</param>
     /// <param name="time">The time asked for, in the same unit.</param>
     /// <param name="values">Gets the weight of each value in the value at the time.</param>
     /// <param name="rates">Gets the weight of each value in the derivative at the time.</param>
@@ -23,7 +22,6 @@ public static class SampleWeights
     }
 
     /// <summary>The polynomial of the least degree through all values that has the given derivatives there.</summary>
-    /// <param name="times">Times of the samples.</param>
     /// <param name="time">The time asked for, in the same unit.</param>
     /// <param name="ofValues">Gets the weights of the values: in the value at the time, in its derivative.</param>
     /// <param name="ofRates">Gets the weights of the derivatives.</param>

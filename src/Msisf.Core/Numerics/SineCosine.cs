@@ -1,8 +1,6 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>Sine and cosine of one angle; <c>default</c> is no angle.</summary>
-/// <param name="Sine">Sine.</param>
-/// <param name="Cosine">Cosine.</param>
 public readonly record struct SineCosine(double Sine, double Cosine)
 {
     /// <summary>Sine and cosine of numerator / denominator degrees, by <see cref="DegreeTrigonometry"/>.</summary>

@@ -15,7 +15,6 @@ public sealed class OrbitPropagator
     /// <summary>Takes the orbit. State vectors come in through <see cref="StateConversion.ToElements"/>, which keeps the frame.</summary>
     /// <param name="elements">The orbit at the epoch, in <paramref name="frame"/>.</param>
     /// <param name="epoch">When the mean anomaly is M0, UTC.</param>
-    /// <param name="frame">The frame of the elements.</param>
     /// <param name="ephemeris">How the Moon turns; <see cref="OrbitFrame.MoonMe"/> needs none.</param>
     /// <exception cref="ArgumentException">The elements are <c>default</c>, or the frame turns and there is no ephemeris.</exception>
     /// <exception cref="SpiceException">The epoch is outside the kernels' cover (<see cref="OrbitFrame.MoonMeEpoch"/>).</exception>

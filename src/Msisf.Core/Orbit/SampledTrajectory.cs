@@ -43,7 +43,6 @@ public sealed class SampledTrajectory : ITrajectory
 }
 
 /// <summary>A part of a trajectory, whose states are of one frame and centre.</summary>
-/// <param name="Samples">The states.</param>
 /// <param name="Center">NAIF's number of the body about which they are.</param>
 /// <param name="MoonMeFromFrame">
 /// For a frame that turns with the Moon, the constant rotation to MOON_ME; null for J2000's axes.

@@ -9,7 +9,6 @@ internal static class WorkerTeam
 {
     /// <summary>Runs the work once for every item.</summary>
     /// <param name="threads">Maximum number of workers, at least 1.</param>
-    /// <param name="items">Number of items.</param>
     /// <param name="work">Is called with the worker's index (from 0) and the item's index; a worker does one item at a time.</param>
     /// <param name="cancellation">Stops the work between two items.</param>
     public static void Run(int threads, int items, Action<int, int> work, CancellationToken cancellation)

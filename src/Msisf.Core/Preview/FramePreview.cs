@@ -11,7 +11,6 @@ namespace Msisf.Core.Preview;
 /// What an image will show, told from its camera and light without drawing it. The ground is a sphere: the one of LOLA, or for a camera
 /// near the ground the one through the ground below it. Slopes and the shadows of mountains are left out.
 /// </summary>
-/// <param name="SubSpacecraft">The point below the camera.</param>
 /// <param name="OffNadir">Angle between the viewing direction and the nadir, rad, [0, pi].</param>
 /// <param name="Boresight">The ground in the middle of the image; null if the viewing direction misses the sphere.</param>
 /// <param name="Share">How much of the image shows the sphere, and how much of that is lit.</param>

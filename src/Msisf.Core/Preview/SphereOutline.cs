@@ -22,7 +22,6 @@ internal sealed class SphereOutline
     /// <param name="toCentre">Direction of the sphere's centre: components forward, right and up; length 1.</param>
     /// <param name="radius">Radius of the sphere, m.</param>
     /// <param name="distance">Distance of its centre, m; at least the radius.</param>
-    /// <param name="image">The image.</param>
     public SphereOutline(Vector3D toCentre, double radius, double distance, TangentBox image)
     {
         _toCentre = toCentre;

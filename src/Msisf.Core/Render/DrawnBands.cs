@@ -31,8 +31,6 @@ internal interface IDrawnFrame
 }
 
 /// <summary>A frame whose bands are drawn each as a frame of its own, whose rows are copied.</summary>
-/// <param name="camera">Camera of the frame.</param>
-/// <param name="light">Light of the frame.</param>
 internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
 {
     private readonly TruthRow?[] _truth = new TruthRow?[camera.Height];
@@ -57,7 +55,6 @@ internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
     }
 
     /// <summary>Copies a row of an image.</summary>
-    /// <param name="drawn">The image.</param>
     /// <param name="row">Its row, from 0.</param>
     /// <param name="target">Which row it becomes, from 0.</param>
     /// <param name="hasTruth">Whether the ground truth was kept.</param>

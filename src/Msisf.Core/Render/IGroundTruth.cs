@@ -53,7 +53,6 @@ public interface IGroundTruth
     /// <param name="x">1 to the image's width, to the right.</param>
     /// <param name="y">1 to the image's height, down.</param>
     /// <param name="hit">The surface point; <c>default</c> if the ray meets no surface.</param>
-    /// <param name="light">The illumination of the point.</param>
     /// <returns>Whether the pixel shows the surface.</returns>
     bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light);
 

@@ -48,7 +48,6 @@ public sealed class NativeRenderer
     /// <param name="light">The Sun, or a lamp at the camera, whose shadows are never visible.</param>
     /// <param name="options">The settings of the renderer.</param>
     /// <param name="threads">Number of threads, at least 1; the frame does not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>The frame. Dispose it so that later frames can use its memory.</returns>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     public NativeFrame Render(
@@ -71,12 +70,8 @@ public sealed class NativeRenderer
     }
 
     /// <summary>Draws some rows of an image, in memory of their own.</summary>
-    /// <param name="camera">The image's camera.</param>
-    /// <param name="light">The image's light.</param>
-    /// <param name="rows">The rows.</param>
     /// <param name="options">The settings of the renderer.</param>
     /// <param name="threads">Number of threads, at least 1; the rows do not depend on it.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public NativeFrame RenderRows(
         ICamera camera, SceneLight light, PixelRows rows, NativeRenderOptions options, int threads, CancellationToken cancellation) =>
         RenderBands(

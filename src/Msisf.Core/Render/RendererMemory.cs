@@ -26,7 +26,6 @@ public sealed class RendererMemory
     public long LargestKept { get; init; } = long.MaxValue;
 
     /// <summary>Takes buffers to draw a frame of a surface.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="pixels">px: of the frame.</param>
     internal FramePass Take(SurfaceModel surface, long pixels)
     {

@@ -9,8 +9,6 @@ namespace Msisf.Core.Render;
 /// The ground truth of a scanned image that is too large to be kept: strips of rows are drawn when they are asked for, and the last ones
 /// kept. Single pixels draw their exposure alone. Safe for several threads.
 /// </summary>
-/// <param name="camera">The image's camera.</param>
-/// <param name="light">The image's light.</param>
 /// <param name="rowsOfStrip">Rows of a strip, at least 1.</param>
 /// <param name="rowsOfExposure">Rows that are exposed at once, of which a strip has some.</param>
 /// <param name="draw">Draws some rows, with ground truth that stays valid.</param>

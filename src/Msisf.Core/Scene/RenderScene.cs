@@ -3,7 +3,6 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Scene;
 
 /// <summary>Everything that is needed to render one image.</summary>
-/// <param name="Camera">The camera.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="PatternFolder">Name of the folder of the surface's meshes in the pattern repository.</param>
 /// <param name="Patterns">File names of the meshes that the image needs, in the order in which they are included.</param>

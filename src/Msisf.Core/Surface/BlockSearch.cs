@@ -24,7 +24,6 @@ internal interface IBlockTester<TFound>
 /// One object serves many searches, one at a time, and keeps its memory.
 /// </summary>
 /// <typeparam name="TFound">What is noted of each block that is found.</typeparam>
-/// <param name="surface">The surface.</param>
 internal sealed class BlockSearch<TFound>(SurfaceModel surface)
     where TFound : struct
 {
@@ -39,7 +38,6 @@ internal sealed class BlockSearch<TFound>(SurfaceModel surface)
     /// <summary>Finds the blocks, always in the same order; of one that finer models have left in pieces, these.</summary>
     /// <param name="tester">What is looked for.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Valid until the next search.</returns>
     public List<TFound> Find<TTester>(TTester tester, int threads, CancellationToken cancellation)
         where TTester : struct, IBlockTester<TFound>

@@ -87,8 +87,6 @@ internal sealed class BlockVertices
     public int SeamFacet(int index) => (Block.Column * SeamPatch.BlockFacets) + SeamPatch.FacetAt(index / Stride, index % Stride);
 
     /// <summary>Reads the vertices of a block.</summary>
-    /// <param name="surface">The surface.</param>
-    /// <param name="block">The block.</param>
     /// <param name="originBodyFixed">Origin, m, body-fixed; it is subtracted from each vertex with one rounding per component.</param>
     public void Load(SurfaceModel surface, CellBlock block, Vector3D originBodyFixed)
     {

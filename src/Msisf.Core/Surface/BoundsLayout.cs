@@ -51,8 +51,6 @@ internal abstract class BoundsLayout(int lines, int samples)
 
     /// <summary>The nodes of the level below that make up a node.</summary>
     /// <param name="level">The node's level, which is not the finest.</param>
-    /// <param name="row">The node's row.</param>
-    /// <param name="column">The node's column.</param>
     public NodeRange ChildrenOf(int level, int row, int column)
     {
         int edge = ChildrenPerEdge(level);

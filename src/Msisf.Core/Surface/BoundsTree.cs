@@ -119,9 +119,7 @@ internal sealed class BoundsTree
     }
 
     /// <summary>Computes the bounds of neighbouring nodes of one row of the finest level; each line of the model is read once.</summary>
-    /// <param name="row">Their row.</param>
     /// <param name="firstColumn">Column of the westernmost node.</param>
-    /// <param name="count">Number of nodes.</param>
     public void ReadRow(int row, int firstColumn, int count)
     {
         CellRange[] cells = new CellRange[count];
@@ -158,10 +156,7 @@ internal sealed class BoundsTree
     public TerrainNode Node(int level, int row, int column) => NodeOf(CapOf(level, row, column), Of(level, row, column));
 
     /// <summary>Joins several neighbouring nodes of one row of a mesh of latitude and longitude into one node.</summary>
-    /// <param name="level">Their level.</param>
-    /// <param name="row">Their row.</param>
     /// <param name="column">Column of the westernmost node.</param>
-    /// <param name="count">Number of nodes.</param>
     public TerrainNode Node(int level, int row, int column, int count)
     {
         if (count == 1)
@@ -180,10 +175,7 @@ internal sealed class BoundsTree
     }
 
     /// <summary>The same without reading: where parts of the node are not known, it has the limits of the model.</summary>
-    /// <param name="level">Their level.</param>
-    /// <param name="row">Their row.</param>
     /// <param name="column">Column of the westernmost node.</param>
-    /// <param name="count">Number of nodes.</param>
     /// <param name="limits">Bounds of all radii of the model.</param>
     public TerrainNode NodeWithin(int level, int row, int column, int count, NodeBounds limits)
     {

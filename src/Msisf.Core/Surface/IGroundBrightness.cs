@@ -7,6 +7,5 @@ internal interface IGroundBrightness
     /// <param name="x">m, body-fixed.</param>
     /// <param name="y">m.</param>
     /// <param name="z">m.</param>
-    /// <param name="reflectances">One for each place.</param>
     void Scale(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, Span<double> reflectances);
 }

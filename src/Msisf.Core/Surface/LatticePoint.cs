@@ -19,8 +19,6 @@ public readonly record struct LatticePoint(int X, int Y, int Z)
 
     /// <summary>The lattice point nearest to a point of the surface; the order of the products is part of the pattern format.</summary>
     /// <param name="radius">m, above 0 and below <see cref="RadiusLimit"/>.</param>
-    /// <param name="latitude">Sine and cosine of the latitude.</param>
-    /// <param name="longitude">Sine and cosine of the longitude.</param>
     public static LatticePoint Nearest(double radius, SineCosine latitude, SineCosine longitude)
     {
         double steps = StepsPerMetre * radius;

@@ -32,7 +32,6 @@ internal abstract class MeshGeometry
     /// <summary>
     /// Computes the positions of consecutive vertices of a line: bit for bit those of <see cref="Vertex"/>, less an origin.
     /// </summary>
-    /// <param name="line">The line.</param>
     /// <param name="firstSample">Sample of the first vertex.</param>
     /// <param name="radii">m; as many as whole vectors of eight hold.</param>
     /// <param name="originBodyFixed">Is subtracted from each position with one rounding a component, m, body-fixed.</param>
@@ -43,7 +42,6 @@ internal abstract class MeshGeometry
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z);
 
     /// <summary>Gets two planes through the Moon's centre between which the vertices of a rectangle of cells lie, left to right.</summary>
-    /// <param name="cells">The rectangle.</param>
     /// <param name="west">Inward normal at the left border, at most 1.5 long; vertices are inside up to the lattice's rounding.</param>
     /// <param name="east">The same at the right border.</param>
     /// <returns>False if the rectangle is wider than <see cref="WidestColumns"/>.</returns>

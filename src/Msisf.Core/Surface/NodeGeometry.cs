@@ -34,8 +34,6 @@ internal sealed class NodeGeometry
     public SphericalCap CapOf(int row, int column) => new(DirectionOf(row, column), _rows[row].CapRadius.Cosine, _rows[row].CapRadius.Sine);
 
     /// <summary>The box that holds all facets of a node whose vertex radii lie within bounds.</summary>
-    /// <param name="row">Row of the node.</param>
-    /// <param name="column">Column of the node.</param>
     /// <param name="minRadius">Minimum vertex radius of the node, m.</param>
     /// <param name="maxRadius">Maximum vertex radius of the node, m.</param>
     public NodeBox BoxOf(int row, int column, double minRadius, double maxRadius)

@@ -26,7 +26,6 @@ internal sealed class NodeReader
     private readonly int _firstLine;
 
     /// <summary>Takes the model.</summary>
-    /// <param name="mesh">The mesh.</param>
     /// <param name="plane">The geometry of a polar stereographic mesh; null for one of latitude and longitude.</param>
     public NodeReader(FacetMesh mesh, PlaneNodes? plane)
     {

@@ -50,7 +50,6 @@ internal abstract class Patch
     public abstract bool Has(FacetId facet);
 
     /// <summary>A corner of a facet, in the model from which it is taken.</summary>
-    /// <param name="facet">The facet.</param>
     /// <param name="corner">0 to 2, counter-clockwise seen from outside.</param>
     /// <returns>Part, line and sample of the vertex.</returns>
     public abstract (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner);

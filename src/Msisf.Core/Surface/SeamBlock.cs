@@ -47,7 +47,5 @@ internal readonly record struct SeamBlock(NodeBox Box, TerrainNode Node, (Vector
 
 /// <summary>A vertex of a model that a seam uses too.</summary>
 /// <param name="Position">m, body-fixed, on the lattice of its model.</param>
-/// <param name="Part">Number of the model.</param>
 /// <param name="Line">Line of the vertex in the model's mesh.</param>
-/// <param name="Sample">Sample of the vertex.</param>
 internal readonly record struct SeamVertex(Vector3D Position, int Part, int Line, int Sample);

@@ -20,7 +20,6 @@ internal sealed class SeamPatch : Patch
     private readonly int[] _corners;
 
     /// <summary>Takes the facets.</summary>
-    /// <param name="vertices">The vertices.</param>
     /// <param name="corners">
     /// Three indices of vertices for each facet, counter-clockwise seen from outside; neighbours follow each other.
     /// </param>
@@ -69,8 +68,6 @@ internal sealed class SeamPatch : Patch
     public override BoundsLayout Layout { get; }
 
     /// <summary>The cells of a line of a block that have facets, as bits.</summary>
-    /// <param name="line">The line.</param>
-    /// <param name="facets">Number of facets of the block.</param>
     public static uint CellsOfLine(int line, int facets)
     {
         int count = Math.Clamp(facets - (line / 2 * LineFacets), 0, LineFacets);
@@ -125,7 +122,6 @@ internal sealed class SeamPatch : Patch
         (VertexOf(facet, 0).Position, VertexOf(facet, 1).Position, VertexOf(facet, 2).Position);
 
     /// <summary>A corner of a facet.</summary>
-    /// <param name="facet">The facet.</param>
     /// <param name="corner">0 to 2.</param>
     public SeamVertex VertexOf(int facet, int corner) => _vertices[_corners[(3 * facet) + corner]];
 

@@ -31,7 +31,6 @@ public static class TerrainHeight
     }
 
     /// <summary>Distance from the Moon's centre to the facet of a mesh in a direction, m; null outside a map.</summary>
-    /// <param name="mesh">The mesh.</param>
     /// <param name="direction">Unit vector, body-fixed.</param>
     internal static double? RadiusOn(FacetMesh mesh, Vector3D direction)
     {

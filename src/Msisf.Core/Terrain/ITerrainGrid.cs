@@ -37,8 +37,6 @@ public interface ITerrainGrid : ITerrain
     ITerrainGrid? StoredLevel => null;
 
     /// <summary>Tells which of consecutive samples of one line have no data; parameters as of <see cref="ReadRadii"/>.</summary>
-    /// <param name="line">The line.</param>
-    /// <param name="firstSample">The first sample.</param>
     /// <param name="isGap">Receives whether a sample has no data.</param>
     void ReadGaps(int line, int firstSample, Span<bool> isGap) => isGap.Clear();
 
@@ -55,18 +53,14 @@ public interface ITerrainGrid : ITerrain
     /// Whether any sample of a block may be without data; a block that is told to have none need not be looked at sample by sample.
     /// </summary>
     /// <param name="firstLine">Top line.</param>
-    /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
-    /// <param name="samples">How many samples.</param>
     bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => MayHaveGaps;
 
     /// <summary>
     /// Bounds of a block of samples that are known without reading it; null if none are. The samples may have less extreme values.
     /// </summary>
     /// <param name="firstLine">Top line.</param>
-    /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
-    /// <param name="samples">How many samples.</param>
     KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => null;
 
     /// <summary>
@@ -74,7 +68,6 @@ public interface ITerrainGrid : ITerrain
     /// nothing but the time that reading takes.
     /// </summary>
     /// <param name="firstLine">Top line.</param>
-    /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
     /// <param name="samples">How many samples; the block of a model of the whole Moon continues across the prime meridian.</param>
     void Prefetch(int firstLine, int lines, int firstSample, int samples)
@@ -83,7 +76,6 @@ public interface ITerrainGrid : ITerrain
 
     /// <summary>Minimum and maximum radius of a block of samples, m. Reads them all, where a grid has no quicker way.</summary>
     /// <param name="firstLine">Top line.</param>
-    /// <param name="lines">How many lines.</param>
     /// <param name="firstSample">Leftmost sample.</param>
     /// <param name="samples">How many samples; the block of a model of the whole Moon continues across the prime meridian.</param>
     /// <exception cref="BadInputException">A sample of the block can't be right: the file is damaged.</exception>

@@ -82,7 +82,6 @@ public sealed record PolarStereographic(bool IsSouth, double MetresPerPixel, dou
     }
 
     /// <summary>Whether a grid of a size from this projection's first pixel on stays within <see cref="MaxExtent"/>.</summary>
-    /// <param name="lines">Number of lines.</param>
     /// <param name="samples">Number of samples of a line.</param>
     public bool Holds(int lines, int samples) =>
         Math.Max(Math.Max(Math.Abs(A(0)), Math.Abs(A(samples - 1))), Math.Max(Math.Abs(B(0)), Math.Abs(B(lines - 1)))) <= MaxExtent;

@@ -59,7 +59,6 @@ public sealed class ShiftedGrid : ITerrainGrid
     private bool IsBetween => _below > 0.0 || _beside > 0.0;
 
     /// <summary>The map at another place.</summary>
-    /// <param name="grid">The map.</param>
     /// <param name="east">m towards the east, in its middle; of a map of latitude and longitude along the parallel there.</param>
     /// <param name="north">m towards the north.</param>
     /// <exception cref="BadInputException">Its middle is a pole, or it would not lie on its grid.</exception>

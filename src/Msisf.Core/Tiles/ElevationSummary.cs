@@ -66,7 +66,6 @@ public sealed class ElevationSummary
     }
 
     /// <summary>Makes a summary that reads the parts of the model that are requested, each once.</summary>
-    /// <param name="grid">The model.</param>
     /// <param name="known">What is known of it: <see cref="ToValues"/> of an earlier summary, or nothing.</param>
     /// <exception cref="BadInputException">The count is not that of a model of this resolution, or a value is impossible.</exception>
     public static ElevationSummary OnDemand(IGlobalGrid grid, ReadOnlySpan<float> known = default)

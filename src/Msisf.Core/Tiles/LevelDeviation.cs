@@ -8,7 +8,6 @@ namespace Msisf.Core.Tiles;
 public static class LevelDeviation
 {
     /// <summary>The maximum difference in height between a part's facets and the model's samples below or above them, m.</summary>
-    /// <param name="levels">The model and its levels.</param>
     /// <param name="part">A part of any level; 0 for the model itself.</param>
     public static double Of(LodLevels levels, SurfacePart part)
     {

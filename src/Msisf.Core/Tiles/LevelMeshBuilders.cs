@@ -14,7 +14,6 @@ public sealed class LevelMeshBuilders
     private readonly Func<LodLevels> _levels;
 
     /// <summary>Takes the model.</summary>
-    /// <param name="grid">The model.</param>
     /// <param name="levels">Gives its levels; called when one is first needed, from any thread.</param>
     public LevelMeshBuilders(IGlobalGrid grid, Func<LodLevels> levels)
     {

@@ -46,9 +46,7 @@ public sealed class SummaryLevel
     internal TerrainNode Node(int row, int column) => _tree.Node(_level, row, column);
 
     /// <summary>Several neighbouring blocks of one row as one node.</summary>
-    /// <param name="row">Row of blocks.</param>
     /// <param name="column">Westernmost block.</param>
-    /// <param name="count">How many.</param>
     internal TerrainNode Node(int row, int column, int count) => _tree.Node(_level, row, column, count);
 
     /// <summary>
@@ -65,7 +63,6 @@ public sealed class SummaryLevel
         _tree.NodeOf(_tree.CapOf(_level, row, column), _limits) with { IsUnread = true };
 
     /// <summary>A tile's block with its place and bounds.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="block">
     /// Row of the block in its tile times <see cref="Subdivisions"/> plus its column; in the level of tiles each tile is one block.
     /// </param>

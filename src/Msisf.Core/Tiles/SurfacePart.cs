@@ -6,7 +6,6 @@ namespace Msisf.Core.Tiles;
 /// A piece of the surface that a scene includes as one mesh: a tile, or a square part of it, at one level of detail. <c>default</c> is
 /// not a part.
 /// </summary>
-/// <param name="Tile">The tile.</param>
 /// <param name="Level">0: the model itself; each further level has half the resolution (<see cref="LodLevels"/>).</param>
 /// <param name="Subdivisions">Number of parts along the tile's edge, a power of two; 1 for the whole tile.</param>
 /// <param name="Row">Row of the part in its tile, 0 northernmost.</param>

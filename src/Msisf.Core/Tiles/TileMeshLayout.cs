@@ -6,11 +6,9 @@ namespace Msisf.Core.Tiles;
 /// each from the west; then the south pole. A cell of four samples belongs to the tile (and the part) that holds its north-west sample,
 /// so each cell of the Moon belongs to exactly one tile.
 /// </summary>
-/// <param name="Part">The tile or part.</param>
 /// <param name="PixelsPerDegree">Resolution of the grid.</param>
 /// <param name="MarginSamples">Rings of cells around the tile that are added (overlapping with its neighbours); usually 0.</param>
 /// <param name="FirstLine">Northernmost line of the grid.</param>
-/// <param name="Lines">How many lines.</param>
 /// <param name="FirstSample">Westernmost sample of the grid, in [0, 360 res).</param>
 /// <param name="Samples">Number of samples of a line; they continue across the prime meridian.</param>
 public readonly record struct TileMeshLayout(
@@ -35,7 +33,6 @@ public readonly record struct TileMeshLayout(
     public int FaceCount => (Samples - 1) * ((2 * (Lines - 1)) + (HasNorthPole ? 1 : 0) + (HasSouthPole ? 1 : 0));
 
     /// <summary>The layout of a tile.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="pixelsPerDegree">Samples a degree, at least 1.</param>
     /// <param name="marginSamples">Rings of cells to add, 0 to the samples of a degree; rings beyond a pole are left out.</param>
     public static TileMeshLayout For(TileId tile, int pixelsPerDegree, int marginSamples = 0)
@@ -51,7 +48,6 @@ public readonly record struct TileMeshLayout(
     /// part has one more ring of cells in the north and west, so that it covers at least the area of the parts of any other level in its
     /// place.
     /// </summary>
-    /// <param name="part">The part.</param>
     /// <param name="modelPixelsPerDegree">Samples a degree of the model itself, level 0.</param>
     public static TileMeshLayout For(SurfacePart part, int modelPixelsPerDegree)
     {

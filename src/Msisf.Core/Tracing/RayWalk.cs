@@ -34,7 +34,6 @@ internal ref struct RayWalk
     private double _farthest;
 
     /// <summary>Prepares a walk.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="ray">The ray, body-fixed; it must be finite and have a direction.</param>
     /// <param name="endParameter">Hits at this parameter of the ray or beyond do not count.</param>
     /// <param name="stopsAtAnyHit">Whether the walk stops at any hit instead of finding the first one.</param>
@@ -241,7 +240,6 @@ internal ref struct RayWalk
     }
 
     /// <summary>Records a facet as the hit if the ray enters the ground through it and it is nearer than the hit found before.</summary>
-    /// <param name="facet">The facet.</param>
     /// <param name="a">Its first corner.</param>
     /// <param name="b">Its second corner.</param>
     /// <param name="c">Its third corner.</param>

@@ -18,7 +18,6 @@ internal sealed class GdalMapSource : MapSource
         : base(image.Width, image.Height, ExtentOf(image), image.IsBytes && image.Scale == (1.0, 0.0)) => (_file, _image) = (file, image);
 
     /// <summary>Opens an image, which is warped if it has a projection that does not run in rows of latitude.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="Core.Errors.MsisfException">GDAL is missing, or the file is no image or not of the Moon.</exception>
     public static GdalMapSource Open(string path, string? libraryPath)

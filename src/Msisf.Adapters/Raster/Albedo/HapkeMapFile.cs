@@ -8,7 +8,6 @@ namespace Msisf.Adapters.Raster.Albedo;
 /// The product WAC_HAPKEPARAMMAP_643NM.IMG of LROC: nine maps of one degree from 70 N to 70 S, one after the other: w, b, c, BC0, hc, BS0,
 /// hs, theta, phi. Its label gives another place of the data than it has, so the places are fixed here.
 /// </summary>
-/// <param name="Map">The maps.</param>
 /// <param name="FileBytes">Length of the file.</param>
 /// <param name="Sha256">SHA-256 of the file: 64 hexadecimal digits.</param>
 public sealed record HapkeMapFile(HapkeMap Map, long FileBytes, string Sha256)

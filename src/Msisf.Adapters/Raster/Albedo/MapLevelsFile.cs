@@ -29,7 +29,6 @@ internal sealed class MapLevelsFile : IDisposable
     public IReadOnlyList<AlbedoMapLevel> Levels { get; }
 
     /// <summary>Opens the levels of a map, which are made if the cache folder has none that fit.</summary>
-    /// <param name="files">The map's files.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null for a file that is deleted at the end.</param>
     /// <param name="openSource">Opens the map.</param>
     /// <exception cref="BadInputException">The map can't be read.</exception>

@@ -34,7 +34,6 @@ internal sealed class MapLevelsWriter
 
     /// <summary>Writes the levels.</summary>
     /// <param name="files">The map's files, for their checksums.</param>
-    /// <param name="source">The map.</param>
     /// <param name="stream">An empty file.</param>
     /// <exception cref="BadInputException">The map is damaged, without any data, or too large.</exception>
     public static MapLevelsHeader Write(MapFiles files, MapSource source, Stream stream)

@@ -104,7 +104,6 @@ internal static class KnownMaps
     /// <summary>
     /// What a PDS3 label says of the values, with the geometry of the products WAC_EMP and WAC_HAPKE; else with the label's own angles.
     /// </summary>
-    /// <param name="head">The label.</param>
     /// <param name="scale">I/F of a step of the value, as it is read.</param>
     /// <param name="offset">I/F of the value 0.</param>
     public static MapProperties Of(PdsMapHead head, double scale = 1.0, double offset = 0.0)

@@ -19,7 +19,6 @@ internal abstract class MapSource(int width, int height, MapExtent? extent, bool
 
     /// <summary>Reads whole rows.</summary>
     /// <param name="first">The first row, from 0.</param>
-    /// <param name="count">How many.</param>
     /// <param name="values">Receives the stored values, row by row; NaN where there is no data.</param>
     /// <exception cref="Core.Errors.BadInputException">The file is damaged.</exception>
     public abstract void Read(int first, int count, Span<float> values);

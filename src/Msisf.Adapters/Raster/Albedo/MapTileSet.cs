@@ -20,7 +20,6 @@ internal sealed record MapTileSet(string Name, IReadOnlyList<PdsMapLabel> Labels
     }
 
     /// <summary>The map in a folder that has the band.</summary>
-    /// <param name="folder">The folder.</param>
     /// <param name="bandNanometres">The band; a map without a band in its name has any.</param>
     /// <exception cref="BadInputException">There is none, or several, or a tile of it can't be read.</exception>
     public static MapTileSet InFolder(string folder, int bandNanometres)

@@ -17,7 +17,6 @@ internal static class MapWarp
 
     /// <summary>Warps an image.</summary>
     /// <param name="path">The file, for messages.</param>
-    /// <param name="image">The image.</param>
     /// <returns>
     /// The image in <c>+proj=eqc</c>, to be closed before the other; null if it has rows of latitude already, or does not say where it
     /// lies.

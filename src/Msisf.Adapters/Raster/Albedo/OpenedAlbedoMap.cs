@@ -65,7 +65,6 @@ public sealed class OpenedAlbedoMap : IDisposable
     private double PixelHeight => (_levels.Header.Extent?.Height ?? Math.PI) / _levels.Header.Height;
 
     /// <summary>Whether a file is a map whose properties the program knows without any option.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="bandNanometres">The band in which they must be known, nm; null for any.</param>
     public static bool IsKnown(string path, int? bandNanometres = null)
     {

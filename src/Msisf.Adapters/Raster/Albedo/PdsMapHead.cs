@@ -5,7 +5,6 @@ namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>A PDS3 label, attached or detached, with what tells whose map it is; the rest is not looked at yet.</summary>
 /// <param name="LabelPath">The file of the label.</param>
-/// <param name="Label">The label.</param>
 internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
 {
     private const int LongestLabel = 65536;

@@ -4,7 +4,6 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>What a PDS3 label, attached or detached, says of an equirectangular map.</summary>
-/// <param name="Head">The label.</param>
 /// <param name="ImagePath">The file of the samples.</param>
 /// <param name="ImageOffset">Bytes before the first sample.</param>
 /// <param name="Lines">Pixels from north to south.</param>

@@ -17,7 +17,6 @@ public static class ElevationSummaryFile
     /// <summary>The summary on demand of a model, with what is stored of it.</summary>
     /// <param name="path">The file beside the model.</param>
     /// <param name="source">What the model is now.</param>
-    /// <param name="grid">The model.</param>
     public static ElevationSummary Open(string path, SummarySource source, IGlobalGrid grid)
     {
         try
@@ -33,7 +32,6 @@ public static class ElevationSummaryFile
     /// <summary>Stores a summary, if so much of the model was read for it that the next run should not read it again.</summary>
     /// <param name="path">The file beside the model.</param>
     /// <param name="source">What the model was when it was opened.</param>
-    /// <param name="summary">The summary.</param>
     /// <param name="minSamplesRead">How much is so much.</param>
     /// <returns>Why it could not be stored; null if it was, or need not be.</returns>
     public static string? StoreIfWorthwhile(

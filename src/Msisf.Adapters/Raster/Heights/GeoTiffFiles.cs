@@ -13,7 +13,6 @@ public sealed class GeoTiffFiles(string? libraryPath) : IDisposable
     private readonly ConcurrentDictionary<(string Path, HeightOptions Given), GeoTiffGrid> _kept = new();
 
     /// <summary>Resolution of a map.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="given">What the user says of its values.</param>
     /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>
     public GridResolution ResolutionOf(string path, HeightOptions given = default)
@@ -28,7 +27,6 @@ public sealed class GeoTiffFiles(string? libraryPath) : IDisposable
     }
 
     /// <summary>A map, which the caller closes.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="given">What the user says of its values.</param>
     /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>
     public GeoTiffGrid Open(string path, HeightOptions given = default) =>

@@ -81,7 +81,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     }
 
     /// <summary>Opens a file.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <param name="given">What the user says of its values.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
@@ -122,7 +121,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <summary>Looks at all pixels, or at what was found in an earlier run; of a large raster it is kept for the next ones.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
     /// <param name="start">Starts the display of a work that takes long; what it returns is disposed at its end.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Why it could not be kept; null if it was, or need not be.</returns>
     /// <exception cref="BadInputException">The file is damaged.</exception>
     public string? Prepare(string? cacheFolder, Func<FractionDisplay> start, CancellationToken cancellation = default)
@@ -160,7 +158,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     /// <summary>Looks at all pixels again, and compares what is found with the file in which it is kept.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>The file; null if there is none that holds.</returns>
     /// <exception cref="BadInputException">They differ.</exception>
     public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) => Kept(cacheFolder).Find() is not { } kept ? null

@@ -153,7 +153,6 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
 }
 
 /// <summary>A map projection in PROJ's form: "+proj=stere +lat_0=-90 +R=1737400 +units=m".</summary>
-/// <param name="text">The text.</param>
 internal sealed class ProjText(string text)
 {
     private readonly Dictionary<string, string> _words = text

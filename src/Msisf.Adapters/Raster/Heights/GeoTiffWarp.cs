@@ -31,7 +31,6 @@ internal static class GeoTiffWarp
 
     /// <summary>Warps a map.</summary>
     /// <param name="path">The file, for messages.</param>
-    /// <param name="map">The map.</param>
     /// <param name="gap">Arguments of gdalwarp that say which value means no data; empty if the file says it.</param>
     /// <returns>The map in the other projection, to be closed before it; null if GDAL can't bring it there.</returns>
     /// <exception cref="BadInputException">It goes all around the Moon.</exception>

@@ -40,8 +40,6 @@ internal readonly record struct HeightRule(double Factor, double Offset)
 
     /// <summary>The rule of a file: what the user says, else the file, else the table of known products.</summary>
     /// <param name="path">The file, for messages.</param>
-    /// <param name="image">It.</param>
-    /// <param name="given">What the user says.</param>
     /// <param name="pixel">m: width of a pixel.</param>
     /// <exception cref="BadInputException">The values can't be heights, or their unit is none that is known.</exception>
     public static HeightRule Of(string path, GdalImage image, HeightOptions given, double pixel)

@@ -14,7 +14,6 @@ public static class LdemCatalog
     /// Finds a model. An explicit path is a label, an image or a folder; otherwise the first folder that has a model counts. In a folder
     /// LDEM_[res].LBL comes first, then any whole-Moon label of that resolution, by name, then the first complete set of a split product.
     /// </summary>
-    /// <param name="pixelsPerDegree">The resolution.</param>
     /// <param name="explicitPath">A label, an image, or a folder (--ldem); null to search the folders.</param>
     /// <param name="folders">Where to look otherwise, first choice first; they need not exist.</param>
     /// <param name="wayToName">How another model is named, for the message.</param>

@@ -29,7 +29,6 @@ public sealed class LdemChecksums
     public long BytesToRead => _files.Where(file => !IsOfPieces(file) && file.FindIn(_remembered) is null).Sum(file => file.Bytes);
 
     /// <summary>Finds the files and the checksums that were remembered.</summary>
-    /// <param name="set">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
     /// <param name="largestRead">bytes: images of a model that has more in all of them are not read completely.</param>
     /// <exception cref="ExternalPartException">A file of the model can't be read.</exception>
@@ -44,7 +43,6 @@ public sealed class LdemChecksums
     }
 
     /// <summary>The model's files with their checksums; computes those that are not remembered, and remembers them.</summary>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Label and image of each part, and why the checksums could not be stored; null if they were, or need not be.</returns>
     /// <exception cref="ExternalPartException">A file of the model can't be read.</exception>
     public (IReadOnlyList<InputFile> Files, string? Warning) Read(CancellationToken cancellation)

@@ -7,7 +7,6 @@ namespace Msisf.Adapters.Raster.Heights;
 /// Tells elevation models apart, in the same way on every computer: hashes of the labels, the lengths of the images, and hashes of samples
 /// spread over them. To read a model of 34 GB completely would take longer than to render an image.
 /// </summary>
-/// <param name="ProductId">From the label.</param>
 /// <param name="ImageBytes">Length of the image; of a split product all of them.</param>
 /// <param name="Sha256">Of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
 public sealed record LdemFingerprint(string ProductId, long ImageBytes, string Sha256)

@@ -22,14 +22,11 @@ public enum LdemSampleType
 /// <summary>
 /// The values of a lunar elevation model's label, checked for consistency. The model may cover a part of the Moon only.
 /// </summary>
-/// <param name="LabelPath">Path of the label.</param>
 /// <param name="ImagePath">Path of the image; the label's own for an attached label.</param>
 /// <param name="ImageOffset">Bytes of the image's file before the first sample.</param>
 /// <param name="ProductId">PRODUCT_ID, e.g. "LDEM_4": letters, digits, '_', '-' and '.'.</param>
 /// <param name="Body">TARGET_NAME: the body.</param>
 /// <param name="PixelsPerDegree">MAP_RESOLUTION of a cylindrical model: samples a degree; 0 for a polar map.</param>
-/// <param name="Lines">LINES.</param>
-/// <param name="LineSamples">LINE_SAMPLES.</param>
 /// <param name="SampleType">SAMPLE_TYPE with SAMPLE_BITS.</param>
 /// <param name="ScalingFactor">SCALING_FACTOR, turned into m a step.</param>
 /// <param name="Offset">OFFSET, turned into m: the radius that sample value 0 means.</param>

@@ -8,7 +8,6 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 /// <param name="Before">What stands before the borders, e.g. "LDEM_512"; the whole name if it has none.</param>
 /// <param name="After">What stands behind them, e.g. "_FLOAT".</param>
-/// <param name="HasBorders">The name has borders.</param>
 internal sealed partial record LdemPartName(string Before, string After, bool HasBorders)
 {
     /// <summary>The name without borders: what the parts of one model have in common.</summary>

@@ -22,7 +22,6 @@ internal static class LdemSetChecks
             ("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem));
 
     /// <summary>Index of the part for each square degree, row by row from the north.</summary>
-    /// <param name="parts">The labels.</param>
     /// <param name="mayBeBand">Whether whole rows may be missing beside the poles.</param>
     /// <exception cref="BadInputException">Borders between degrees, two parts for one place, or none.</exception>
     public static ushort[] Cover(IReadOnlyList<LdemLabel> parts, bool mayBeBand)

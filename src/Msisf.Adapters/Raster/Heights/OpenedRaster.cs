@@ -23,7 +23,6 @@ internal sealed class OpenedRaster : IDisposable
     public bool IsWarped => !ReferenceEquals(File, Image);
 
     /// <summary>Opens a file.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <param name="gap">The value of pixels without data, where the file does not say it but is warped; null for none.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>

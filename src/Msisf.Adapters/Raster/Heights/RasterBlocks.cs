@@ -53,7 +53,6 @@ internal sealed class RasterBlocks : IDisposable
         Math.Min(most, Math.Min(BlockSide - (column & (BlockSide - 1)), Width - column));
 
     /// <summary>The values of the next pixels of a row, as many as lie in one block; NaN without data.</summary>
-    /// <param name="row">The row.</param>
     /// <param name="column">The first.</param>
     /// <param name="most">At most so many.</param>
     public ReadOnlySpan<float> RunAt(int row, int column, int most) =>

@@ -59,10 +59,8 @@ internal readonly record struct ScannedSquare(float Min, float Max, float Step, 
 }
 
 /// <summary>Pixels that can't be heights, though the file does not declare them as without data.</summary>
-/// <param name="Count">How many.</param>
 /// <param name="Line">Row of the first one, from 0.</param>
 /// <param name="Sample">Its place in the row, from 0.</param>
-/// <param name="Value">Its value.</param>
 internal readonly record struct UndeclaredGaps(long Count, int Line, int Sample, float Value)
 {
     /// <summary>None.</summary>

@@ -24,7 +24,6 @@ internal static class RasterScanFile
     private static ReadOnlySpan<byte> Magic => "MSISFRS1"u8;
 
     /// <summary>What a raster is: lengths and times of its files, and what its pixels mean.</summary>
-    /// <param name="files">The raster's files.</param>
     /// <param name="meaning">Size, place and rule of the values.</param>
     /// <exception cref="IOException">A file can't be read.</exception>
     public static byte[] Fingerprint(IEnumerable<string> files, string meaning)

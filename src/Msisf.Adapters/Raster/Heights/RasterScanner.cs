@@ -57,12 +57,10 @@ internal sealed class RasterScanner
     }
 
     /// <summary>Looks at all pixels.</summary>
-    /// <param name="blocks">The raster.</param>
     /// <param name="sphere">m: radius of the sphere over which the heights are.</param>
     /// <param name="rule">What the stored values mean.</param>
     /// <param name="hasLevel">Whether a coarser level is wanted, whose samples begin with the first pixel.</param>
     /// <param name="progress">Receives the fraction that is done; null for nobody.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public static RasterScan Scan(
         RasterBlocks blocks, double sphere, HeightRule rule, bool hasLevel, IProgress<double>? progress, CancellationToken cancellation)
     {

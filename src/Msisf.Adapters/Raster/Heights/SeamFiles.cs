@@ -13,7 +13,6 @@ namespace Msisf.Adapters.Raster.Heights;
 /// Layout: a magic number, SHA-256 of the rest, then little-endian 32-bit integers: number of borders, number of corners, the borders'
 /// hashes (32 bytes each), the corners.
 /// </remarks>
-/// <param name="sets">The models.</param>
 /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
 /// <param name="warn">Receives why a file can't be written.</param>
 public sealed class SeamFiles(IReadOnlyList<LdemSet> sets, string? cacheFolder, Action<string> warn) : ISeamStore

@@ -18,12 +18,10 @@ public sealed class ModelLevels : IDisposable
     public string? Warning { get; }
 
     /// <summary>The places for the sidecar of a model.</summary>
-    /// <param name="set">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
     public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => set.PlacesOf(".pyramid", cacheFolder);
 
     /// <summary>Opens the levels; no sample is read.</summary>
-    /// <param name="image">The model.</param>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
     /// <param name="cacheBytes">Memory for computed blocks.</param>
     /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>

@@ -29,8 +29,6 @@ public sealed unsafe class PyramidFile : IDisposable
     public IReadOnlyList<IGlobalGrid> Levels => _levels;
 
     /// <summary>Opens a sidecar if it is complete and of this model. Neither its samples nor the model's are read for that.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="image">The model.</param>
     /// <param name="problem">Why it can't be used; null if it can, or if there is none.</param>
     public static PyramidFile? TryOpen(string path, LdemImage image, out string? problem)
     {
@@ -61,7 +59,6 @@ public sealed unsafe class PyramidFile : IDisposable
     }
 
     /// <summary>Reads the whole sidecar and the whole model, and compares both with the checksums that the sidecar was made with.</summary>
-    /// <param name="image">The model.</param>
     /// <param name="cancellation">Ends the work.</param>
     /// <exception cref="BadInputException">A block is damaged, or the model's samples are others.</exception>
     public void Verify(LdemImage image, CancellationToken cancellation)

@@ -36,7 +36,6 @@ public sealed class PyramidWriter
     }
 
     /// <summary>Writes the sidecar completely or not at all. The same model gives the same levels.</summary>
-    /// <param name="image">The model.</param>
     /// <param name="path">The sidecar's name; an older one is replaced.</param>
     /// <param name="threads">How many threads compute at most.</param>
     /// <param name="progress">Told the fraction done, 0 to 1.</param>

@@ -5,7 +5,6 @@ internal static class PdsAgreement
 {
     /// <summary>Requires that keywords have the same values in all labels.</summary>
     /// <param name="labels">The labels; at least one.</param>
-    /// <param name="pathOf">Path of a label.</param>
     /// <param name="file">What each file is, e.g. "part".</param>
     /// <param name="whole">What they make up, e.g. "model".</param>
     /// <param name="keywords">The keywords, and the value that a label has for each.</param>

@@ -111,7 +111,6 @@ internal sealed class PdsObject(string file, string name, int line)
     }
 
     /// <summary>The error for the value of a keyword that must be there.</summary>
-    /// <param name="keyword">The keyword.</param>
     /// <param name="need">What is needed instead.</param>
     public BadInputException WrongValue(string keyword, string need) => WrongValue(keyword, Required(keyword), need);
 

@@ -57,7 +57,6 @@ internal sealed class ConfigFiles
 
     /// <summary>The options of a file's keys.</summary>
     /// <param name="path">The file; relative paths in it start at its folder.</param>
-    /// <param name="entries">Its keys.</param>
     /// <param name="rank">See <see cref="ConfigValue"/>.</param>
     /// <param name="isOfRun">Whether all options are those of a run.</param>
     /// <exception cref="BadInputException">A key is no option, or can't have its value.</exception>
@@ -105,10 +104,8 @@ internal sealed class ConfigFiles
 }
 
 /// <summary>A value from a configuration file, as it would be typed on the command line.</summary>
-/// <param name="Option">The option.</param>
 /// <param name="Text">Value of the option; "true" or "false" for a flag.</param>
 /// <param name="File">Path of the file.</param>
-/// <param name="Line">Line number in the file.</param>
 /// <param name="Rank">1 for the file of <c>--config</c>, 2 for the user's file; the smaller rank takes precedence.</param>
 internal sealed record ConfigValue(OptionSpec Option, string Text, string File, int Line, int Rank)
 {

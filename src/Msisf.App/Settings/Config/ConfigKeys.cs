@@ -34,7 +34,6 @@ internal static class ConfigKeys
     public static bool Allows(OptionSpec option) => Keys.ContainsKey(option.Key);
 
     /// <summary>Gets the option of a key, and its value as it would be typed on the command line.</summary>
-    /// <param name="entry">The key and its values.</param>
     /// <param name="fileName">Name of the file, for messages.</param>
     /// <param name="isOfRun">Whether all options are those of a run, so that no key means another thing with another command.</param>
     /// <exception cref="BadInputException">There is no such key, or it can't have this value.</exception>

@@ -8,7 +8,6 @@ internal static class Configuration
 {
     /// <summary>The options of a call together with those of the configuration files.</summary>
     /// <param name="line">The command line.</param>
-    /// <param name="command">The command of the call.</param>
     /// <param name="host">Provides the path of the user's file.</param>
     /// <exception cref="BadInputException">A file has an error, or the file of <c>--config</c> does not exist.</exception>
     public static OptionValues Behind(OptionValues line, CommandSpec command, ProgramHost host)

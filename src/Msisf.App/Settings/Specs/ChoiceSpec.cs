@@ -8,7 +8,6 @@ namespace Msisf.App.Settings.Specs;
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
 /// <param name="Role">What the option decides.</param>
-/// <param name="Choices">Each word with its value.</param>
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal abstract record ChoiceSpec(string Name, OptionRole Role, IReadOnlyList<Choice> Choices, string Help)
     : OptionSpec(Name, Role, Help)

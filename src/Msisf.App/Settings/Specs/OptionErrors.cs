@@ -6,7 +6,6 @@ namespace Msisf.App.Settings.Specs;
 internal static class OptionErrors
 {
     /// <summary>Adds options to an exception.</summary>
-    /// <param name="exception">The exception.</param>
     /// <param name="options">The options that its message is about.</param>
     public static TException About<TException>(this TException exception, params OptionSpec[] options)
         where TException : MsisfException

@@ -50,7 +50,6 @@ internal sealed class LensMap
     public double MaxTangent { get; private set; }
 
     /// <summary>Prepares an image.</summary>
-    /// <param name="formula">The distortion.</param>
     /// <param name="image">The image's borders in the measured plane.</param>
     /// <param name="failed">A measured point whose ideal one cannot be found.</param>
     /// <returns>Null if there is such a point.</returns>

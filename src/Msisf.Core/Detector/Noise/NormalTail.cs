@@ -4,7 +4,6 @@ namespace Msisf.Core.Detector.Noise;
 internal static class NormalTail
 {
     /// <summary>Probability that a normal number of mean 0 is above a limit.</summary>
-    /// <param name="limit">The limit.</param>
     /// <param name="deviation">Standard deviation; 0 for a number that is always 0.</param>
     /// <returns>0 to 1, right to 7.5e-8.</returns>
     /// <remarks>M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 26.2.17.</remarks>

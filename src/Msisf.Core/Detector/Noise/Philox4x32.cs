@@ -47,7 +47,6 @@ internal static class Philox4x32
     /// <param name="second">Second word of all counters; becomes the second random words.</param>
     /// <param name="third">Third word of all counters; becomes the third random words.</param>
     /// <param name="fourth">Fourth word of all counters; becomes the fourth random words.</param>
-    /// <param name="key">As for one counter.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Blocks(
         ref Vector512<ulong> words, ref Vector512<ulong> second, ref Vector512<ulong> third, ref Vector512<ulong> fourth, ulong key)

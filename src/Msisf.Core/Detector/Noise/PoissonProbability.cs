@@ -37,8 +37,6 @@ internal static class PoissonProbability
 
     /// <summary>P(N &lt;= count).</summary>
     /// <param name="count">The number of events.</param>
-    /// <param name="probability">Its probability.</param>
-    /// <param name="mean">The mean.</param>
     public static double OfAtMost(double count, double probability, double mean)
     {
         double sum = 0.0;
@@ -53,8 +51,6 @@ internal static class PoissonProbability
 
     /// <summary>P(N &gt; count).</summary>
     /// <param name="count">The number of events.</param>
-    /// <param name="probability">Its probability.</param>
-    /// <param name="mean">The mean.</param>
     public static double OfMoreThan(double count, double probability, double mean)
     {
         double sum = 0.0;

@@ -13,7 +13,6 @@ internal static class KernelConvolution
     /// <summary>Computes one row.</summary>
     /// <param name="source">An image that is wider and higher than the result by the kernel's radius on each side; by rows.</param>
     /// <param name="sourceWidth">px.</param>
-    /// <param name="kernel">The kernel.</param>
     /// <param name="row">Row of the result, from 0.</param>
     /// <param name="target">Receives the row: <paramref name="sourceWidth"/> minus twice the radius.</param>
     public static void Row(ReadOnlySpan<double> source, int sourceWidth, PointSpreadKernel kernel, int row, Span<double> target)

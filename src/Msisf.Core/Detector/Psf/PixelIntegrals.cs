@@ -12,7 +12,6 @@ internal static class PixelIntegrals
     private static readonly double[] NodeWeights = [0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763];
 
     /// <summary>Integrates a function that ends at a radius over square pixels.</summary>
-    /// <param name="spread">The function.</param>
     /// <param name="cutoff">px: the function is 0 beyond.</param>
     /// <param name="pixelSide">px: side of the pixels; 1, or less to look into a pixel.</param>
     /// <returns>By rows; the central pixel has the function's centre in its middle. Not normalised.</returns>

@@ -51,7 +51,6 @@ public sealed class PointSpreadKernel
     public ReadOnlySpan<double> Weights => _weights;
 
     /// <summary>A formula, cut off at a radius, integrated over each pixel.</summary>
-    /// <param name="spread">The formula.</param>
     /// <param name="cutoff">px, 0.5 to <see cref="MaxRadius"/>: the function is 0 beyond.</param>
     public static PointSpreadKernel Of(IRadialSpread spread, double cutoff) => new(PixelIntegrals.Of(spread, cutoff, pixelSide: 1.0));
 

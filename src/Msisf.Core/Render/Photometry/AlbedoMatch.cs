@@ -10,7 +10,6 @@ public static class AlbedoMatch
     private const double LeastShare = 0.5;
 
     /// <summary>Finds the finest coarser map that shows at least half of a map's border.</summary>
-    /// <param name="site">The map.</param>
     /// <param name="coarser">Coarser maps, the finest first.</param>
     /// <returns>That map, and its mean reflectance along the border over that of the map itself; null if there is none.</returns>
     public static (AlbedoMap Around, double Factor)? Of(AlbedoMap site, IEnumerable<AlbedoMap> coarser)

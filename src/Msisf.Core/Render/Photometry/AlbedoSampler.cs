@@ -24,7 +24,6 @@ internal sealed class AlbedoSampler
     /// <param name="points">The pixels, with the law's radiance factors.</param>
     /// <param name="camera">The camera that sees them.</param>
     /// <param name="samplesAcross">Samples along a pixel's edge.</param>
-    /// <param name="map">The map.</param>
     /// <param name="factorOfReference">
     /// The law's radiance factor in the map's geometry, above 0; null if it differs from place to place
     /// (<see cref="SunlitPoints.ReferenceFactors"/>).
@@ -67,7 +66,6 @@ internal sealed class AlbedoSampler
         _footprints.X[pixel] <= finest.Width && _footprints.Y[pixel] >= 0.0 && _footprints.Y[pixel] <= finest.Height;
 
     /// <summary>Takes the places on the map of pixels of one level, as many as there is room for.</summary>
-    /// <returns>How many pixels.</returns>
     private int TakePlaces(int first, int end, out int places)
     {
         ReadOnlySpan<long> levels = _footprints.Levels.AsSpan(first, end - first);

@@ -60,10 +60,8 @@ internal sealed class FootprintLanes
 
     /// <summary>Finds the footprints of the points of a block.</summary>
     /// <param name="points">The surface points.</param>
-    /// <param name="first">The first of the block.</param>
     /// <param name="camera">The camera that sees them.</param>
     /// <param name="tangent">Tangent of the angle that a sample covers.</param>
-    /// <param name="map">The map.</param>
     /// <param name="footprints">Receives the footprints.</param>
     public void Find(SunlitPoints points, int first, FrameCamera camera, double tangent, AlbedoMap map, MapFootprints footprints)
     {

@@ -35,7 +35,6 @@ internal sealed class MapFootprints
     /// <param name="points">The surface points.</param>
     /// <param name="camera">The camera that sees them.</param>
     /// <param name="samplesAcross">Samples along a pixel's edge: a sample covers as much less.</param>
-    /// <param name="map">The map.</param>
     public void Find(SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map)
     {
         EnsureRoom(points.Count);

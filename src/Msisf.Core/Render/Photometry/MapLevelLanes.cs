@@ -22,14 +22,11 @@ internal sealed class MapLevelLanes
     private readonly double[] _partY = new double[MaxPlaces];
 
     /// <summary>Reads the codes at places.</summary>
-    /// <param name="level">The level.</param>
-    /// <param name="finest">The map's finest level.</param>
     /// <param name="x">Distances from the left edge, pixels of the finest level; read up to a whole vector.</param>
     /// <param name="y">Distances from the upper edge.</param>
     /// <param name="codes">
     /// Receives the codes, up to a whole vector; NaN at the map's edge and where a pixel has no data, for <see cref="MapLevelReader"/>.
     /// </param>
-    /// <param name="count">How many places.</param>
     public void Read(AlbedoMapLevel level, AlbedoMapLevel finest, ref double x, ref double y, ref double codes, int count)
     {
         if (level.Width < 2 || level.Height < 2)

@@ -106,10 +106,8 @@ internal sealed class SunlitPoints
     }
 
     /// <summary>Adds pixels that follow each other in a row, without weights.</summary>
-    /// <param name="row">The row.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles of all its pixels.</param>
     /// <param name="first">The first pixel, from 0.</param>
-    /// <param name="count">How many.</param>
     public void AddRun(SurfaceRow row, ReadOnlySpan<double> cosIncidence, int first, int count)
     {
         row.Columns.AsSpan(first, count).CopyTo(Columns.AsSpan(Count));
@@ -126,7 +124,6 @@ internal sealed class SunlitPoints
     /// <summary>
     /// Takes all pixels of a row without weights, and without copying them: until <see cref="Clear"/> the row must not be read again.
     /// </summary>
-    /// <param name="row">The row.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles of all its pixels, as long as the row's arrays.</param>
     public void Share(SurfaceRow row, double[] cosIncidence)
     {

@@ -24,7 +24,6 @@ internal sealed class FacetAreas
     /// <summary>Looks at a row; the rows of a band from top to bottom.</summary>
     /// <param name="visible">What the pixels' centres show.</param>
     /// <param name="row">The row, from 0.</param>
-    /// <param name="isFirst">Whether it is the first one of a band.</param>
     /// <param name="contrasts">Contrast around each pixel of the row, levels of 255.</param>
     /// <param name="minContrast">Means are wanted of pixels with at least so much contrast.</param>
     /// <param name="factors">I/F of the centres of all pixels of the image.</param>
@@ -111,7 +110,6 @@ internal sealed class FacetAreas
 
     /// <summary>Looks at four pixels.</summary>
     /// <param name="view">The projection.</param>
-    /// <param name="row">Their row.</param>
     /// <param name="column">Column of the first one.</param>
     /// <param name="wanted">The pixels whose means are wanted.</param>
     /// <returns>The means that are known, and the brightness of the centres where none is.</returns>
@@ -217,10 +215,7 @@ internal sealed class FacetAreas
 
         /// <summary>Adds the lines to one neighbour of each pixel.</summary>
         /// <param name="isMeant">The pixels that have such a line.</param>
-        /// <param name="rays">Their rays.</param>
-        /// <param name="here">Their row.</param>
         /// <param name="place">Element of the first pixel.</param>
-        /// <param name="there">The row of the neighbours.</param>
         /// <param name="neighbour">Element of the first neighbour.</param>
         /// <param name="right">px from a pixel to its neighbour.</param>
         /// <param name="down">px.</param>

@@ -32,7 +32,6 @@ internal sealed class GridPass(PartPass pass)
     private const double FewFacets = 2.0;
 
     /// <summary>Whether frames are drawn so: by a pinhole, with several samples that have something to share.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="lights">Finds light and brightness.</param>
     /// <param name="options">The settings.</param>
@@ -44,14 +43,12 @@ internal sealed class GridPass(PartPass pass)
             || 2.0 * blocks * CellBlock.Size * CellBlock.Size < FewFacets * camera.Width * camera.Height);
 
     /// <summary>Draws a frame.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="frame">The frame, prepared or drawn with one sample a pixel at the pixels' centres.</param>
     /// <param name="light">The Sun.</param>
     /// <param name="lights">Finds light and brightness.</param>
     /// <param name="options">The settings.</param>
     /// <param name="radianceFactors">Receives the brightness of the pixels.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Run(
         SurfaceModel surface, VisibilityPass frame, SceneLight light, LightPass lights, NativeRenderOptions options,
         double[] radianceFactors, int threads, CancellationToken cancellation)

@@ -10,7 +10,6 @@ using Msisf.Core.Surface;
 namespace Msisf.Core.Render.Sampling;
 
 /// <summary>A frame whose pixels all have the samples of a grid.</summary>
-/// <param name="Surface">The surface.</param>
 /// <param name="Blocks">The blocks that the frame may show.</param>
 /// <param name="Samples">The projection to the samples.</param>
 /// <param name="Light">The light on pieces of facets.</param>
@@ -53,9 +52,7 @@ internal sealed class GridWorker
     public GridWorker() => _band = new Band(FindFactor);
 
     /// <summary>Draws rows of pixels, and adds up the brightness of their samples as far as it is sure.</summary>
-    /// <param name="frame">The frame.</param>
     /// <param name="firstRow">First row, from 0.</param>
-    /// <param name="rows">How many.</param>
     /// <param name="others">The other samples are added to it, each a part of its own.</param>
     public void Draw(GridFrame frame, int firstRow, int rows, PixelParts others)
     {

@@ -21,8 +21,6 @@ internal sealed class PartPass(SurfaceModel surface)
     public void Show(SurfaceModel next) => _surface = next;
 
     /// <summary>Draws the samples of some bands and finds the parts of their pixels.</summary>
-    /// <param name="frame">The frame.</param>
-    /// <param name="pixels">The samples of the pixels.</param>
     /// <param name="bands">Numbers of the first band, and of the one after the last.</param>
     /// <param name="lists">Receives the parts, a list for each band.</param>
     /// <param name="withMerged">Whether further lists receive the parts without regard to borders of shadows.</param>

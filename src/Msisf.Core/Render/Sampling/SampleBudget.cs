@@ -117,8 +117,6 @@ internal static class SampleBudget
     }
 
     /// <summary>What a pixel of a class can get.</summary>
-    /// <param name="Code">Its code.</param>
     /// <param name="Square">Squared error, levels of 255.</param>
-    /// <param name="Cost">Its cost.</param>
     private readonly record struct Option(byte Code, double Square, double Cost);
 }

@@ -47,7 +47,6 @@ internal sealed class SampleChooser
     /// <param name="sunlight">The light there.</param>
     /// <param name="sampling">Error and grey levels.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Classify(
         VisibleSurface visible, double[] radianceFactors, PixelSunlight sunlight, AdaptiveSampling sampling, int threads,
         CancellationToken cancellation)
@@ -67,7 +66,6 @@ internal sealed class SampleChooser
     /// <summary>Chooses the pixels that are tried with all samples, and returns them in their order.</summary>
     /// <param name="error">Rms error that is asked for, levels of 255.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public List<int> ChooseTrials(double error, int threads, CancellationToken cancellation)
     {
         double allowed = Minor * error * error * _width * _height;
@@ -92,7 +90,6 @@ internal sealed class SampleChooser
     public ReadOnlySpan<double> Means => _means;
 
     /// <summary>Gives some pixels all samples, each with light of its own, and the others none.</summary>
-    /// <param name="trials">The pixels.</param>
     public void Try(List<int> trials)
     {
         Array.Clear(Pixels.Codes, 0, _width * _height);
@@ -109,11 +106,9 @@ internal sealed class SampleChooser
     /// <summary>
     /// Gives each pixel the samples of its class, or the brightness by the areas of its facets; those that were tried have theirs already.
     /// </summary>
-    /// <param name="codes">The code of each class.</param>
     /// <param name="trials">The pixels that were tried.</param>
     /// <param name="radianceFactors">I/F of the pixels.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Spread(
         ReadOnlyMemory<byte> codes, List<int> trials, double[] radianceFactors, int threads, CancellationToken cancellation)
     {

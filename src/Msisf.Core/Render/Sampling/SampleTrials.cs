@@ -42,8 +42,6 @@ internal sealed class SampleTrials
     }
 
     /// <summary>Takes the brightness of a band's facets. Several threads may call it with different bands.</summary>
-    /// <param name="parts">The facets in the pixels.</param>
-    /// <param name="factors">Their brightness.</param>
     public void TakeMerged(PixelParts parts, ReadOnlySpan<double> factors)
     {
         for (int part = 0; part < parts.Count; part++)
@@ -56,7 +54,6 @@ internal sealed class SampleTrials
 
     /// <summary>Takes the brightness of each sample of a band. Several threads may call it with different bands.</summary>
     /// <param name="parts">The samples, each a part of its own.</param>
-    /// <param name="factors">Their brightness.</param>
     public void TakeSamples(PixelParts parts, ReadOnlySpan<double> factors)
     {
         for (int part = 0; part < parts.Count; part++)

@@ -30,7 +30,6 @@ internal sealed class SamplingPass(PartPass pass)
     /// <param name="sunlight">The light on the pixels' centres.</param>
     /// <param name="radianceFactors">The brightness of the pixels' centres; receives that of the pixels.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Run(
         VisibilityPass frame, SceneLight light, LightPass lights, IndirectPass indirect, NativeRenderOptions options,
         PixelSunlight sunlight, double[] radianceFactors, int threads, CancellationToken cancellation)
@@ -48,7 +47,6 @@ internal sealed class SamplingPass(PartPass pass)
     }
 
     /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>
-    /// <param name="work">The frame.</param>
     /// <param name="isTrial">Whether the trials are told of each sample.</param>
     private void Draw(SampledFrame work, bool isTrial)
     {
@@ -107,7 +105,6 @@ internal sealed class SamplingPass(PartPass pass)
 /// <param name="Options">The settings.</param>
 /// <param name="RadianceFactors">The brightness of the pixels.</param>
 /// <param name="Threads">Maximum number of threads; the result does not depend on it.</param>
-/// <param name="Cancellation">Cancels the work.</param>
 internal sealed record SampledFrame(
     VisibilityPass Frame, SceneLight Light, LightPass Lights, IndirectPass? Indirect, NativeRenderOptions Options,
     double[] RadianceFactors, int Threads, CancellationToken Cancellation);

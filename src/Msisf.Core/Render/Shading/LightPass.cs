@@ -38,14 +38,12 @@ internal sealed class LightPass
     public long ReplacedBytes => _shadows.ReplacedBytes + _penumbras.ReplacedBytes;
 
     /// <summary>Finds the light on points and, with a weight, adds their brightness.</summary>
-    /// <param name="points">The points.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law, Sun and kind of normals.</param>
     /// <param name="weight">Weight of the points in the sum.</param>
     /// <param name="sunlight">Receives the light on each point.</param>
     /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Run(
         ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)

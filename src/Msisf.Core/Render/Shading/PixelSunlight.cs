@@ -19,7 +19,6 @@ internal sealed class PixelSunlight
     public ulong[] HiddenPoints { get; private set; } = [];
 
     /// <summary>Makes room for an image.</summary>
-    /// <param name="pixels">Number of pixels.</param>
     /// <param name="hasDisc">Whether the Sun is a disc.</param>
     public void Prepare(int pixels, bool hasDisc)
     {

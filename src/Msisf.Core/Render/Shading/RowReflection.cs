@@ -25,7 +25,6 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// Takes the pixels of a row that face the light, with their facets' normals and without weights; if most of them do, all pixels: the
     /// law is quicker than copying.
     /// </summary>
-    /// <param name="row">The row.</param>
     /// <param name="cosIncidence">Cosines of the incidence angles of its pixels.</param>
     /// <param name="width">Pixels of a whole row.</param>
     public void TakeFacing(SurfaceRow row, double[] cosIncidence, int width)
@@ -113,7 +112,6 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// The smooth normal at a point, or the facet's normal if the smooth one points away from the camera, as it can at the limb:
     /// reflectance laws are undefined there.
     /// </summary>
-    /// <param name="facet">The facet.</param>
     /// <param name="facetNormal">Its own normal, length 1, body-fixed.</param>
     /// <param name="point">The point on it, m, body-fixed.</param>
     /// <param name="camera">The camera's position, m, body-fixed.</param>
@@ -124,7 +122,6 @@ internal sealed class RowReflection(SurfaceModel surface)
     }
 
     /// <summary>Computes the radiance factors of <see cref="Points"/>.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law and map.</param>
     public void FindFactors(FrameCamera camera, SceneLight light, NativeRenderOptions options)

@@ -38,7 +38,6 @@ internal sealed class RowShader
     /// than reading again where most pixels are in shadow.
     /// </summary>
     /// <param name="options">Reflectance law and kind of normals.</param>
-    /// <param name="hasDisc">Whether the Sun is a disc.</param>
     public bool ReflectsFirst(NativeRenderOptions options, bool hasDisc) =>
         options.Normals == NormalModel.Facet && !hasDisc && !IsFlat(options);
 
@@ -89,7 +88,6 @@ internal sealed class RowShader
     /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
     /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; receives the sample's part.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Shade(
         ISurfaceRows visible,
         SceneLight light,

@@ -30,7 +30,6 @@ internal sealed class SmoothNormals
     }
 
     /// <summary>The interpolated normal at a point of a facet.</summary>
-    /// <param name="facet">The facet.</param>
     /// <param name="facetNormalBodyFixed">The facet's own normal, body-fixed, outward, of any length.</param>
     /// <param name="pointBodyFixed">The point on the facet, m, body-fixed.</param>
     /// <returns>The normal, body-fixed, outward, length 1.</returns>

@@ -14,7 +14,6 @@ internal sealed class BlockReceivers : IReceiverBounds
     private readonly DepthGrid _depths = new();
 
     /// <summary>Finds the bounds.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="blocks">The blocks; their bounds are known.</param>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="solidRadius">Radius of the night zone, m.</param>

@@ -12,7 +12,6 @@ internal sealed class CasterBounds
     private readonly double _turnCosine;
     private readonly double _turnSine;
 
-    /// <param name="receivers">The receivers.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <param name="maxRadius">Upper bound of the terrain's distance from the Moon's centre, m; less than the Sun's distance.</param>
     public CasterBounds(IReceiverBounds receivers, double slope, double maxRadius)

@@ -41,8 +41,6 @@ internal sealed class CasterScan
     }
 
     /// <summary>Marks the bins in which a block may hide receivers, so that they are sorted.</summary>
-    /// <param name="block">The block.</param>
-    /// <param name="receivers">The receivers.</param>
     public void WantBins(CellBlock block, PlacedReceivers receivers)
     {
         Load(block, receivers.Frame);
@@ -60,8 +58,6 @@ internal sealed class CasterScan
     }
 
     /// <summary>Adds the facets of a block that may hide a receiver from the Sun.</summary>
-    /// <param name="block">The block.</param>
-    /// <param name="receivers">Bounds of the receivers.</param>
     /// <param name="casters">Receives the facets.</param>
     public void Find(CellBlock block, IReceiverBounds receivers, CasterDepths casters)
     {
@@ -90,8 +86,6 @@ internal sealed class CasterScan
     }
 
     /// <summary>Marks the receivers that a block hides from the Sun.</summary>
-    /// <param name="block">The block.</param>
-    /// <param name="grid">The receivers.</param>
     /// <param name="hidden">One value for each pixel, row by row; set to 1 where terrain hides the Sun.</param>
     public void Cast(CellBlock block, SortedReceivers grid, byte[] hidden)
     {

@@ -38,7 +38,6 @@ internal sealed class CasterSearch
     /// <param name="receivers">The receivers; not empty.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>The blocks; the list is valid until the next search.</returns>
     public IReadOnlyList<CellBlock> Find(IReceiverBounds receivers, double slope, int threads, CancellationToken cancellation) =>
         _search.Find(new Casters(new CasterBounds(receivers, slope, _maxRadius), _limits), threads, cancellation);

@@ -45,7 +45,6 @@ internal sealed class DarkZoneSearch
     }
 
     /// <summary>Whether the zones save more time than they take.</summary>
-    /// <param name="receivers">The receivers.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
     /// <param name="casters">Number of blocks that may cast a shadow.</param>
     public bool Pays(PlacedReceivers receivers, double slope, int casters)
@@ -61,7 +60,6 @@ internal sealed class DarkZoneSearch
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
     /// <param name="casters">Number of blocks that may cast a shadow.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>
     /// The zones, valid until the next search; null if they would cost too much, or the surface is not closed.
     /// </returns>

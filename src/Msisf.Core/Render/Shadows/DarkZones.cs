@@ -22,7 +22,6 @@ internal sealed class DarkZones
     /// <param name="solidRadius">Radius of the sphere that is solid everywhere, m.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
     /// <param name="threads">Maximum number of threads.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     public void Compute(
         SectionGrid grid, ReadOnlyMemory<float> lowest, double solidRadius, double slope, int threads, CancellationToken cancellation)
     {

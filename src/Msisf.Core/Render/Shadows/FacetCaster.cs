@@ -9,8 +9,6 @@ namespace Msisf.Core.Render.Shadows;
 internal static class FacetCaster
 {
     /// <summary>Hides the receivers behind a facet that faces away from the Sun.</summary>
-    /// <param name="facet">The facet.</param>
-    /// <param name="grid">The receivers.</param>
     /// <param name="hidden">One value for each pixel, row by row; set to 1 where the facet hides the Sun.</param>
     /// <returns>Number of vectors of eight receivers that were tested.</returns>
     public static int Cast(in LightFacet facet, SortedReceivers grid, byte[] hidden)

@@ -16,7 +16,6 @@ internal interface IReceiverRows
     /// <param name="y">MOON_ME y, m.</param>
     /// <param name="z">MOON_ME z, m.</param>
     /// <param name="columns">Columns of the image, 0 to <see cref="Width"/> - 1.</param>
-    /// <returns>Number of receivers.</returns>
     int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns);
 
     /// <summary>Reads some receivers of a row that was read before.</summary>

@@ -13,7 +13,6 @@ internal readonly struct LightAxis
     /// <summary>Divides an interval into bins.</summary>
     /// <param name="min">Minimum coordinate, m.</param>
     /// <param name="max">Maximum coordinate, m.</param>
-    /// <param name="bins">Number of bins.</param>
     public LightAxis(double min, double max, int bins)
     {
         // The minimum length keeps the scale finite for an interval of length 0.

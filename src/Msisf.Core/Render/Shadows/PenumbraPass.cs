@@ -28,7 +28,6 @@ internal sealed class PenumbraPass
     private readonly List<PenumbraScan> _scans = [];
 
     /// <summary>Makes a pass for a model.</summary>
-    /// <param name="surface">The model.</param>
     /// <param name="findsDarkZones">Whether <see cref="DarkZones"/> are found first; null where they save time.</param>
     public PenumbraPass(SurfaceModel surface, bool? findsDarkZones = null)
     {
@@ -55,10 +54,8 @@ internal sealed class PenumbraPass
 
     /// <summary>Marks the points of the disc that terrain hides from each receiver.</summary>
     /// <param name="receivers">The points whose facet faces a part of the disc (<see cref="SunDisc.MayLight"/>).</param>
-    /// <param name="disc">The Sun's disc.</param>
     /// <param name="hidden">For each pixel, row by row, the mask of the disc's points that terrain hides; 0 without receiver.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Run(IReceiverRows receivers, SunDisc disc, ulong[] hidden, int threads, CancellationToken cancellation)
     {

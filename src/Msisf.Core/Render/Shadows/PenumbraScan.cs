@@ -23,9 +23,6 @@ internal sealed class PenumbraScan
     }
 
     /// <summary>Marks the points of the disc that a block hides from the receivers.</summary>
-    /// <param name="block">The block.</param>
-    /// <param name="grid">The receivers.</param>
-    /// <param name="rays">The rays to the points of the disc.</param>
     /// <param name="slope">Radius of the disc over its distance.</param>
     /// <param name="hidden">For each pixel, row by row, the mask of the disc's points that terrain hides; bits are added.</param>
     public void Cast(CellBlock block, SortedReceivers grid, DiscRays rays, double slope, ulong[] hidden)

@@ -15,7 +15,6 @@ internal struct ReceiverBin
     public static ReceiverBin Empty => new() { Depth = float.NegativeInfinity };
 
     /// <summary>Counts receivers.</summary>
-    /// <param name="bins">All bins.</param>
     /// <param name="numbers">The bin of each receiver; below 0 for one that is left out.</param>
     /// <param name="depths">Their depths, m.</param>
     /// <param name="columns">Their columns in the image.</param>

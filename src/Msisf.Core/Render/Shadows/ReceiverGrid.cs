@@ -199,7 +199,6 @@ internal sealed class ReceiverGrid
     public readonly struct Counting(ReceiverGrid grid)
     {
         /// <summary>Finds the bins of a row's receivers and leaves out the receivers in the night zone.</summary>
-        /// <param name="row">The receivers.</param>
         /// <param name="start">Where the row begins among all columns, with whole vectors in each row.</param>
         /// <param name="number">Index of the group of rows that this row belongs to; only one thread at a time may work on a group.</param>
         /// <param name="night">The zone in which every point is in shadow.</param>
@@ -237,7 +236,6 @@ internal sealed class ReceiverGrid
         /// <summary>Finds the columns of a row's receivers whose bins are marked, from left to right.</summary>
         /// <param name="start">The same place as in <see cref="Counting.Count"/>.</param>
         /// <param name="columns">Receives them; as long as the image is wide.</param>
-        /// <returns>Their number.</returns>
         public int FindMarked(int start, Span<int> columns) => grid.FindMarked(start, columns);
 
         /// <summary>Makes room for the receivers of the marked bins; gives back memory that the last frames did not need.</summary>

@@ -21,7 +21,6 @@ internal sealed class ReceiverSort
 
     /// <summary>Reads the receivers and finds their number and maximum depth in each bin of the grid.</summary>
     /// <param name="job">The receivers, and what to do with those that are dark.</param>
-    /// <param name="sun">The Sun.</param>
     /// <returns>Valid until the next frame.</returns>
     public PlacedReceivers Read(ReceiverJob job, LightSource sun)
     {
@@ -131,7 +130,6 @@ internal sealed class ReceiverSort
 /// <param name="Night">The zone in which every point is in shadow.</param>
 /// <param name="Hide">Called with each pixel in a dark zone, from several threads.</param>
 /// <param name="Threads">Maximum number of threads.</param>
-/// <param name="Cancellation">Cancels the work.</param>
 internal sealed record ReceiverJob(
     IReceiverRows Receivers, NightZone Night, Action<int> Hide, int Threads, CancellationToken Cancellation)
 {
@@ -157,7 +155,6 @@ internal sealed record ReceiverJob(
 
 /// <summary>The receivers of a frame without those in the night zone, counted but not sorted yet; valid until they are sorted.</summary>
 /// <param name="sort">Sorts them.</param>
-/// <param name="job">The receivers.</param>
 /// <param name="placed">Their bins.</param>
 /// <param name="frame">Light space.</param>
 /// <param name="box">Bounds of them, m; empty if there are none.</param>

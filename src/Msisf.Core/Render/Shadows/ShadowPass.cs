@@ -20,7 +20,6 @@ internal sealed class ShadowPass
     private readonly List<CasterScan> _scans = [];
 
     /// <summary>Makes a pass for a model.</summary>
-    /// <param name="surface">The model.</param>
     public ShadowPass(SurfaceModel surface)
     {
         _surface = surface;
@@ -46,7 +45,6 @@ internal sealed class ShadowPass
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="hidden">One value for each pixel, row by row: 1 if terrain hides the Sun, 0 if not or if there is no receiver.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <exception cref="BadInputException">The Sun is not outside the terrain.</exception>
     public void Run(IReceiverRows receivers, Vector3D sunBodyFixed, byte[] hidden, int threads, CancellationToken cancellation)
     {
@@ -75,7 +73,6 @@ internal sealed class ShadowPass
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="bins">Number of bins along each edge of the grid of casters.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
-    /// <param name="cancellation">Cancels the work.</param>
     /// <returns>Valid until the next call.</returns>
     public SureLight FindCasters(
         IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, int bins, int threads, CancellationToken cancellation)

@@ -30,8 +30,6 @@ internal sealed class SureLight(LightFrame frame, double solidRadius, CasterDept
 
     /// <summary>The light on a piece.</summary>
     /// <param name="x">m, body-fixed x of four points; the piece lies within their convex hull.</param>
-    /// <param name="y">Their y.</param>
-    /// <param name="z">Their z.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public PieceLight Of(Vector256<double> x, Vector256<double> y, Vector256<double> z)
     {

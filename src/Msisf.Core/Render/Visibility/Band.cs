@@ -81,8 +81,6 @@ internal sealed class Band(Action<ProjectedBlock, int, int>? recorded = null)
     public void ClearFacets() => Facets.AsSpan(0, Stride * (LastRow - FirstRow + 1)).Fill(NotRecorded);
 
     /// <summary>Sets where the samples of an image with a lens lie, each in the plane of its tile.</summary>
-    /// <param name="tiles">All tiles of the band.</param>
-    /// <param name="lens">The samples of the image.</param>
     /// <param name="columns">Memory for the columns of the samples; replaced if it is too small.</param>
     /// <param name="rows">Memory for their rows.</param>
     public void Place(IReadOnlyList<LensTile> tiles, LensSamples lens, ref double[] columns, ref double[] rows)

@@ -34,12 +34,8 @@ internal sealed class BandWorker
     }
 
     /// <summary>Draws all blocks that touch a band of an image with a lens, each tile by tile.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="view">The projection without the lens.</param>
-    /// <param name="lens">The samples of the image.</param>
-    /// <param name="index">Index of the band.</param>
     /// <param name="blocks">The blocks that the image may show.</param>
-    /// <param name="band">The band.</param>
     public VisibilityCounts Draw(
         SurfaceModel surface, ImageView view, LensSamples lens, int index, List<VisibleBlock> blocks, Band band)
     {

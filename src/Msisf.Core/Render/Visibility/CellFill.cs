@@ -13,7 +13,6 @@ internal static class CellFill
     private const int Lanes = 8;
 
     /// <summary>Draws the facets of a cell whose corners are all projected.</summary>
-    /// <param name="block">The cell's block.</param>
     /// <param name="index">Index of the cell's north-western vertex in the block.</param>
     /// <param name="halves">Bits of <see cref="FacetCorners"/> for those of the cell's two halves that are facets.</param>
     /// <param name="band">The band into which to draw.</param>

@@ -28,7 +28,6 @@ internal readonly struct CellSides
     }
 
     /// <summary>Returns columns outside of which no sample lies in the cell, for samples near a row.</summary>
-    /// <param name="row">The row.</param>
     /// <param name="margin">px: maximum distance of a sample from the row, and from the column of its pixel.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public (double First, double Last) Within(double row, double margin)

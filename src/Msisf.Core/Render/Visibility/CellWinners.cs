@@ -17,10 +17,7 @@ internal struct CellWinners
     }
 
     /// <summary>Stores depths and facets of the samples that the cell wins, at least one of eight.</summary>
-    /// <param name="records">Records a facet.</param>
-    /// <param name="block">The cell's block.</param>
     /// <param name="index">Index of the cell's north-western vertex in the block.</param>
-    /// <param name="wins">Which of the samples the cell wins.</param>
     /// <param name="inSouthWest">Which of them lie in its south-western facet; the others lie in the north-eastern one.</param>
     /// <param name="facets">The facet of the first sample so far; the other seven follow.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -45,7 +42,6 @@ internal struct CellWinners
 
     /// <summary>Stores facets where they win.</summary>
     /// <param name="number">The facet of each of eight samples.</param>
-    /// <param name="wins">Where it wins.</param>
     /// <param name="facets">The facet of the first sample so far; the other seven follow.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector256<int> number, Vector512<double> wins, ref int facets) =>

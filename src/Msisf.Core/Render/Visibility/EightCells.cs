@@ -14,7 +14,6 @@ internal readonly ref struct EightCells
     private readonly ref double _y;
     private readonly ref double _inverseDepth;
 
-    /// <param name="block">The block of the cells.</param>
     /// <param name="index">Index of the north-western vertex of the westernmost cell.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public EightCells(ProjectedBlock block, int index)

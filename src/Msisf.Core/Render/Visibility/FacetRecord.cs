@@ -22,7 +22,6 @@ internal readonly record struct FacetRecord(Vector3D Normal, double Offset, int 
     };
 
     /// <summary>Packs the model, the sample and the half into one number.</summary>
-    /// <param name="part">Number of the model.</param>
     /// <param name="sample">Sample of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public static int Place(int part, int sample, int half) => (part << PartShift) | (2 * sample) | half;

@@ -42,7 +42,6 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
     }
 
     /// <summary>Records a facet and returns its number.</summary>
-    /// <param name="block">The facet's block.</param>
     /// <param name="index">Index in the block of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     public int Add(ProjectedBlock block, int index, int half)

@@ -25,7 +25,6 @@ internal sealed class ImageView
 
     private readonly LensSamples? _lens;
 
-    /// <param name="camera">The camera.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
     /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>

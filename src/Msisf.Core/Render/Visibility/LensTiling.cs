@@ -7,7 +7,6 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>
 /// Divides the image of a camera with a lens into tiles, in each of which a linear map puts the samples near the middles of their pixels.
 /// </summary>
-/// <param name="model">The camera.</param>
 /// <param name="samples">Where its pixels sample the ideal image plane.</param>
 /// <param name="offset">px to the right and down, added to each pixel's centre.</param>
 internal sealed class LensTiling(CameraModel model, LensSamples samples, (double X, double Y) offset)
@@ -19,7 +18,6 @@ internal sealed class LensTiling(CameraModel model, LensSamples samples, (double
     private const double Rounding = 1e-9;
 
     /// <summary>Halves a rectangle until a linear map fits.</summary>
-    /// <param name="pixels">The rectangle.</param>
     /// <param name="maxMargin">px: maximum distance of a sample from its pixel's centre along columns or rows.</param>
     /// <param name="tiles">Receives the tiles.</param>
     public void Divide(PixelRange pixels, double maxMargin, List<LensTile> tiles)
@@ -108,7 +106,6 @@ internal sealed class LensTiling(CameraModel model, LensSamples samples, (double
 }
 
 /// <summary>Some pixels of an image with a lens, small enough that a linear map puts each sample near its pixel.</summary>
-/// <param name="Pixels">The pixels.</param>
 /// <param name="Map">
 /// The linear map; it is no approximation of the samples, which stay where they are, but the plane that is drawn in.
 /// </param>

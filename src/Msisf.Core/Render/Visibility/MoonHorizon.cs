@@ -42,7 +42,6 @@ internal sealed class MoonHorizon
     }
 
     /// <summary>Whether all facets within a box face away from the camera.</summary>
-    /// <param name="box">The box.</param>
     /// <param name="minRadius">m: minimum radius of the facets in the box.</param>
     /// <param name="maxSlope">Tangent of the maximum slope of the facets in the box.</param>
     public bool IsTurnedAway(in NodeBox box, double minRadius, double maxSlope)

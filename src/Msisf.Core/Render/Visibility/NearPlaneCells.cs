@@ -72,13 +72,10 @@ internal sealed class NearPlaneCells
     }
 
     /// <summary>Finds the edges of a facet and the pixels in which it may lie.</summary>
-    /// <param name="block">The facet's block.</param>
     /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
     /// <param name="window">The pixels that are drawn.</param>
     /// <param name="margin">px: maximum distance of a sample from its pixel along columns or rows.</param>
-    /// <param name="edges">The edges.</param>
-    /// <param name="pixels">The pixels.</param>
     /// <returns>Whether there are such pixels.</returns>
     public bool TryFind(
         ProjectedBlock block, int index, int half, in PixelRange window, double margin, out HomogeneousEdges edges, out PixelRange pixels)
@@ -158,7 +155,6 @@ internal sealed class NearPlaneCells
     }
 
     /// <summary>The dot product of a facet's normal with a ray, times this, is the inverse depth at the ray (1/m).</summary>
-    /// <param name="block">The facet's block.</param>
     /// <param name="index">Index of the north-western vertex of the facet's cell.</param>
     /// <param name="normal">The facet's normal, of any length.</param>
     public double ScaleOf(ProjectedBlock block, int index, Vector3D normal) =>

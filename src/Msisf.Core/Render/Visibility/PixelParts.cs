@@ -46,8 +46,6 @@ internal sealed class PixelParts
     public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, _recordCount);
 
     /// <summary>Takes the parts of a band that was drawn.</summary>
-    /// <param name="band">The band.</param>
-    /// <param name="model">The camera.</param>
     /// <param name="mayBeSplit">Whether samples near a shadow's border are parts of their own.</param>
     public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true)
     {
@@ -88,8 +86,6 @@ internal sealed class PixelParts
     /// <param name="weight">As in <see cref="Weights"/>.</param>
     /// <param name="inverseDepth">As in <see cref="InverseDepths"/>.</param>
     /// <param name="column">Column of the sample, px from the centre of the first pixel.</param>
-    /// <param name="row">Its row.</param>
-    /// <param name="model">The camera.</param>
     public void Add(int pixel, int facet, double weight, double inverseDepth, double column, double row, CameraModel model)
     {
         (Pixels[Count], Facets[Count], FirstSamples[Count]) = (pixel, facet, 0);

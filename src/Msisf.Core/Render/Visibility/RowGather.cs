@@ -94,8 +94,6 @@ internal sealed class RowGather
     }
 
     /// <summary>Reads the planes of the pixels' facets: normals of any length, and the offsets into Y.</summary>
-    /// <param name="records">The facets.</param>
-    /// <param name="pixels">The pixels.</param>
     public static void GatherPlanes(ReadOnlySpan<FacetRecord> records, SurfaceRow pixels)
     {
         ReadOnlySpan<int> facets = pixels.Facets.AsSpan(0, pixels.Count);

@@ -54,7 +54,6 @@ internal sealed class RowResolver
     }
 
     /// <summary>Computes the surface points of all pixels of a row that show the surface.</summary>
-    /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="pixels">Receives the pixels.</param>
     public void Resolve(Band band, int row, SurfaceRow pixels)
@@ -65,7 +64,6 @@ internal sealed class RowResolver
     }
 
     /// <summary>Computes the surface points of some pixels of a row, without unit normals.</summary>
-    /// <param name="band">The band of the row.</param>
     /// <param name="row">The row, from 0.</param>
     /// <param name="columns">The pixels' columns; all show the surface.</param>
     /// <param name="pixels">Receives the pixels.</param>
@@ -93,7 +91,6 @@ internal sealed class RowResolver
     /// <summary>Computes the surface points of parts of pixels.</summary>
     /// <param name="parts">The parts, of the same camera without offset.</param>
     /// <param name="first">The first one that is wanted.</param>
-    /// <param name="count">How many.</param>
     /// <param name="points">Receives them, in their order; their columns count from 0.</param>
     public void Resolve(PixelParts parts, int first, int count, SurfaceRow points)
     {
@@ -112,7 +109,6 @@ internal sealed class RowResolver
     }
 
     /// <summary>Computes some surface points of parts of pixels, without unit normals.</summary>
-    /// <param name="parts">The parts.</param>
     /// <param name="first">The part in column 0.</param>
     /// <param name="columns">The columns of those that are wanted.</param>
     /// <param name="points">Receives them.</param>

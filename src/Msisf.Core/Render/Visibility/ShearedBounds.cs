@@ -36,7 +36,6 @@ internal readonly struct ShearedBounds
         new(Vector512<double>.Zero, Vector512<double>.Zero, left, right, Vector512.Create(CellSides.Slack));
 
     /// <summary>Makes boxes with sides along the cells' western or northern sides, whichever cross more rows.</summary>
-    /// <param name="cells">The cells.</param>
     /// <param name="margin">px: maximum distance of a sample from its pixel along columns or rows; 0 for a pinhole.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static ShearedBounds Along(EightCells cells, double margin)

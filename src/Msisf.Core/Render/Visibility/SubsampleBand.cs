@@ -57,8 +57,6 @@ internal sealed class SubsampleBand
 
     /// <summary>Empties the band for new rows of an image, and places the samples of a pinhole.</summary>
     /// <param name="pixels">The pixels that get samples.</param>
-    /// <param name="model">The camera.</param>
-    /// <param name="band">The rows.</param>
     public void Begin(SampledPixels pixels, CameraModel model, SampledBand band)
     {
         Width = model.Width;
@@ -121,7 +119,6 @@ internal sealed class SubsampleBand
     }
 
     /// <summary>Finds where a lens puts the samples in the ideal image plane.</summary>
-    /// <param name="model">The camera.</param>
     /// <returns>The part of the plane in which they lie.</returns>
     public TangentBox PlaceInLens(CameraModel model)
     {
@@ -151,7 +148,6 @@ internal sealed class SubsampleBand
     }
 
     /// <summary>Places the samples of a tile of an image with a lens in the plane of the tile.</summary>
-    /// <param name="tile">The tile.</param>
     /// <returns>
     /// The tile as far as it lies in the band, with the margin and the tangents of its samples; without pixels if it lies outside.
     /// </returns>
@@ -228,6 +224,5 @@ internal sealed class SubsampleBand
 
 /// <summary>Rows of an image whose further samples are drawn together.</summary>
 /// <param name="FirstRow">The first row, counted from 0.</param>
-/// <param name="LastRow">The last row.</param>
 /// <param name="Vectors">Number of vectors of <see cref="SamplePattern.Lanes"/> samples in them.</param>
 internal readonly record struct SampledBand(int FirstRow, int LastRow, int Vectors);

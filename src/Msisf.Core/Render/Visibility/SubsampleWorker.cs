@@ -12,7 +12,6 @@ internal sealed class SubsampleWorker
     private readonly List<VisibleBlock> _touching = [];
 
     /// <summary>Draws the further samples of a band and finds the parts of its pixels.</summary>
-    /// <param name="surface">The surface.</param>
     /// <param name="frame">The frame, drawn with one sample a pixel at the pixels' centres.</param>
     /// <param name="pixels">The pixels that get samples.</param>
     /// <param name="band">The band; with samples.</param>

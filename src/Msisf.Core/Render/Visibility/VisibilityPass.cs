@@ -47,7 +47,6 @@ internal sealed class VisibilityPass
     public LensSamples? Lens { get; private set; }
 
     /// <summary>Draws a frame.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Ends the work between two bands.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre; above -0.5 and below 0.5.</param>
@@ -78,7 +77,6 @@ internal sealed class VisibilityPass
     }
 
     /// <summary>Finds the blocks that a frame may show, without drawing it; parameters and errors are those of <see cref="Run"/>.</summary>
-    /// <returns>The blocks.</returns>
     public List<VisibleBlock> Prepare(
         FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
     {

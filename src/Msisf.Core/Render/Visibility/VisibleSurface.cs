@@ -37,7 +37,6 @@ internal sealed class VisibleSurface : ISurfaceRows
     /// <param name="x">1 to the width.</param>
     /// <param name="y">1 to the height.</param>
     /// <param name="hit">The point and its facet, with the facet's normal.</param>
-    /// <returns>Whether the pixel shows the surface.</returns>
     public bool TryGet(int x, int y, out SurfaceHit hit)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(x, 1);
@@ -68,7 +67,6 @@ internal sealed class VisibleSurface : ISurfaceRows
 
     /// <summary>The facets of a row that was read.</summary>
     /// <param name="y">1 to the height.</param>
-    /// <param name="row">The row.</param>
     /// <param name="facets">Receives the facet of each point.</param>
     public void ReadFacets(int y, SurfaceRow row, Span<FacetId> facets)
     {

@@ -32,7 +32,6 @@ internal sealed class BorderBlend : IBlendedGrid
 
     /// <summary>Prepares a model; of one with gaps all samples are looked at.</summary>
     /// <param name="grid">The model, which is not of the whole Moon.</param>
-    /// <param name="coarser">The coarser models.</param>
     /// <param name="widest">Samples of the border at most.</param>
     public BorderBlend(ITerrainGrid grid, CoarserGround coarser, int widest = MaxWidth)
     {
@@ -212,7 +211,5 @@ internal sealed class BorderBlend : IBlendedGrid
 internal interface IBlendedGrid : ITerrainGrid
 {
     /// <summary>Whether the height of a sample with data is another one than the model's own.</summary>
-    /// <param name="line">The line.</param>
-    /// <param name="sample">The sample.</param>
     bool IsBlended(int line, int sample);
 }

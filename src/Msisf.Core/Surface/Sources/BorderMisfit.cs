@@ -18,8 +18,6 @@ public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Heigh
     private const int SlopeSamples = 64;
 
     /// <summary>Compares a model's outermost samples, also those around places without data.</summary>
-    /// <param name="model">The model.</param>
-    /// <param name="outline">Its outermost samples.</param>
     /// <param name="coarserAt">m: radius of the coarser models in a direction.</param>
     internal static BorderMisfit Of(ITerrainGrid model, Outline outline, Func<Vector3D, double> coarserAt)
     {
@@ -84,7 +82,6 @@ public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Heigh
 }
 
 /// <summary>Numbers that tell how large misfits are.</summary>
-/// <param name="Mean">Their mean.</param>
 /// <param name="Rms">The root of their mean square.</param>
 /// <param name="Greatest">The one that is farthest from 0.</param>
 public readonly record struct MisfitNumbers(double Mean, double Rms, double Greatest);

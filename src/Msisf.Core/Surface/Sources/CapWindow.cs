@@ -11,8 +11,6 @@ internal static class CapWindow
     /// <summary>
     /// Rectangles of cells that together hold all cells that a cap touches, and one more around; they may reach beyond the mesh.
     /// </summary>
-    /// <param name="mesh">The mesh.</param>
-    /// <param name="cap">The cap.</param>
     /// <param name="margin">rad, by which the cap is widened; at least 0.</param>
     public static CellRange[] Of(FacetMesh mesh, SphericalCap cap, double margin)
     {

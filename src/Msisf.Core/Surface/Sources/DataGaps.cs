@@ -15,7 +15,6 @@ internal sealed class DataGaps
     private readonly Dictionary<int, bool[]> _gaps = [];
 
     /// <summary>Looks for the samples; of a model that may have some all are looked at.</summary>
-    /// <param name="grid">The model.</param>
     /// <param name="isRing">Whether its last sample of a line lies beside the first.</param>
     public DataGaps(ITerrainGrid grid, bool isRing)
     {
@@ -52,7 +51,6 @@ internal sealed class DataGaps
     }
 
     /// <summary>The tiles with a sample up to a distance, and some more, from one without data.</summary>
-    /// <param name="distance">Samples.</param>
     public IEnumerable<int> TilesWithin(int distance)
     {
         int reach = (distance + Side - 1) / Side;
@@ -79,7 +77,6 @@ internal sealed class DataGaps
     /// </summary>
     /// <param name="firstDown">The tile's first line, from the model's first.</param>
     /// <param name="firstRight">Its first sample, from the model's first.</param>
-    /// <param name="width">Samples.</param>
     public byte[] DistancesAround(int firstDown, int firstRight, int width) =>
         _gaps.Count == 0 ? DistancesFromSides(firstDown, firstRight, width) : DistancesFromGaps(firstDown, firstRight, width);
 

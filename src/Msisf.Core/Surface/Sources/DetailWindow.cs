@@ -15,7 +15,6 @@ internal sealed class DetailWindow : ITerrainGrid
     private readonly double[]?[] _known;
 
     /// <summary>Places a window; nothing is computed yet.</summary>
-    /// <param name="detail">The ground.</param>
     /// <param name="tiles">Its heights.</param>
     /// <param name="place">Where the window lies.</param>
     public DetailWindow(IGroundDetail detail, DetailTiles<double> tiles, WindowPlace place)

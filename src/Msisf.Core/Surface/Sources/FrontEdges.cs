@@ -85,7 +85,6 @@ internal sealed class FrontIndex
     private readonly Cube _top = new();
 
     /// <summary>Adds an edge.</summary>
-    /// <param name="edge">Its number.</param>
     /// <param name="middle">Its middle, m.</param>
     /// <param name="length">Its length, m.</param>
     public void Add(int edge, Vector3D middle, double length) => Change(middle, length, 1).Edges.Add(edge);

@@ -8,7 +8,6 @@ namespace Msisf.Core.Surface.Sources;
 /// By how much invented rays change the reflectance of the ground that a view shows: factors at the samples of lattices twice as wide as
 /// those of its windows, and between them linear. Safe for several threads.
 /// </summary>
-/// <param name="tiles">The factors.</param>
 /// <param name="places">Where the windows lie, the coarsest first; at least one.</param>
 internal sealed class GroundBrightness(DetailTiles<float> tiles, IReadOnlyList<WindowPlace> places) : IGroundBrightness
 {

@@ -12,7 +12,6 @@ internal static class ModelReach
     private const double Margin = 2.0;
 
     /// <summary>rad: lower bound of the angle, seen from the Moon's centre, from a direction to the nearest cell of a model.</summary>
-    /// <param name="part">The model.</param>
     /// <param name="direction">Unit vector, body-fixed.</param>
     public static double AngleTo(GridPatch part, Vector3D direction)
     {

@@ -70,8 +70,6 @@ internal sealed class Outline
 }
 
 /// <summary>An outermost sample of a model.</summary>
-/// <param name="Line">Its line.</param>
-/// <param name="Sample">Its sample.</param>
 /// <param name="Direction">Unit vector, body-fixed.</param>
 /// <param name="Radius">m.</param>
 /// <param name="Count">For how many samples it stands.</param>

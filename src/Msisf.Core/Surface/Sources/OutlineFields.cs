@@ -28,7 +28,6 @@ internal sealed class OutlineFields
     }
 
     /// <summary>What a model gets; null for nothing.</summary>
-    /// <param name="part">Number of the model.</param>
     /// <param name="isDrawn">Which models there are; the others count for nothing.</param>
     public OutlineField? Of(int part, IReadOnlyList<bool> isDrawn)
     {

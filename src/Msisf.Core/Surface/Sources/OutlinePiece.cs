@@ -157,6 +157,5 @@ internal sealed class OutlinePiece
 }
 
 /// <summary>Sums for the mean of the differences around a place.</summary>
-/// <param name="Weight">Of the weights.</param>
 /// <param name="Height">m: of the differences with their weights.</param>
 internal readonly record struct OutlineMean(double Weight, double Height);

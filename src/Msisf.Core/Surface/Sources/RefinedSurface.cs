@@ -12,7 +12,6 @@ internal static class RefinedSurface
     /// <param name="places">Where the windows lie.</param>
     /// <param name="seams">Keeps what fills the gaps between the models, which other windows leave as they are.</param>
     /// <param name="rings">Keeps the facets between windows.</param>
-    /// <param name="brightness">Of the windows.</param>
     public static SurfaceModel Join(
         IReadOnlyList<GridPatch> models, IReadOnlyList<GridPatch> windows, IReadOnlyList<WindowPlace> places, ISeamStore seams,
         WindowRings rings, GroundBrightness brightness)

@@ -40,7 +40,6 @@ public sealed class RefinedTerrain : ITerrain, IGround
 
     /// <summary>Takes models and their ground; nothing is read yet.</summary>
     /// <param name="models">A model of the whole Moon, or several.</param>
-    /// <param name="detail">The ground with its detail.</param>
     /// <param name="finestLevel">Cells are 2^this m wide at least.</param>
     /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
     public RefinedTerrain(ITerrain models, IGroundDetail detail, int finestLevel)
@@ -91,7 +90,6 @@ public sealed class RefinedTerrain : ITerrain, IGround
         terrain is NestedTerrain { Blend: NestBlend.Outward } nested ? [.. nested.WholeParts.Select(part => part.Grid)] : ModelsOf(terrain);
 
     /// <summary>The surface that a camera sees.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     public RefinedView For(ICamera camera, int subsamplesPerAxis)
     {

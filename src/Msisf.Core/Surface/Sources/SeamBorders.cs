@@ -11,8 +11,6 @@ internal sealed class SeamBorders
     private readonly int[] _places;
 
     /// <summary>Divides the edges of gaps into borders.</summary>
-    /// <param name="vertices">The vertices.</param>
-    /// <param name="edges">The edges.</param>
     /// <param name="isDelaunay">Whether the gaps get a constrained Delaunay triangulation; the hashes say so.</param>
     public SeamBorders(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges, bool isDelaunay)
     {

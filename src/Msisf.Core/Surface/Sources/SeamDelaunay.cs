@@ -32,7 +32,6 @@ internal sealed class SeamDelaunay
     }
 
     /// <summary>The facets of the same gaps.</summary>
-    /// <param name="vertices">The vertices.</param>
     /// <param name="corners">Three corners of each facet, counter-clockwise seen from outside.</param>
     public static int[] Of(SeamVertex[] vertices, int[] corners)
     {

@@ -31,7 +31,6 @@ internal sealed class SeamFront
     private int _stamp;
 
     /// <summary>Starts with the borders.</summary>
-    /// <param name="vertices">The vertices.</param>
     /// <param name="edges">The edges of the borders, with the gap on their left as seen from outside.</param>
     public SeamFront(SeamVertex[] vertices, IReadOnlyList<(int From, int To)> edges)
     {

@@ -29,7 +29,6 @@ internal sealed class SeamTriangulator
 
     /// <summary>Fills all gaps.</summary>
     /// <param name="parts">The models with their cells.</param>
-    /// <param name="vertices">The vertices.</param>
     /// <param name="edges">The edges of the borders, with the gap on their left as seen from outside.</param>
     /// <param name="isDelaunay">Whether the facets are a constrained Delaunay triangulation, or what is found first.</param>
     /// <param name="store">Has fillings, and gets those that it does not have; null for none.</param>

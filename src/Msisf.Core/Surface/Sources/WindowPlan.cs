@@ -6,7 +6,6 @@ namespace Msisf.Core.Surface.Sources;
 /// <summary>
 /// Chooses the windows of a frame: of each level one around the ground that needs cells of that level or finer ones. Immutable.
 /// </summary>
-/// <param name="detail">The ground.</param>
 /// <param name="models">The models, the coarsest first.</param>
 /// <param name="finestLevel">Cells are 2^this m wide at least.</param>
 internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGrid> models, int finestLevel)
@@ -49,7 +48,6 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     private readonly int _widestLevel = WidestIn(models[0]);
 
     /// <summary>The windows, the coarsest first; each holds the next one. None if the models' own cells are fine enough.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     public IReadOnlyList<WindowPlace> Of(ICamera camera, int subsamplesPerAxis)
     {

@@ -35,8 +35,6 @@ internal sealed class WindowRings
     }
 
     /// <summary>A ring between two windows.</summary>
-    /// <param name="Outer">The outer window.</param>
-    /// <param name="Inner">The inner window.</param>
     /// <param name="OuterPart">Part of the outer window; that of the inner one is the next.</param>
     /// <param name="IsOuterBlended">Whether the outer window is the coarsest, whose border is blended.</param>
     internal readonly record struct Ring(WindowPlace Outer, WindowPlace Inner, int OuterPart, bool IsOuterBlended);

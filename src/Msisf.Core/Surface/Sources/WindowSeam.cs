@@ -4,10 +4,6 @@ namespace Msisf.Core.Surface.Sources;
 /// The facets between a window and the one inside it, whose cells are half as wide: a ring one cell of the outer window wide, in which
 /// each of its cells beside the inner window has three facets and each in a corner two.
 /// </summary>
-/// <param name="outer">The outer window.</param>
-/// <param name="outerPart">Its part.</param>
-/// <param name="inner">The inner window.</param>
-/// <param name="innerPart">Its part.</param>
 internal sealed class WindowSeam(GridPatch outer, int outerPart, GridPatch inner, int innerPart)
 {
     private readonly List<SeamVertex> _corners = [];

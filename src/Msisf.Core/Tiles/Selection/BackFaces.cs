@@ -6,7 +6,6 @@ namespace Msisf.Core.Tiles.Selection;
 /// Finds where facets lie that may be turned away from a viewpoint. Only through such a facet can a ray to the viewpoint enter the
 /// ground, and a ray from the viewpoint leave the ground. A block's facets are read when they are first needed.
 /// </summary>
-/// <param name="table">Bounds from the viewpoint.</param>
 /// <param name="summary">Bounds of the terrain.</param>
 /// <param name="viewpoint">m, body-fixed.</param>
 /// <param name="patch">Buffer for reading terrain; not the one that a walk uses.</param>

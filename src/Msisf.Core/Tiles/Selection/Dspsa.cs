@@ -16,7 +16,6 @@ public static class Dspsa
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
-    /// <param name="grid">The model.</param>
     /// <param name="summary">Summary of the same model.</param>
     /// <exception cref="BadInputException">
     /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.

@@ -67,7 +67,6 @@ internal sealed class HorizonMap
 
     /// <summary>Notes that the Moon reaches a slope at all azimuths, inside the window and outside.</summary>
     /// <param name="farArc">Arc at which the slope is reached.</param>
-    /// <param name="slope">The slope.</param>
     public void RaiseAll(double farArc, double slope)
     {
         _coreArc = farArc;

@@ -9,7 +9,6 @@ namespace Msisf.Core.Tiles.Selection;
 /// </summary>
 /// <param name="run">The selection of tiles, done.</param>
 /// <param name="rule">Gives the level that is allowed at a place.</param>
-/// <param name="footprint">Footprint of the image's pixels.</param>
 /// <param name="summary">Bounds of the terrain.</param>
 /// <param name="subdivisionsAt">Number of parts along a tile's edge at a level.</param>
 /// <param name="deviationOf">How far a part's surface lies from the model's, m.</param>
@@ -60,7 +59,6 @@ internal sealed class PartDivision(
     /// The coarsest level allowed for the visible ground of a tile within a cap, whose heights are bounded by those of the tile; or a
     /// coarser one that needs smaller parts too. The tile is read only if the limits of the model leave that open.
     /// </summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="cap">The place.</param>
     /// <param name="subdivisions">Number of parts along the tile's edge beyond which the level does not matter.</param>
     private int LevelOf(TileId tile, SphericalCap cap, int subdivisions)

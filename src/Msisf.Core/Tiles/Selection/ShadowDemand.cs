@@ -12,7 +12,6 @@ namespace Msisf.Core.Tiles.Selection;
 /// <param name="summary">Bounds of the terrain.</param>
 /// <param name="patch">Buffer for reading terrain.</param>
 /// <param name="rule">Gives the level that is allowed for visible ground.</param>
-/// <param name="footprint">Footprint of the image's pixels.</param>
 internal sealed class ShadowDemand(
     SunView sun, ElevationSummary summary, TerrainPatch patch, DetailRule rule, PixelFootprint footprint)
 {

@@ -30,7 +30,6 @@ internal readonly record struct SeenNode(TerrainNode Node, PolarBounds Bounds, b
 /// Walks down a tile to its facets, leaving out nodes and facets that are outside the image or certainly hidden from the camera.
 /// </summary>
 /// <param name="summary">Bounds of the terrain.</param>
-/// <param name="frame">The image.</param>
 /// <param name="view">Half planes of the camera.</param>
 /// <param name="horizon">What the terrain hides from the camera.</param>
 /// <param name="patch">Buffer for reading terrain.</param>

@@ -17,8 +17,6 @@ public sealed class TileSelection
 }
 
 /// <summary>The decision whether a scene needs a tile.</summary>
-/// <param name="Tile">The tile.</param>
-/// <param name="Reason">Reason for the decision.</param>
 public readonly record struct TileChoice(TileId Tile, TileReason Reason)
 {
     /// <summary>Whether the scene needs the tile.</summary>

@@ -101,7 +101,6 @@ internal sealed class VisibleBlockVisitor(ElevationSummary summary, PolarView vi
     }
 
     /// <summary>A dark block.</summary>
-    /// <param name="Tile">Its tile.</param>
     /// <param name="Block">Its number in the tile, row by row.</param>
     /// <param name="Bounds">Bounds of the block from the camera.</param>
     public readonly record struct DarkBlock(TileId Tile, int Block, PolarBounds Bounds);
