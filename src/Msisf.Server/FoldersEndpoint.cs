@@ -110,9 +110,10 @@ internal sealed class FoldersEndpoint
 
     private static string Word(HttpContext context, string name) => (string)context.Request.RouteValues[name]!;
 
-    /// <summary>Numbers as numbers, all else as text.</summary>
-    private static object JsonValue(string text) =>
-        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
+    /// <summary>Numbers as numbers, flags as true, all else as text.</summary>
+    private static object JsonValue(string text) => text == "true"
+        ? true
+        : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
             ? number
             : text;
 }

@@ -46,7 +46,7 @@ public class FolderTests
         CommandLineRun run = CommandLineRun.Of(
         [
             "--renderer", "native", "--position", "10,20.5,300000", "--time", "55289", "--camera", camera, "--reflectance", "lambert",
-            "--batch", "--output-dir", folder["run"],
+            "--ignore-sun", "--refine", "7", "--batch", "--output-dir", folder["run"],
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
         using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, folder["run"]));

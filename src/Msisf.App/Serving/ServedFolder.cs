@@ -17,11 +17,12 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
 {
     private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
 
-    private static readonly HashSet<string> Known =
-        [.. CommandTable.OptionsOfRequest.Except([
+    private static readonly Dictionary<string, OptionSpec> Known = CommandTable.OptionsOfRequest
+        .Except([
             RendererOptions.Renderer, NativeOptions.Layers, OutputOptions.Grid, OutputOptions.GridHorizontal, OutputOptions.GridVertical,
             .. NavigationOptions.Group.Options,
-        ]).Select(option => option.Key)];
+        ])
+        .ToDictionary(option => option.Key);
 
     private readonly Lock _gate = new();
     private (DateTime Written, long Length) _version;
@@ -102,15 +103,18 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
     private Dictionary<string, string> Options(IReadOnlyList<string> words)
     {
         Dictionary<string, string> options = [];
-        for (int index = 0; index + 1 < words.Count; index++)
+        for (int index = 0; index < words.Count; index++)
         {
             string key = words[index].TrimStart('-');
-            bool isMapElsewhere = key == AlbedoOptions.Map.Key && words[index + 1] != AlbedoOptions.NoMap
-                && !names.Maps.Contains(words[index + 1].Split(',')[0]);
-            if (words[index].StartsWith("--", StringComparison.Ordinal) && Known.Contains(key) && !isMapElsewhere
-                && !words[index + 1].StartsWith("--", StringComparison.Ordinal))
+            if (!words[index].StartsWith("--", StringComparison.Ordinal) || !Known.TryGetValue(key, out OptionSpec? option))
             {
-                string value = words[++index];
+                continue;
+            }
+
+            string value = option is FlagSpec ? "true" : index + 1 < words.Count ? words[++index] : string.Empty;
+            bool isMapElsewhere = option == AlbedoOptions.Map && value != AlbedoOptions.NoMap && !names.Maps.Contains(value.Split(',')[0]);
+            if (!isMapElsewhere)
+            {
                 options[key] = options.TryGetValue(key, out string? before) ? before + PathSpec.Separator + value : value;
             }
         }

@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Layers;
+using Msisf.Core.Lod;
 using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Settings;
@@ -51,7 +52,8 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
                     .About(NativeOptions.RefineCell, NativeOptions.Refine);
         }
 
-        if (values.IsGiven(SurfaceOptions.LevelOfDetailError))
+        // The command that a frame's meta file holds names the default.
+        if (SurfaceOptions.LevelOfDetailError.ReadIfGiven(values) is { } error && error != DetailRule.DefaultErrorOfImage)
         {
             throw new UsageException(
                 "--lod-error is for levels of detail of one model; with --refine the ground is drawn from the model itself. "
