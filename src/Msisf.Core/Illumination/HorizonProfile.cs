@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Illumination;
 
@@ -13,6 +14,9 @@ internal sealed record HorizonProfile(int Columns, double BottomDegrees, double 
     private readonly float[] _inverse = [.. Enumerable.Range(0, Columns + 1).Select(count => count == 0 ? 0.0f : 1.0f / count)];
     private readonly float[] _tangents = [.. Enumerable.Range(0, ushort.MaxValue + 1).Select(
         level => (float)Math.Tan(double.DegreesToRadians(BottomDegrees + (level * (TopDegrees - BottomDegrees) / ushort.MaxValue))))];
+
+    /// <summary>Elements of a table that <see cref="Read"/> fills.</summary>
+    public static int TableLength(int columns) => columns + Vector512<float>.Count;
 
     /// <summary>degrees: the step of stored elevations.</summary>
     public double StepDegrees => (TopDegrees - BottomDegrees) / ushort.MaxValue;
@@ -63,7 +67,9 @@ internal sealed record HorizonProfile(int Columns, double BottomDegrees, double 
 
     /// <summary>Fills a table with a stored horizon.</summary>
     /// <param name="corners">As <see cref="Store"/> gave them.</param>
-    /// <param name="tangents">Receives the tangent at each column, and after them that of the first again.</param>
+    /// <param name="tangents">
+    /// Receives the tangent at each column, after them that of the first again, and then what means nothing: <see cref="TableLength"/>.
+    /// </param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Read(ReadOnlySpan<uint> corners, Span<float> tangents)
     {
@@ -74,10 +80,12 @@ internal sealed record HorizonProfile(int Columns, double BottomDegrees, double 
             int end = corner == corners.Length - 1 ? Columns : (int)(corners[corner] >> 16);
             float to = TangentOf((ushort)corners[corner]);
             float slope = (to - from) * _inverse[end - start];
-            Span<float> line = tangents[start..end];
-            for (int column = 0; column < line.Length; column++)
+            Vector512<float> indices = Vector512.ConvertToSingle(Vector512<int>.Indices);
+            for (int column = start; column < end; column += Vector512<float>.Count)
             {
-                line[column] = from + (slope * column);
+                // What is written beyond the end is written again by the next line.
+                (Vector512.Create(from) + (Vector512.Create(slope) * indices)).CopyTo(tangents[column..]);
+                indices += Vector512.Create((float)Vector512<float>.Count);
             }
 
             (start, from) = (end, to);

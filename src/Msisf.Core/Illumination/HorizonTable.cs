@@ -23,7 +23,7 @@ internal sealed class HorizonTable
     public HorizonTable(int columns)
     {
         Columns = columns;
-        Tangents = new float[columns + 1];
+        Tangents = new float[HorizonProfile.TableLength(columns)];
         int groups = columns / Group;
         (_least, _most) = (new float[groups + (4 * Edge)], new float[groups + (4 * Edge)]);
     }
@@ -31,7 +31,7 @@ internal sealed class HorizonTable
     /// <summary>Columns of a turn.</summary>
     public int Columns { get; }
 
-    /// <summary>The tangent at each column; after the last one that of the first again.</summary>
+    /// <summary>The tangent at each column; after the last one that of the first again, and then what means nothing.</summary>
     public float[] Tangents { get; }
 
     /// <summary>The greatest tangent.</summary>
@@ -94,13 +94,32 @@ internal sealed class HorizonTable
 
     /// <summary>The tangents at sixteen azimuths, straight between columns.</summary>
     /// <param name="columns">From - <see cref="Columns"/> to below twice as many.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<float> At(Vector512<float> columns)
     {
         Vector512<float> floor = Vector512.Floor(columns);
         Vector512<int> index = Vector512.ConvertToInt32(floor) & Vector512.Create(Columns - 1);
-        Vector512<float> left = Gather(Tangents, index);
-        Vector512<float> right = Gather(Tangents, index + Vector512<int>.One);
+        ref float start = ref MemoryMarshal.GetArrayDataReference(Tangents);
+        Vector512<float> first = Eight(ref start, index.GetLower());
+        Vector512<float> second = Eight(ref start, index.GetUpper());
+        Vector512<float> left = Vector512.Create(first.GetLower(), second.GetLower());
+        Vector512<float> right = Vector512.Create(first.GetUpper(), second.GetUpper());
         return left + ((columns - floor) * (right - left));
+
+        // A column and the next one are read at once: eight columns, and then the next ones.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static Vector512<float> Eight(ref float start, Vector256<int> at)
+        {
+            Vector512<double> pairs = Vector512.Create(Four(ref start, at.GetLower()), Four(ref start, at.GetUpper()));
+            return Vector512.Shuffle(pairs.AsSingle(), Vector512.Create(0, 2, 4, 6, 8, 10, 12, 14, 1, 3, 5, 7, 9, 11, 13, 15));
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static Vector256<double> Four(ref float start, Vector128<int> at) => Vector256.Create(
+            Vector128.Create(PairAt(ref start, at[0]), PairAt(ref start, at[1])),
+            Vector128.Create(PairAt(ref start, at[2]), PairAt(ref start, at[3])));
+
+        static double PairAt(ref float start, int at) => Unsafe.As<float, double>(ref Unsafe.Add(ref start, at));
     }
 
     /// <summary>Elements of a table.</summary>

@@ -8,12 +8,8 @@ internal static class LaneMasks
     private static readonly Vector512<int> Bits = Vector512.Create(
         1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
 
-    /// <summary>1 where a bit is set, else 0.</summary>
-    public static Vector512<float> Of(uint bits)
-    {
-        Vector512<int> isSet = Vector512.Equals(Vector512.Create((int)bits) & Bits, Bits);
-        return Vector512.ConditionalSelect(isSet.AsSingle(), Vector512<float>.One, Vector512<float>.Zero);
-    }
+    /// <summary>All bits of a lane where its bit is set, else none.</summary>
+    public static Vector512<float> Of(uint bits) => Vector512.Equals(Vector512.Create((int)bits) & Bits, Bits).AsSingle();
 
     /// <summary>The greatest of the numbers.</summary>
     public static float Max(Vector512<float> values)

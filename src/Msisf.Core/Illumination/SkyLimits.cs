@@ -15,6 +15,9 @@ internal sealed class SkyLimits(int columns)
     private float _lowest;
     private bool _isWide;
 
+    /// <summary>Takes a horizon.</summary>
+    /// <param name="table">The horizon, whose limits are found.</param>
+    /// <param name="body">The body, whose greatest disc counts.</param>
     public void Find(HorizonTable table, LightTimes body)
     {
         (_lowest, _highest) = (table.Lowest, table.Highest);
@@ -28,12 +31,12 @@ internal sealed class SkyLimits(int columns)
         }
     }
 
-    /// <summary>The same from limits of all lanes.</summary>
+    /// <summary>The lanes whose disc is whole, and those for which the limits do not tell, from limits of all: all lanes or none.</summary>
     public (uint Full, uint Open) Compare(in SkyBox box)
     {
         const uint All = 0xFFFF;
         (float low, float high) = (box.Lowest, box.Highest);
-        if (high < _lowest || (low > _highest && low > 0.0f))
+        if (high < _lowest || low > _highest)
         {
             return (low > _highest ? All : 0, 0);
         }
@@ -59,12 +62,12 @@ internal sealed class SkyLimits(int columns)
         }
 
         bool isNone = !Vector512.LessThanOrEqualAny(least, Vector512.Create(high));
-        bool isFull = low > 0.0f && !Vector512.GreaterThanOrEqualAny(most, Vector512.Create(low));
+        bool isFull = !Vector512.GreaterThanOrEqualAny(most, Vector512.Create(low));
         return isNone ? (0, 0) : isFull ? (All, 0) : (0, All);
     }
 
-    /// <summary>The lanes whose disc is whole, and those for which the limits do not tell.</summary>
-    public (uint Full, uint Open) Compare(in SeenBody seen, Vector512<float> slope)
+    /// <summary>The same lane by lane.</summary>
+    public (uint Full, uint Open) Compare(in SeenBody seen)
     {
         Vector512<int> group = Vector512.ShiftRightArithmetic(
             Vector512.ConvertToInt32(Vector512.Floor(seen.Column)), BitOperations.Log2(HorizonBuffer.Group))
@@ -74,19 +77,13 @@ internal sealed class SkyLimits(int columns)
             return (0, 0xFFFF);
         }
 
-        Vector512<float> half = Vector512.Create(1.05f) * (slope + Vector512.Create(ExactLight.Doubt))
+        Vector512<float> half = Vector512.Create(1.05f) * (seen.Slope + Vector512.Create(ExactLight.Doubt))
             * (Vector512<float>.One + (seen.Tangent * seen.Tangent));
         Vector512<float> lower = seen.Tangent - half;
-        Vector512<float> isFull = (Vector512.GreaterThan(lower, HorizonTable.Gather(_most, group))
-            | Vector512.GreaterThan(lower, Vector512.Create(_highest)))
-            & Vector512.GreaterThan(Vector512.Abs(seen.Tangent), half);
+        Vector512<float> isFull = Vector512.GreaterThan(lower, HorizonTable.Gather(_most, group))
+            | Vector512.GreaterThan(lower, Vector512.Create(_highest));
         Vector512<float> isNone = Vector512.LessThan(seen.Tangent + half, HorizonTable.Gather(_least, group));
         uint full = (uint)isFull.ExtractMostSignificantBits();
         return (full, ~(full | (uint)isNone.ExtractMostSignificantBits()) & 0xFFFF);
     }
 }
-
-/// <summary>A body as it is seen at sixteen steps.</summary>
-/// <param name="Tangent">Of the elevation of its middle.</param>
-/// <param name="Column">Its azimuth in columns.</param>
-internal readonly record struct SeenBody(Vector512<float> Tangent, Vector512<float> Column);

@@ -69,11 +69,21 @@ internal sealed class SkyPath
         Vector512<float> north = Vector512.LoadUnsafe(ref _north[step]);
         Vector512<float> tiltEast = Vector512.Create(shift.TiltEast);
         Vector512<float> tiltNorth = Vector512.Create(shift.TiltNorth);
-        return new SeenBody(
+        return SeenAt(
             Vector512.LoadUnsafe(ref _tangent[step])
                 + (Vector512.LoadUnsafe(ref _rise[step]) * ((tiltEast * east) + (tiltNorth * north))),
             Vector512.LoadUnsafe(ref _column[step]) + Vector512.Create(shift.Columns)
-                + (Vector512.LoadUnsafe(ref _turn[step]) * ((tiltNorth * east) - (tiltEast * north))));
+                + (Vector512.LoadUnsafe(ref _turn[step]) * ((tiltNorth * east) - (tiltEast * north))),
+            Vector512.LoadUnsafe(ref _times.Slope[step]));
+    }
+
+    /// <summary>The body from its place in the sky.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public SeenBody SeenAt(Vector512<float> tangent, Vector512<float> column, Vector512<float> slope)
+    {
+        Vector512<float> perCosine = Vector512.Sqrt(Vector512<float>.One + (tangent * tangent));
+        return new SeenBody(
+            tangent, column, slope, perCosine, slope * perCosine * Vector512.Create((float)(_columns / (2.0 * Math.PI))));
     }
 
     /// <summary>Limits of the body's disc at sixteen steps.</summary>
@@ -108,13 +118,16 @@ internal sealed class SkyPath
     /// <param name="bodyFixed">Body-fixed.</param>
     public Vector3D ToLocal(Vector3D bodyFixed) => _middle.ToLocal(bodyFixed);
 
-    /// <summary>Cosines of the angles between a normal and the directions to the body at sixteen steps; 0 for greater angles.</summary>
+    /// <summary>Cosines of the angles between a normal and the directions to the body at sixteen steps.</summary>
     /// <param name="normal">As <see cref="ToLocal"/> gives it, length 1.</param>
     /// <param name="step">The first step.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector512<float> CosineTo(Vector3D normal, int step) => Vector512.MaxNative(
-        Along(normal, Vector512.LoadUnsafe(ref _east[step]), Vector512.LoadUnsafe(ref _north[step]), Vector512.LoadUnsafe(ref _up[step])),
-        Vector512<float>.Zero);
+    public Vector512<float> CosineTo(Vector3D normal, int step) => Along(
+        normal, Vector512.LoadUnsafe(ref _east[step]), Vector512.LoadUnsafe(ref _north[step]), Vector512.LoadUnsafe(ref _up[step]));
+
+    /// <summary>The same at steps anywhere.</summary>
+    public Vector512<float> CosineTo(Vector3D normal, Vector512<int> steps) => Along(
+        normal, HorizonTable.Gather(_east, steps), HorizonTable.Gather(_north, steps), HorizonTable.Gather(_up, steps));
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Fill()
