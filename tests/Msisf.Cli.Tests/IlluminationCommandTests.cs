@@ -56,25 +56,74 @@ public sealed class IlluminationCommandTests : IDisposable
         bool isLit = events[0][2] == "sunset";
         DateTime since = begin;
         double days = 0.0;
+        List<(bool IsLit, DateTime Start, DateTime End)> spans = [];
         foreach (string[] row in events)
         {
             Assert.Equal(isLit ? "sunset" : "sunrise", row[2]);
             DateTime time = DateTime.Parse(row[3], CultureInfo.InvariantCulture, DateTimeStyles.AdjustToUniversal);
             days += isLit ? (time - since).TotalDays : 0.0;
+            spans.Add((isLit, since, time));
             (isLit, since) = (!isLit, time);
         }
 
         days += isLit ? (end - since).TotalDays : 0.0;
+        spans.Add((isLit, since, end));
         Assert.Equal(days / 31.0, lit, 0.02);
+        string[] columns = File.ReadLines(Path.Combine(_folder.Path, "p", "points.csv")).First().Split(',');
+        string[] cells = rows[1].Replace("\"Ridge, high\"", "Ridge", StringComparison.Ordinal).Split(',');
+        foreach ((string name, bool isWithSun) in (ReadOnlySpan<(string, bool)>)[("dark", false), ("light", true)])
+        {
+            (bool IsLit, DateTime Start, DateTime End) longest = spans.Where(span => span.IsLit == isWithSun)
+                .MaxBy(span => span.End - span.Start);
+            double hours = double.Parse(Cell($"longest_{name}_h"), CultureInfo.InvariantCulture);
+            Assert.Equal((longest.End - longest.Start).TotalHours, hours, 0.001);
+            Assert.Equal(longest.Start, TimeOf(Cell($"longest_{name}_start")));
+            Assert.Equal(longest.End, TimeOf(Cell($"longest_{name}_end")));
+        }
+
+        int nights = spans.Count(span => !span.IsLit && (span.End - span.Start).TotalHours > 100.0);
+        Assert.Equal(nights, int.Parse(Cell("nights"), CultureInfo.InvariantCulture));
         string[] horizon = File.ReadAllLines(Path.Combine(_folder.Path, "p", "horizons.csv"));
         Assert.Equal(1 + 720, horizon.Length);
         Assert.All(horizon.Skip(1), row => Assert.EndsWith(",LDEM_4", row, StringComparison.Ordinal));
         Assert.Contains("<svg", File.ReadAllText(Path.Combine(_folder.Path, "p", "points.html")), StringComparison.Ordinal);
+
+        string Cell(string column) => cells[Array.IndexOf(columns, column)];
+
+        static DateTime TimeOf(string text) => DateTime.Parse(text, CultureInfo.InvariantCulture, DateTimeStyles.AdjustToUniversal);
+    }
+
+    /// <summary>Without a place the finest model is the region, from the middle of its first sample to that of its last one.</summary>
+    [Fact]
+    public void Region_NoPlace_IsTheFinestModel()
+    {
+        Assert.Equal(0, CommandLineRun.Of(
+            [
+                "ldem", "synthesize", "--projection", "polar-south", "--map-scale", "5000", "--latitude", "89", "--seed", "1",
+                "--output-dir", _folder.Path,
+            ]).ExitCode);
+        string label = Directory.GetFiles(_folder.Path, "*.LBL").Single();
+        int side = int.Parse(
+            File.ReadLines(label).First(line => line.Trim().StartsWith("LINES ", StringComparison.Ordinal)).Split('=')[1],
+            CultureInfo.InvariantCulture);
+        CommandLineRun run = Run("f", ["--ldem", label, .. When]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Equal((side - 1) * (side - 1), Read("f", "lit.npy").Length);
+
+        // A kept file that is damaged is told, and the last run's maps stay.
+        string kept = Directory.GetFiles(Path.Combine(_folder.Path, "f", "horizons")).Single();
+        byte[] bytes = File.ReadAllBytes(kept);
+        bytes.AsSpan(^2).Clear();
+        File.WriteAllBytes(kept, bytes);
+        CommandLineRun damaged = Run("f", ["--ldem", label, .. When]);
+        Assert.Equal((2, string.Empty), (damaged.ExitCode, damaged.Output));
+        Assert.Contains("Remove the file; it is made again.", damaged.Error, StringComparison.Ordinal);
     }
 
     [Theory]
     [InlineData(1, "--time-interval runs backwards", "--center", "-89,0", "--size", "1", "--time-interval", "61041:1h:61040")]
-    [InlineData(1, "Where? Give --center with --size", "--time-interval", "61041:1h:61042")]
+    [InlineData(1, "Where? The finest model is of the whole body, which is no one map. Give --center", "--time-interval", "61041:1h:61042")]
+    [InlineData(1, "Where? Give --center with --size", "--center", "-89,0", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "heights of 0 to 10000", "--center", "-89,0", "--size", "1", "--above-ground", "-2", "--time-interval", "1:1h:2")]
     [InlineData(1, "can be asked for", "--center", "-89,0", "--size", "1000", "--cell", "1", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "'5/4'; K/N", "--center", "-89,0", "--size", "1", "--piece", "5/4", "--time-interval", "61041:1h:61042")]

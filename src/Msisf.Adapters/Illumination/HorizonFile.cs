@@ -36,7 +36,7 @@ public static class HorizonFile
                 + (sizeof(uint) * (long)counts[1]);
             if (!magic.AsSpan().SequenceEqual(Magic) || counts[0] != places || stream.Length != expected)
             {
-                throw new BadInputException($"{path}: no horizons of {places} places. Remove the file; it is made again.");
+                throw NoHorizons(path, places);
             }
 
             PlaceHorizons horizons = new(new double[places], new float[places], new int[places], new uint[counts[1]]);
@@ -44,6 +44,9 @@ public static class HorizonFile
             stream.ReadExactly(MemoryMarshal.AsBytes(horizons.Slopes.AsSpan()));
             stream.ReadExactly(MemoryMarshal.AsBytes(horizons.Ends.AsSpan()));
             stream.ReadExactly(MemoryMarshal.AsBytes(horizons.Corners.AsSpan()));
-            return horizons;
+            return horizons.IsSound ? horizons : throw NoHorizons(path, places);
         });
+
+    private static BadInputException NoHorizons(string path, int places) =>
+        new($"{path}: no horizons of {places} places. Remove the file; it is made again.");
 }

@@ -69,8 +69,10 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         yield return Of("disc", string.Empty, "Mean visible part of the Sun's disc, by area.", light => light.DiscPart);
         yield return Of("longest_dark", "h", "Longest time without Sun, in steps of the interval.", light => hours * light.Dark.Count);
         yield return Of("longest_dark_start", "d", "Days from the interval's start to that time's.", light => days * light.Dark.First);
+        yield return Of("longest_dark_end", "d", "Days from the interval's start to its end.", light => days * light.Dark.End);
         yield return Of("longest_light", "h", "Longest time with Sun, in steps of the interval.", light => hours * light.Light.Count);
         yield return Of("longest_light_start", "d", "Days from the interval's start to that time's.", light => days * light.Light.First);
+        yield return Of("longest_light_end", "d", "Days from the interval's start to its end.", light => days * light.Light.End);
         yield return Of("nights", string.Empty, FormattableString.Invariant(
             $"Times without Sun that are longer than {settings.NightLimit} h."), light => light.Nights);
         yield return Of("flux_horizontal", "W/m2", "Mean light on a horizontal plane.", light => light.Horizontal.Mean);

@@ -43,8 +43,8 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
             body.Append(
                 CultureInfo.InvariantCulture,
                 $"<p>Sun in view {100.0 * result.Light.LitSteps / settings.Times.Count:F2} % of the time; longest "
-                    + $"time without it {result.Light.Dark.Count * settings.StepHours:F1} h, with it "
-                    + $"{result.Light.Light.Count * settings.StepHours:F1} h.</p>\n");
+                    + $"time without it {PointSpan.LongestOf(result.Spans, false)?.Hours ?? 0.0:F1} h, with it "
+                    + $"{PointSpan.LongestOf(result.Spans, true)?.Hours ?? 0.0:F1} h.</p>\n");
             body.Append("<figure>").Append(LightPlot(result)).Append(
                 "<figcaption>Visible part of the Sun's disc over time.</figcaption></figure>\n");
             body.Append("<figure>").Append(HorizonPlot(result, conditions)).Append(

@@ -10,6 +10,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
 using Msisf.Core.Navigation;
 using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;
@@ -25,6 +26,7 @@ internal sealed class IlluminationRun
     private readonly IlluminationSettings _settings;
     private readonly ElevationModel _model;
     private readonly IEphemeris _engine;
+    private readonly Aberration _aberration;
     private readonly bool _isMoon;
     private readonly string _surface;
     private readonly ProgramHost _host;
@@ -36,10 +38,11 @@ internal sealed class IlluminationRun
         CancellationToken cancellation)
     {
         (_settings, _model, _engine, _host, _cancellation) = (settings, model, engine, host, cancellation);
+        _aberration = models.Aberration;
         _isMoon = models.Body.IsMoon;
         _surface = string.Join(' ', models.Ldem.Select(text => text[ModelPath.Parse(text).Path.Length..]));
         _conditions = new LightConditions(
-            [.. settings.Times.Select(time => engine.SunPositionBodyFixed(time, models.Aberration))], [.. settings.Times.Select(EarthAt)])
+            [.. settings.Times.Select(SunAt)], [.. settings.Times.Select(EarthAt)])
         {
             IsPoint = settings.IsPoint,
             IsExact = settings.IsExact,
@@ -61,7 +64,7 @@ internal sealed class IlluminationRun
         FileErrors.ToExternalPart($"{settings.Folder}: the folder can't be made", () => Directory.CreateDirectory(settings.Folder));
         IlluminationRun run = new(settings, models, model.Opened, ephemeris.Engine(), host, cancellation);
         run.Tell();
-        if (settings.Place is not null)
+        if (settings.Place is not null || settings.Points is null)
         {
             run.MakeMaps();
         }
@@ -73,6 +76,8 @@ internal sealed class IlluminationRun
     }
 
     private static int Threads => Environment.ProcessorCount;
+
+    private Vector3D SunAt(ModifiedJulianDate time) => _engine.SunPositionBodyFixed(time, _aberration);
 
     private Vector3D EarthAt(ModifiedJulianDate time) =>
         _engine.MoonMeFromJ2000(time) * _engine.StateOf(EarthNumber, _engine.TimeScale.FromUtc(time)).Position;
@@ -95,7 +100,9 @@ internal sealed class IlluminationRun
     private void MakeMaps()
     {
         double finest = _model.Grid.Models[^1].Projection.Resolution.OnSphere(_model.Grid.ReferenceRadius).MetresPerPixel;
-        IlluminationRegion region = IlluminationRegion.Of(_settings, finest, _model.Grid.ReferenceRadius);
+        IlluminationRegion region = IlluminationRegion.Of(
+            _settings.Place is null ? _settings with { Place = CornersOf(_model.Grid.Models[^1]) } : _settings,
+            finest, _model.Grid.ReferenceRadius);
         NasaLightMap[] maps = [.. _settings.Compared.Select(path => IlluminationOptions.Compare.NamedInErrors(
             () => NasaLightMap.Read(path)))];
         int lines = Math.Max(1, PieceCells / region.Samples);
@@ -139,6 +146,26 @@ internal sealed class IlluminationRun
         }
     }
 
+    /// <summary>Two opposite corners of the finest model, at the middles of its samples; degrees.</summary>
+    private static double[] CornersOf(ITerrainGrid model)
+    {
+        GridWindow window = model.Window;
+        if (model.IsWholeBody)
+        {
+            throw IlluminationSettings.NoPlace("The finest model is of the whole body, which is no one map. ");
+        }
+
+        (double lat, double lon) first = DegreesOf(window.FirstLine, window.FirstSample);
+        (double lat, double lon) last = DegreesOf(window.EndLine - 1, window.EndSample - 1);
+        return [first.lat, first.lon, last.lat, last.lon];
+
+        (double Latitude, double Longitude) DegreesOf(int line, int sample)
+        {
+            SelenographicPoint point = SelenographicPoint.Below(model.Projection.DirectionOf(line, sample));
+            return (double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
+        }
+    }
+
     private void CompareMaps(IlluminationRegion region, NasaLightMap[] maps, PlaceLight[] lights)
     {
         if (maps.Length == 0)
@@ -170,7 +197,7 @@ internal sealed class IlluminationRun
     {
         string content = string.Create(
             CultureInfo.InvariantCulture,
-            $"{HorizonSurvey.Columns} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} {region.Proj4} "
+            $"{HorizonSurvey.Version} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} {region.Proj4} "
                 + $"{region.Lines} {region.Samples} {region.Cell:R} {region.Left:R} {region.Top:R} {height:R}");
         string key = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(content)))[..16];
         string folder = Path.Combine(_settings.Folder, "horizons");
@@ -201,7 +228,7 @@ internal sealed class IlluminationRun
 
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon) { IsFine = true };
         LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
-        PointTables tables = new(_settings, survey, lights, _model, _conditions, time => _engine.SunPositionBodyFixed(time), _host);
+        PointTables tables = new(_settings, survey, lights, _model, _conditions, SunAt, _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);
         tables.Write(points, Threads, progress, _cancellation);
     }

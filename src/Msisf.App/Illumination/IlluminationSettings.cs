@@ -9,7 +9,7 @@ namespace Msisf.App.Illumination;
 /// <summary>What <c>msis illumination</c> is to do.</summary>
 internal sealed record IlluminationSettings
 {
-    /// <summary>Degrees: latitude and longitude of the middle, or of two corners; null without a region.</summary>
+    /// <summary>Degrees: latitude and longitude of the middle, or of two corners; null for the finest model, or for points alone.</summary>
     public double[]? Place { get; init; }
 
     /// <summary>m: width and height around a middle; null for corners.</summary>
@@ -65,13 +65,9 @@ internal sealed record IlluminationSettings
         double[]? centre = Numbers(IlluminationOptions.Centre, values, 2, 2);
         double[]? size = Numbers(IlluminationOptions.Size, values, 1, 2);
         string? points = IlluminationOptions.Points.ReadIfGiven(values);
-        if ((centre is null) != (size is null) || (centre is not null && corners is not null)
-            || ((corners ?? centre) is null && points is null))
+        if ((centre is null) != (size is null) || (centre is not null && corners is not null))
         {
-            throw new UsageException(
-                $"Where? Give {IlluminationOptions.Centre.Name} with {IlluminationOptions.Size.Name}, or "
-                    + $"{IlluminationOptions.Corners.Name}, or {IlluminationOptions.Points.Name}.")
-                .About(IlluminationOptions.Centre, IlluminationOptions.Corners);
+            throw NoPlace(string.Empty);
         }
 
         if (size is not null && Array.Exists(size, side => !(side > 0.0)))
@@ -117,12 +113,19 @@ internal sealed record IlluminationSettings
             Plane = plane is null ? null : NormalOf(plane[0], plane[1]),
             NightLimit = IlluminationOptions.NightLimit.Read(values),
             Format = IlluminationOptions.Format.Read(values),
-            Compared = ReadCompared(values, hasRegion: (corners ?? centre) is not null),
+            Compared = ReadCompared(values, hasRegion: (corners ?? centre) is not null || points is null),
             Piece = ReadPiece(values),
             Folder = IlluminationOptions.Folder.Read(values),
             Unattended = RunOptions.Batch.Read(values),
         };
     }
+
+    /// <summary>The error of a call that names no place, or two.</summary>
+    /// <param name="reason">Why the finest model is not the region, with a blank after it, or nothing.</param>
+    public static UsageException NoPlace(string reason) => new UsageException(
+        $"Where? {reason}Give {IlluminationOptions.Centre.Name} with {IlluminationOptions.Size.Name}, or "
+            + $"{IlluminationOptions.Corners.Name}, or {IlluminationOptions.Points.Name}.")
+        .About(IlluminationOptions.Centre, IlluminationOptions.Corners);
 
     private static double[]? Numbers(TextSpec option, OptionValues values, int least, int most)
     {

@@ -17,9 +17,6 @@ internal sealed class PointTables(
     /// <summary>Directions of a horizon's table: every half degree.</summary>
     private const int Azimuths = 720;
 
-    /// <summary>s: how exactly sunrises are found.</summary>
-    private const double Second = 1.0;
-
     private readonly ITerrainTracer _tracer = model.Tracer;
 
     /// <summary>Writes the tables and a page with plots.</summary>
@@ -36,9 +33,10 @@ internal sealed class PointTables(
                 cancellation.ThrowIfCancellationRequested();
                 (PlaceLight light, float[] parts) = lights.At(directions, horizons, point);
                 LocalFrame frame = LocalFrame.At(horizons.Radii[point] * directions[point]);
+                List<(bool, ModifiedJulianDate)> events = EventsOf(frame, parts);
                 results.Add(new PointResult(
-                    points[point], height, frame, light, parts, HorizonAt(frame, lights.HorizonOf(horizons, point)),
-                    EventsOf(frame, parts), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point]))));
+                    points[point], height, frame, light, parts, HorizonAt(frame, lights.HorizonOf(horizons, point)), events,
+                    PointSpan.Of(settings.Times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point]))));
                 progress.Advance(points[point].Identity);
             }
         }
@@ -46,9 +44,9 @@ internal sealed class PointTables(
         Write("points.csv", writer =>
         {
             writer.WriteLine(
-                "id,name,height_m,lit,disc,longest_dark_h,longest_dark_start,longest_light_h,longest_light_start,nights,flux_horizontal,"
-                    + "flux_horizontal_max,flux_tracking,flux_tracking_max,flux_plane,flux_plane_max,earth,earth_whole,sun_and_earth,"
-                    + "slope_deg");
+                "id,name,height_m,lit,disc,longest_dark_h,longest_dark_start,longest_dark_end,longest_light_h,longest_light_start,"
+                    + "longest_light_end,nights,flux_horizontal,flux_horizontal_max,flux_tracking,flux_tracking_max,flux_plane,"
+                    + "flux_plane_max,earth,earth_whole,sun_and_earth,slope_deg");
             results.ForEach(result => writer.WriteLine(RowOf(result)));
         });
         Write("horizons.csv", writer =>
@@ -73,15 +71,14 @@ internal sealed class PointTables(
                 {
                     writer.WriteLine(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{result.Point.Identity},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{ToSecond(time)}"));
+                        $"{result.Point.Identity},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{ToSecond(time.Days)}"));
                 }
             }
         });
         host.Results.WriteLine(new IlluminationPage(settings, host.Version).WritePoints(results, conditions));
     }
 
-    private static string ToSecond(ModifiedJulianDate time) =>
-        new ModifiedJulianDate(Math.Round(time.Days * 86400.0) / 86400.0).ToIsoUtc();
+    private static string ToSecond(double days) => new ModifiedJulianDate(Math.Round(days * 86400.0) / 86400.0).ToIsoUtc();
 
     private void Write(string name, Action<TextWriter> write)
     {
@@ -94,17 +91,17 @@ internal sealed class PointTables(
     {
         PlaceLight light = result.Light;
         double steps = settings.Times.Count;
-        string Start(StepRun run) => run.Count == 0 ? string.Empty : settings.Times[run.First].ToIsoUtc();
+        string Longest(bool isLit) => PointSpan.LongestOf(result.Spans, isLit) is not { } span ? "0,,"
+            : string.Create(CultureInfo.InvariantCulture, $"{span.Hours:F4},{ToSecond(span.Start)},{ToSecond(span.End)}");
+        int nights = result.Spans.Count(span => !span.IsLit && span.Hours > settings.NightLimit);
         string name = result.Point.Name is { } text ? $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"" : string.Empty;
         string plane = settings.Plane is null
             ? "," : string.Create(CultureInfo.InvariantCulture, $"{light.Fixed.Mean:F3},{light.Fixed.Greatest:F3}");
         return string.Create(
             CultureInfo.InvariantCulture,
             $"{result.Point.Identity},{name},{result.Height:R},{light.LitSteps / steps:F6},{light.DiscPart:F6},"
-                + $"{light.Dark.Count * settings.StepHours:R},{Start(light.Dark)},"
-                + $"{light.Light.Count * settings.StepHours:R},{Start(light.Light)},"
-                + $"{light.Nights},{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},{light.Tracking.Mean:F3},"
-                + $"{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},{light.WholeEarthSteps / steps:F6},"
+                + $"{Longest(isLit: false)},{Longest(isLit: true)},{nights},{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},"
+                + $"{light.Tracking.Mean:F3},{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},{light.WholeEarthSteps / steps:F6},"
                 + $"{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
     }
 
@@ -163,20 +160,10 @@ internal sealed class PointTables(
         for (int step = 1; step < settings.Times.Count; step++)
         {
             bool isRise = parts[step] > 0.0f;
-            if (isRise == parts[step - 1] > 0.0f)
+            if (isRise != parts[step - 1] > 0.0f)
             {
-                continue;
+                events.Add((isRise, lights.ChangeBetween(frame, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
             }
-
-            (double before, double after) = (settings.Times[step - 1].Days, settings.Times[step].Days);
-            while (after - before > 0.5 * Second / 86400.0)
-            {
-                double middle = 0.5 * (before + after);
-                bool isSun = lights.IsSunInView(frame, sunAt(new ModifiedJulianDate(middle)));
-                (before, after) = isSun == isRise ? (before, middle) : (middle, after);
-            }
-
-            events.Add((isRise, new ModifiedJulianDate(0.5 * (before + after))));
         }
 
         return events;
@@ -186,7 +173,7 @@ internal sealed class PointTables(
 /// <summary>The light of a point at one height.</summary>
 internal sealed record PointResult(
     Landmark Point, double Height, LocalFrame Frame, PlaceLight Light, float[] Parts, HorizonSample[] Horizon,
-    IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> Events, double SlopeDegrees);
+    IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> Events, IReadOnlyList<PointSpan> Spans, double SlopeDegrees);
 
 /// <summary>The horizon of a point in one direction.</summary>
 /// <param name="Azimuth">Degrees from north over east.</param>

@@ -61,7 +61,10 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
             int change = Array.FindIndex(parts, part => part > 0.0f != isLit);
             if (change >= 0)
             {
-                ModifiedJulianDate end = Change(start.Days + ((change - 1) / 24.0), isLit.Value, lights, frame);
+                ModifiedJulianDate exact = lights.ChangeBetween(
+                    frame, new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)), !isLit.Value,
+                    at => engine.SunPositionBodyFixed(at));
+                ModifiedJulianDate end = new(Math.Round(exact.Days * 86400.0) / 86400.0);
                 log.Note(Text(site, isLit.Value, time, end));
                 return;
             }
@@ -100,19 +103,5 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
         }
 
         return suns;
-    }
-
-    /// <summary>When light becomes shadow or shadow light, to half a second, by rays.</summary>
-    private ModifiedJulianDate Change(double day, bool isLit, LightSurvey lights, LocalFrame frame)
-    {
-        (double before, double after) = (day, day + (1.0 / 24.0));
-        while (after - before > 0.5 / 86400.0)
-        {
-            double middle = 0.5 * (before + after);
-            bool isSun = lights.IsSunInView(frame, engine.SunPositionBodyFixed(new ModifiedJulianDate(middle)));
-            (before, after) = isSun == isLit ? (middle, after) : (before, middle);
-        }
-
-        return new ModifiedJulianDate(Math.Round(0.5 * (before + after) * 86400.0) / 86400.0);
     }
 }

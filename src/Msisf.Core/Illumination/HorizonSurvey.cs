@@ -12,6 +12,11 @@ namespace Msisf.Core.Illumination;
 /// <summary>Finds the horizons of many places of a terrain, which hold for any date. Safe for several threads.</summary>
 public sealed class HorizonSurvey
 {
+    /// <summary>
+    /// Raise it when the same terrain gets another horizon, or one that is stored in another way: kept ones are not used then.
+    /// </summary>
+    public const int Version = 2;
+
     /// <summary>Columns of a turn: 0.011 degrees each.</summary>
     public const int Columns = 32_768;
 
@@ -146,4 +151,34 @@ public sealed class HorizonSurvey
 /// <param name="Slopes">Tangent of the ground's slope.</param>
 /// <param name="Ends">Where the corners of each place end in <paramref name="Corners"/>.</param>
 /// <param name="Corners">Corners between which the horizon is straight.</param>
-public sealed record PlaceHorizons(double[] Radii, float[] Slopes, int[] Ends, uint[] Corners);
+public sealed record PlaceHorizons(double[] Radii, float[] Slopes, int[] Ends, uint[] Corners)
+{
+    /// <summary>Whether each place has corners from the first column to the last.</summary>
+    public bool IsSound
+    {
+        get
+        {
+            int start = 0;
+            foreach (int end in Ends)
+            {
+                if (end < start + 2 || end > Corners.Length || Corners[start] >> 16 != 0
+                    || Corners[end - 1] >> 16 != HorizonSurvey.Columns - 1)
+                {
+                    return false;
+                }
+
+                for (int corner = start + 1; corner < end - 1; corner++)
+                {
+                    if (Corners[corner] >> 16 <= Corners[corner - 1] >> 16 || Corners[corner] >> 16 >= HorizonSurvey.Columns)
+                    {
+                        return false;
+                    }
+                }
+
+                start = end;
+            }
+
+            return start == Corners.Length;
+        }
+    }
+}

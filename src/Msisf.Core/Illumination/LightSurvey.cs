@@ -1,5 +1,6 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
+using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Illumination;
@@ -60,7 +61,7 @@ public sealed class LightSurvey
         return lights;
     }
 
-    /// <summary>The light of one place with the visible part of the Sun's disc at each step, by area.</summary>
+    /// <summary>The light of one place with the visible part of the Sun's disc at each step, by area; above 0 where any is seen.</summary>
     /// <param name="directions">MOON_ME, length 1.</param>
     /// <param name="horizons">Their horizons.</param>
     /// <param name="place">Which of them.</param>
@@ -71,10 +72,24 @@ public sealed class LightSurvey
         return (light, parts[.._sun.Count]);
     }
 
-    /// <summary>Whether any part of the Sun is in view of a place above the ground, by rays of the exact tracer.</summary>
+    /// <summary>Finds by rays of the exact tracer when light begins or ends at a place above the ground, to half a second.</summary>
     /// <param name="frame">The place.</param>
-    /// <param name="sunBodyFixed">The Sun, m, body-fixed.</param>
-    public bool IsSunInView(LocalFrame frame, Vector3D sunBodyFixed) => _exact.IsVisible(frame, sunBodyFixed);
+    /// <param name="before">A time before.</param>
+    /// <param name="after">A time after.</param>
+    /// <param name="isRise">Whether it begins.</param>
+    /// <param name="sunAt">The Sun at a time, m, body-fixed.</param>
+    public ModifiedJulianDate ChangeBetween(
+        LocalFrame frame, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise, Func<ModifiedJulianDate, Vector3D> sunAt)
+    {
+        (double low, double high) = (before.Days, after.Days);
+        while (high - low > 0.5 / 86400.0)
+        {
+            ModifiedJulianDate middle = new(0.5 * (low + high));
+            (low, high) = _exact.IsVisible(frame, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
+        }
+
+        return new ModifiedJulianDate(0.5 * (low + high));
+    }
 
     /// <summary>The stored horizon of a place.</summary>
     /// <param name="horizons">Horizons of places.</param>
@@ -82,9 +97,9 @@ public sealed class LightSurvey
     /// <returns>Tangent of the elevation at each column of azimuth, and after them that of the first again.</returns>
     public float[] HorizonOf(PlaceHorizons horizons, int place)
     {
-        float[] tangents = new float[HorizonSurvey.Columns + 1];
+        float[] tangents = new float[HorizonProfile.TableLength(HorizonSurvey.Columns)];
         _horizons.Profile.Read(CornersOf(horizons, place), tangents);
-        return tangents;
+        return tangents[..(HorizonSurvey.Columns + 1)];
     }
 
     private static ReadOnlySpan<uint> CornersOf(PlaceHorizons horizons, int place)

@@ -40,7 +40,11 @@ public readonly record struct PlaceLight
 /// <summary>Steps of an interval that follow each other.</summary>
 /// <param name="First">The first one.</param>
 /// <param name="Count">How many; 0 for none.</param>
-public readonly record struct StepRun(int First, int Count);
+public readonly record struct StepRun(int First, int Count)
+{
+    /// <summary>The first step after them.</summary>
+    public int End => First + Count;
+}
 
 /// <summary>Light on a plane.</summary>
 /// <param name="Mean">W/m^2, over all steps.</param>
