@@ -101,8 +101,8 @@ internal sealed class PointTables(
             CultureInfo.InvariantCulture,
             $"{result.Point.Identity},{name},{result.Height:R},{light.LitSteps / steps:F6},{light.DiscPart:F6},"
                 + $"{Longest(isLit: false)},{Longest(isLit: true)},{nights},{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},"
-                + $"{light.Tracking.Mean:F3},{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},{light.WholeEarthSteps / steps:F6},"
-                + $"{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
+                + $"{light.Tracking.Mean:F3},{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},"
+                + $"{light.WholeEarthSteps / steps:F6},{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
     }
 
     /// <summary>The horizon by halving between rays that meet the ground and rays that do not, and what stands there.</summary>

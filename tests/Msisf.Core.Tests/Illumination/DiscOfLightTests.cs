@@ -44,7 +44,7 @@ public sealed class DiscOfLightTests
         Assert.Equal(expectedUp, parts.Up[5] / Slope, 0.003);
     }
 
-    /// <summary>The whole disc through the plane: the integral above, less the level times the light over it; the same as strip by strip.</summary>
+    /// <summary>The whole disc through the plane: the integral above, less the level times the light over it; so are its strips.</summary>
     [Theory]
     [InlineData(0.0, 0.202290)]
     [InlineData(-0.5, 0.124809 - (0.5 * 0.179949))]
