@@ -8,7 +8,7 @@ using Xunit;
 namespace Msisf.Cli.Tests;
 
 /// <summary>Runs with several cameras on one body, against runs with one camera each.</summary>
-public sealed class RigRunTests : IDisposable
+public sealed class RigRunTests : IClassFixture<SmallMoon>, IDisposable
 {
     private const string Left =
         "  left:\n    camera: lens.yaml\n    quaternion: [0.02, -0.3, 0.1, 0.9484724561103501]\n    offset: [3, -250, 40]\n";
@@ -24,9 +24,11 @@ public sealed class RigRunTests : IDisposable
         + "depth,cell,normal --layers-format npy --shading smooth --sun disc";
 
     private readonly TemporaryFolder _folder = new();
+    private readonly SmallMoon _moon;
 
-    public RigRunTests()
+    public RigRunTests(SmallMoon moon)
     {
+        _moon = moon;
         _folder.Write(
             "lens.yaml",
             "focal-length-px: [90, 95]\nwidth: 40\nheight: 24\nprincipal-point: [15, 17]\nskew: 0.5\ndistortion:\n  model: opencv\n"
@@ -73,7 +75,7 @@ public sealed class RigRunTests : IDisposable
                 [
                     .. command.Replace("'", string.Empty, StringComparison.Ordinal).Split(' ')
                         .Select(word => word.Contains(".yaml#", StringComparison.Ordinal) ? _folder[word] : word),
-                    "--ldem", Moon(), "--batch", "--output-dir", _folder["single"], "--output-name", $"{camera}{step}",
+                    .. _moon.Options[..2], "--batch", "--output-dir", _folder["single"], "--output-name", $"{camera}{step}",
                 ]);
                 Assert.True(single.ExitCode == 0, single.Error);
                 CompareFiles("rig", "single", $"{camera}{step}");
@@ -101,7 +103,7 @@ public sealed class RigRunTests : IDisposable
         string states = _folder["{camera}.tab"];
         CommandLineRun export = CommandLineRun.Of(
         [
-            "states", .. orbit, "--rig", rig, "--renderer", "native", "--to", states, "--ldem", Moon(), "--res", "2", "--ephemeris",
+            "states", .. orbit, "--rig", rig, "--renderer", "native", "--to", states, .. _moon.Options, "--ephemeris",
             "builtin",
         ]);
         Assert.True(export.ExitCode == 0, export.Error);
@@ -148,8 +150,8 @@ public sealed class RigRunTests : IDisposable
         string script = _folder["pieces.sh"];
         CommandLineRun convert = CommandLineRun.Of(
         [
-            "batchconvert", "--format", "sh", "--pieces", "2", "--script", script, .. words, .. Common.Split(' '), "--ldem", Moon(),
-            "--res", "2", "--output-dir", _folder["pieces"],
+            "batchconvert", "--format", "sh", "--pieces", "2", "--script", script, .. words, .. Common.Split(' '), .. _moon.Options,
+            "--output-dir", _folder["pieces"],
         ]);
         Assert.True(convert.ExitCode == 0, convert.Error);
         Assert.Contains("1:2", File.ReadAllText(script), StringComparison.Ordinal);
@@ -163,7 +165,7 @@ public sealed class RigRunTests : IDisposable
 
         CommandLineRun dry = CommandLineRun.Of(
             [
-                .. words, "--renderer", "native", "--ldem", Moon(), "--res", "2", "--ephemeris", "builtin", "--dry-run",
+                .. words, "--renderer", "native", .. _moon.Options, "--ephemeris", "builtin", "--dry-run",
                 "--format", "csv",
             ]);
         Assert.True(dry.ExitCode == 0, dry.Error);
@@ -172,24 +174,7 @@ public sealed class RigRunTests : IDisposable
         Assert.Equal(["1,left", "1,plain", "2,left", "2,plain"], rows[1..5].Select(row => row[..row.IndexOf(',', 2)]));
     }
 
-    private void Draw(string folder, params string[] words)
-    {
-        CommandLineRun run = CommandLineRun.Of(
-            [.. words, .. Common.Split(' '), "--ldem", Moon(), "--res", "2", "--output-dir", _folder[folder]]);
-        Assert.True(run.ExitCode == 0, run.Error);
-    }
-
-    private string Moon()
-    {
-        string folder = _folder["moon"];
-        if (!Directory.Exists(folder))
-        {
-            CommandLineRun run = CommandLineRun.Of(["ldem", "synthesize", "--res", "2", "--seed", "1", "--output-dir", folder]);
-            Assert.True(run.ExitCode == 0, run.Error);
-        }
-
-        return folder;
-    }
+    private void Draw(string folder, params string[] words) => _moon.Draw(_folder[folder], [.. words, .. Common.Split(' ')]);
 
     /// <summary>Valid by the grammar in the file itself.</summary>
     private XElement Meta(string camera, int step)

@@ -51,16 +51,7 @@ internal static class CsmScanState
             json.Array("m_iTransL", sensor.Lines);
             json.Real("m_detectorSampleOrigin", sensor.Sample);
             json.Real("m_detectorLineOrigin", sensor.Line);
-            json.Real("m_startingDetectorSample", 0.0);
-            json.Real("m_startingDetectorLine", 0.0);
-            json.Real("m_detectorSampleSumming", 1.0);
-            json.Real("m_detectorLineSumming", 1.0);
-            json.WriteNumber("m_distortionType", sensor.Lens.Type);
-            json.Array("m_opticalDistCoeffs", sensor.Lens.Coefficients);
-            json.Real("m_majorAxis", frame.Globe.ReferenceRadius);
-            json.Real("m_minorAxis", frame.Globe.ReferenceRadius);
-            json.Real("m_minElevation", CsmSensor.Heights.Min);
-            json.Real("m_maxElevation", CsmSensor.Heights.Max);
+            sensor.Write(json, frame.Globe.ReferenceRadius);
             WriteMotion(json, csm.Nodes.Poses, times);
             json.Array("m_currentParameterValue", new double[Parameters]);
             json.WriteStartArray("m_parameterType");

@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Msisf.Core.Camera;
 
 namespace Msisf.Adapters.CameraExport;
@@ -44,4 +45,21 @@ internal sealed record CsmSensor(string Model, CsmLens Lens, double[] Samples, d
     /// <param name="bodyFromOpenCv">Turns OpenCV's camera axes (x right, y down, z forward) there.</param>
     public UnitQuaternion BodyFrom(UnitQuaternion bodyFromOpenCv) =>
         Lens.IsTurned ? bodyFromOpenCv * OpenCvFromTurned : bodyFromOpenCv;
+
+    /// <summary>Writes what the states of all models say of the detector, the lens and the body.</summary>
+    /// <param name="json">The state.</param>
+    /// <param name="referenceRadius">m.</param>
+    public void Write(Utf8JsonWriter json, double referenceRadius)
+    {
+        json.Real("m_startingDetectorSample", 0.0);
+        json.Real("m_startingDetectorLine", 0.0);
+        json.Real("m_detectorSampleSumming", 1.0);
+        json.Real("m_detectorLineSumming", 1.0);
+        json.WriteNumber("m_distortionType", Lens.Type);
+        json.Array("m_opticalDistCoeffs", Lens.Coefficients);
+        json.Real("m_majorAxis", referenceRadius);
+        json.Real("m_minorAxis", referenceRadius);
+        json.Real("m_minElevation", Heights.Min);
+        json.Real("m_maxElevation", Heights.Max);
+    }
 }

@@ -37,16 +37,7 @@ internal static class CsmState
             json.Array("m_transX", 0.0, l[2] / determinant, 0.0 - (s[2] / determinant));
             json.Array("m_transY", 0.0, 0.0 - (l[1] / determinant), s[1] / determinant);
             json.Array("m_ccdCenter", sensor.Line, sensor.Sample);
-            json.Real("m_startingDetectorSample", 0.0);
-            json.Real("m_startingDetectorLine", 0.0);
-            json.Real("m_detectorSampleSumming", 1.0);
-            json.Real("m_detectorLineSumming", 1.0);
-            json.WriteNumber("m_distortionType", sensor.Lens.Type);
-            json.Array("m_opticalDistCoeffs", sensor.Lens.Coefficients);
-            json.Real("m_majorAxis", frame.Globe.ReferenceRadius);
-            json.Real("m_minorAxis", frame.Globe.ReferenceRadius);
-            json.Real("m_minElevation", CsmSensor.Heights.Min);
-            json.Real("m_maxElevation", CsmSensor.Heights.Max);
+            sensor.Write(json, frame.Globe.ReferenceRadius);
             json.Real("m_ephemerisTime", frame.TdbSeconds);
             json.Array("m_currentParameterValue", [.. Of(frame.Camera.PositionBodyFixed), q.X, q.Y, q.Z, q.W]);
             json.Array("m_currentParameterCovariance", new double[49]);

@@ -2,6 +2,7 @@ using Msisf.Adapters.Interop;
 using Msisf.Core.Detector;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
+using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Layers;
 
@@ -18,6 +19,29 @@ public static class DetectorFitsWriter
         Stream stream, DetectorImage image, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
     {
         using FitsUnit unit = FitsUnit.PrimaryImage(image.Width, image.Height);
+        Put(unit, image.Noise, settings, frame, provenance);
+        unit.Write<ushort>(0, image.Numbers);
+        unit.CopyTo(stream);
+    }
+
+    /// <summary>The same for an image that is read out some rows at a time.</summary>
+    /// <param name="stream">Receives the file; stays open.</param>
+    /// <param name="numbers">The numbers of all rows.</param>
+    /// <param name="settings">The detector; goes into the header.</param>
+    /// <param name="frame">Goes into the header.</param>
+    /// <param name="provenance">Goes there too.</param>
+    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
+    public static void Write(
+        Stream stream, DetectorNumbers numbers, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
+    {
+        using FitsUnit unit = FitsUnit.PrimaryImage(1, 1);
+        Put(unit, numbers.Noise, settings, frame, provenance);
+        numbers.CopyTo(stream, unit);
+    }
+
+    private static void Put(
+        FitsUnit unit, NoiseSeed? seed, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
+    {
         unit.Put("BUNIT", "adu", "digital numbers");
         unit.Put("EXPTIME", settings.ExposureTime, "[s] exposure time");
         unit.Put("GAIN", settings.Gain, "[electron/adu]");
@@ -41,8 +65,8 @@ public static class DetectorFitsWriter
 
         unit.Put(
             "SEED", settings.Seed?.ToString(CultureInfo.InvariantCulture) ?? "none",
-            image.Noise is null ? "of all random numbers" : "of the fixed pattern");
-        if (image.Noise is { } noise)
+            seed is null ? "of all random numbers" : "of the fixed pattern");
+        if (seed is { } noise)
         {
             unit.Put("NOISSEED", noise.Number.ToString(CultureInfo.InvariantCulture), "of the noise (--noise-seed)");
             unit.Put("NOISSTEP", noise.Step.ToString(CultureInfo.InvariantCulture), "step of the noise");
@@ -50,7 +74,5 @@ public static class DetectorFitsWriter
 
         unit.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");
         FitsProvenance.Put(unit, frame, provenance);
-        unit.Write<ushort>(0, image.Numbers);
-        unit.CopyTo(stream);
     }
 }

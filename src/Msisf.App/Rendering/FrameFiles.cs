@@ -79,13 +79,23 @@ internal sealed class FrameFiles
             Phase.Xml,
             () => files.Write($"{stem}.xml", stream => MetadataXmlWriter.Write(stream, metadata, pixels, cancellation: cancellation)));
         paths.Add($"{stem}.xml");
-        if (rendered.Detected is DetectorImage detected && _settings.Native.Detector is { WritesFits: true } detector)
+        if (_settings.Native.Detector is { WritesFits: true } detector)
         {
+            DetectorSettings exposed = detector.Settings.Exposed(frame.ExposureFactor);
+            LayerProvenance provenance = _description.Provenance(metadata, rendered);
             _times.Measure(Phase.Output, () => files.Write(
                 $"{stem}.dn.fits",
-                stream => DetectorFitsWriter.Write(
-                    stream, detected, detector.Settings.Exposed(frame.ExposureFactor), metadata,
-                    _description.Provenance(metadata, rendered))));
+                stream =>
+                {
+                    if (rendered.Numbers is { } numbers)
+                    {
+                        DetectorFitsWriter.Write(stream, numbers, exposed, metadata, provenance);
+                    }
+                    else
+                    {
+                        DetectorFitsWriter.Write(stream, rendered.Detected!, exposed, metadata, provenance);
+                    }
+                }));
             paths.Add($"{stem}.dn.fits");
         }
 

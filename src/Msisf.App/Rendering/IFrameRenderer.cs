@@ -1,3 +1,4 @@
+using Msisf.Adapters.Layers;
 using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
@@ -62,6 +63,9 @@ internal sealed record RenderedFrame(
 {
     /// <summary>Draws the frame again with other lights; null if the renderer can't.</summary>
     public FrameRedraw? Redraw { get; init; }
+
+    /// <summary>What the detector read out of an image that is drawn in strips; null of other images, and without a file of it.</summary>
+    public DetectorNumbers? Numbers { get; init; }
 
     /// <summary>Number of threads that work on the frame.</summary>
     public int Threads { get; init; } = 1;

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Layers;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -8,9 +9,8 @@ using Msisf.Core.Render;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Draws scanned images that are too large for the memory, strip by strip: the PNG is written as it is drawn, and rows are drawn again
-/// where the
-/// meta file or layers ask for their ground truth.
+/// Draws scanned images that are too large for the memory, strip by strip: the PNG and the numbers of a detector are written as they are
+/// drawn, and rows are drawn again where the meta file or layers ask for their ground truth.
 /// </summary>
 /// <param name="files">Writes the files.</param>
 /// <param name="times">Receives the time for the image.</param>
@@ -26,7 +26,9 @@ internal sealed class StripedScan(NativeDrawing drawing, FrameFiles files, RunTi
         int height = frame.Camera.Height;
         int rows = RowsOfStrip(frame);
         using FileStream image = files.OpenTemporary();
+        using FileStream? read = drawing.Settings.Detector is { WritesFits: true } ? files.OpenTemporary() : null;
         PngImage? png = null;
+        DetectorNumbers? numbers = null;
         try
         {
             for (int first = 0; first < height; first += rows)
@@ -36,6 +38,11 @@ internal sealed class StripedScan(NativeDrawing drawing, FrameFiles files, RunTi
                 png ??= drawn.BeginPng(image, height);
                 PngImage begun = png;
                 times.Measure(Phase.Output, () => drawn.AddTo(begun));
+                if (read is not null)
+                {
+                    numbers ??= new DetectorNumbers(read, frame.Camera.Width, height, drawn.Detected!.Noise);
+                    numbers.Add(drawn.Detected!.Numbers);
+                }
             }
         }
         finally
@@ -54,6 +61,7 @@ internal sealed class StripedScan(NativeDrawing drawing, FrameFiles files, RunTi
                 drawing.Settings.Render.KeepGroundTruth ? truth : null)
             {
                 Threads = threads,
+                Numbers = numbers,
                 Terrain = renderer.Terrain,
                 PartResolutions = renderer.PartResolutions,
             },

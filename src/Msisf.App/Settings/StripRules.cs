@@ -32,7 +32,6 @@ internal static class StripRules
             : settings.Map is not null ? MapOptions.Map.Name
             : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
                 ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
-            : settings.Native.Detector is { WritesFits: true } ? "the detector's FITS file ('fits: no' in the camera file leaves it out)"
             : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
             : null;
         if (wrong is not null)

@@ -69,14 +69,9 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
             return -1;
         }
 
-        // Beside all rows of a scan a point has coordinates too, which can lie in rows that do not see it.
-        (PixelRows rows, FrameCamera band) = camera.BandAt(seen.Y);
-        bool isShown = band.TryProjectPoint(ground.PointBodyFixed, out RenderingPoint inBand)
-            && inBand.X >= 0.5 && inBand.X < band.Width + 0.5 && inBand.Y >= 0.5 && inBand.Y < band.Height + 0.5
-            && !_tracer.IsHidden(ground.PointBodyFixed, ground.Facet, band.PositionBodyFixed);
-        return isShown
-            ? ((rows.First + (int)Math.Floor(inBand.Y + 0.5) - 1) * camera.Width) + (int)Math.Floor(inBand.X + 0.5) - 1
-            : -1;
+        bool isShown = seen.X >= 0.5 && seen.X < camera.Width + 0.5 && seen.Y >= 0.5 && seen.Y < camera.Height + 0.5
+            && !_tracer.IsHidden(ground.PointBodyFixed, ground.Facet, camera.BandAt(seen.Y).Camera.PositionBodyFixed);
+        return isShown ? (((int)Math.Floor(seen.Y + 0.5) - 1) * camera.Width) + (int)Math.Floor(seen.X + 0.5) - 1 : -1;
     }
 
     /// <summary>Sum of the directions of the pixels; zero if none shows ground.</summary>

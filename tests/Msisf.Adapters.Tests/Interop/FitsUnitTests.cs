@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Layers;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -36,6 +37,34 @@ public class FitsUnitTests
         {
             header.Put("EXTNAME", "CELL", "layer");
             header.CopyTo(actual, width, height, data);
+        }
+
+        Assert.Equal(expected.ToArray(), actual.ToArray());
+    }
+
+    /// <summary>Rows of odd width, which are added in two parts.</summary>
+    [RequiresFact(Part.CFitsio)]
+    public void DetectorNumbers_InParts_GiveTheBytesOfCFitsio()
+    {
+        Random random = new(20120222);
+        ushort[] numbers = [.. Enumerable.Range(0, 33 * 50).Select(_ => (ushort)random.Next(0, 0x10000))];
+        using MemoryStream expected = new();
+        using (FitsUnit whole = FitsUnit.PrimaryImage(33, 50))
+        {
+            whole.Put("BUNIT", "adu", "digital numbers");
+            whole.Write<ushort>(0, numbers);
+            whole.CopyTo(expected);
+        }
+
+        using MemoryStream kept = new();
+        using MemoryStream actual = new();
+        DetectorNumbers inParts = new(kept, 33, 50, noise: null);
+        inParts.Add(numbers.AsSpan(0, 33 * 17));
+        inParts.Add(numbers.AsSpan(33 * 17));
+        using (FitsUnit header = FitsUnit.PrimaryImage(1, 1))
+        {
+            header.Put("BUNIT", "adu", "digital numbers");
+            inParts.CopyTo(actual, header);
         }
 
         Assert.Equal(expected.ToArray(), actual.ToArray());

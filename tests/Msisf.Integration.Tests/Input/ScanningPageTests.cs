@@ -23,7 +23,7 @@ public sealed partial class ScanningPageTests : IDisposable
                 continue;
             }
 
-            Run(words, "512", "24");
+            Run(words, "512", "24", hasDetail: true);
         }
 
         byte[] still = File.ReadAllBytes(_folder["still/MoonSurfIllumSim_step_00001.png"]);
@@ -68,12 +68,13 @@ public sealed partial class ScanningPageTests : IDisposable
         return block.Replace("\\\n", " ", StringComparison.Ordinal).Split('\n', StringSplitOptions.RemoveEmptyEntries);
     }
 
-    private void Run(string[] words, string lines, string fewer)
+    private void Run(string[] words, string lines, string fewer, bool hasDetail = false)
     {
         string[] files = ["jitter.txt", "scanner.yaml", "still", "shaken", "nac", "wac.yaml", "bands", "alone"];
         CommandLineRun run = CommandLineRun.Of(
         [
-            .. words.Skip(1).Select(word => word == lines ? fewer : files.Contains(word) ? _folder[word] : word),
+            .. words.Skip(1).Where(word => hasDetail || word is not ("--refine" or "200"))
+                .Select(word => word == lines ? fewer : files.Contains(word) ? _folder[word] : word),
             "--ldem", TestParts.Ldem4Label!, "--batch",
         ]);
         Assert.True(run.ExitCode == 0, run.Error);
