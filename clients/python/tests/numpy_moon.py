@@ -67,12 +67,15 @@ class Ground:
                 return origin + t[:, None] * rays
         raise AssertionError("a ray does not settle on a facet: take a steeper view")
 
+    def heights(self, point, ways, steps):
+        """Heights of places on ways from a point, or from one for each, over the plane of the facet under each, m, [way, step]."""
+        at = (point + steps[:, None] * ways[:, None]).reshape(-1, 3)
+        _, _, _, corner, normal = self.facet(at)
+        return (np.linalg.norm(at, axis=1) * (1.0 - dot(normal, corner) / dot(normal, at))).reshape(len(ways), len(steps))
+
     def clearance(self, points, directions, reach=2e5, step=100.0):
         """The least height over the ground of the lines from points along directions, m, from one step on."""
-        at = (points[:, None] + np.arange(step, reach, step)[:, None] * directions[:, None]).reshape(-1, 3)
-        _, _, _, corner, normal = self.facet(at)
-        height = np.linalg.norm(at, axis=1) * (1.0 - dot(normal, corner) / dot(normal, at))
-        return height.reshape(len(points), -1).min(axis=1)
+        return self.heights(points[:, None], directions, np.arange(step, reach, step)).min(axis=1)
 
 
 GROUND = Ground()
@@ -129,3 +132,32 @@ def shifts(samples):
 def light_on(camera, pixels, sun):
     points = GROUND.hit(camera.position, camera.rays(pixels))
     return np.cos(np.radians(angle(GROUND.facet(points)[4], sun - points)))
+
+
+def gathered_light(points, sun, rays=(24, 36)):
+    """I/F of the light that lit ground throws on points once, by rays in all directions that go over the ground in growing steps."""
+    up, around = rays
+    part = ((np.arange(up) + 0.5) / up)[:, None]
+    sine, weight = part**2, np.repeat(4.0 * part**3, around)  # of the elevation over the facet: most rays go low
+    turn = 2.0 * np.pi * (np.arange(around) + 0.5) / around
+    cosine = np.sqrt(1.0 - sine * sine)
+    steps = 100.0 * 1.09 ** np.arange(90)  # m
+    light = []
+    for point in points:
+        normal = GROUND.facet(point[None])[4][0]
+        right = unit(np.cross(normal, [0.6, 0.0, 0.8]))
+        ways = (cosine * np.cos(turn))[..., None] * right + (cosine * np.sin(turn))[..., None] * np.cross(normal, right)
+        ways = (ways + (sine * np.ones(around))[..., None] * normal).reshape(-1, 3)
+        heights = GROUND.heights(point, ways, steps)
+        under = heights < 0.0
+        last = np.argmax(under, axis=1)
+        met = under[np.arange(len(ways)), last] & (last > 0)
+        ways, last, heights = ways[met], last[met], heights[met]
+        before, after = heights[np.arange(len(ways)), last - 1], heights[np.arange(len(ways)), last]
+        between = before / (before - after)
+        places = point + (steps[last - 1] + between * (steps[last] - steps[last - 1]))[:, None] * ways
+        to_sun = unit(sun - places)
+        cosines = dot(GROUND.facet(places)[4], to_sun)
+        cosines[cosines > 0.0] *= GROUND.clearance(places[cosines > 0.0], to_sun[cosines > 0.0], step=1000.0) > 0.0
+        light.append(ALBEDO * ALBEDO * (weight[met] * cosines.clip(0.0)).sum() / (up * around))
+    return np.array(light)

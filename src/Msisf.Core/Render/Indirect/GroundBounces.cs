@@ -58,7 +58,7 @@ internal sealed class GroundBounces(GroundTree tree, GroundLights lights, FrameC
 
             gather.Begin();
             gather.Choose(Looks, Choices, number);
-            gather.AddShared(found);
+            gather.AddShared(areSeen: true, found);
             gather.Add(Samples, isNear: false, number, found);
             gather.Add(Samples, isNear: true, number, found);
             found.Values.AsSpan(0, end - first).CopyTo(irradiance.AsSpan(first));

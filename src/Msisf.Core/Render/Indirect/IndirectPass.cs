@@ -53,6 +53,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private FrameCamera? _camera;
     private ConcurrentBag<IndirectWorker> _idle = [];
     private double[] _shared = [];
+    private double[] _hidden = [];
     private double[] _far = [];
     private double[] _near = [];
     private Trial[] _trials = [];
@@ -120,10 +121,11 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int count = points.Width * points.Height;
         if (_far.Length < count)
         {
-            (_shared, _far, _near) = (new double[count], new double[count], new double[count]);
+            (_shared, _hidden, _far, _near) = (new double[count], new double[count], new double[count], new double[count]);
         }
 
         _shared.AsSpan(0, count).Clear();
+        _hidden.AsSpan(0, count).Clear();
         _far.AsSpan(0, count).Clear();
         _near.AsSpan(0, count).Clear();
         int rows = points is VisibleSurface ? _edge : 1; // of an image, squares of pixels; parts of pixels lie in no squares
@@ -162,7 +164,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         double squares = 0.0;
         for (int i = 0; i < points; i++)
         {
-            double value = _shared[i] + _far[i] + _near[i];
+            double value = LightOf(i);
             squares += value * value;
         }
 
@@ -183,6 +185,10 @@ internal sealed class IndirectPass(SurfaceModel surface)
 
         return squares > 0.0 ? deviations / (error * error * count) : 0.0;
     }
+
+    /// <summary>The light of a point: of far ground no more than if nothing hid it, whatever few samples say.</summary>
+    private double LightOf(int point) =>
+        _near[point] + _shared[point] + Math.Clamp(_far[point], -_shared[point], _hidden[point]);
 
     /// <summary>Mean of the values of a group.</summary>
     private double MeanOf(double[] values, Round round, int group)
@@ -227,7 +233,8 @@ internal sealed class IndirectPass(SurfaceModel surface)
 
             if (isFirst)
             {
-                worker.Share(_shared);
+                worker.Share(areSeen: true, _shared);
+                worker.Share(areSeen: false, _hidden);
             }
 
             double farVariance = worker.Sample(far, isNear: false, round.Number, _far, isFirst ? 0 : FirstFar);
@@ -255,7 +262,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         for (int i = 0; i < scaled.Count; i++)
         {
             int at = start + scaled.Columns[i];
-            double value = weight * scaled.Factors[i] * Math.Max(0.0, _shared[at] + _far[at] + _near[at]);
+            double value = weight * scaled.Factors[i] * LightOf(at);
             radianceFactors[at] += value;
             if (indirect.Length > 0)
             {

@@ -85,11 +85,13 @@ internal sealed class IndirectWorker(SurfaceModel surface, LightGather gather)
         return receivers.Count > 0;
     }
 
-    /// <summary>Gives all points of the group the light that they share.</summary>
-    public void Share(double[] values)
+    /// <summary>Gives all points of the group light that they share.</summary>
+    /// <param name="areSeen">Whether of ground that the group sees, or of other ground as if they saw it.</param>
+    /// <param name="values">Receives the light.</param>
+    public void Share(bool areSeen, double[] values)
     {
         _light.Clear();
-        gather.AddShared(_light);
+        gather.AddShared(areSeen, _light);
         for (int i = 0; i < gather.Group.Count; i++)
         {
             values[_places[i]] = _light.Values[i];

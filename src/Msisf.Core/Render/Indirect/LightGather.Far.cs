@@ -36,7 +36,7 @@ internal sealed partial class LightGather
             _chosen = new Choice[choices];
         }
 
-        double offset = random.NextUniform();
+        double offset = (0.5 + (round * Golden)) % 1.0; // the same for all groups: their errors differ little from their neighbours'
         int at = 0;
         for (int choice = 0; choice < choices; choice++)
         {
@@ -53,16 +53,17 @@ internal sealed partial class LightGather
         }
     }
 
-    /// <summary>Adds the light of the chosen points to the points of the group, each of which the group sees or not.</summary>
+    /// <summary>Adds the light of chosen points to the points of the group as if nothing hid it.</summary>
+    /// <param name="areSeen">Whether of those that the group sees, or of the others.</param>
     /// <param name="found">Receives the light.</param>
-    public void AddShared(GatheredLight found)
+    public void AddShared(bool areSeen, GatheredLight found)
     {
         for (int receiver = 0; receiver < Group.Count && _choices > 0; receiver++)
         {
             Clear(_choices);
             for (int choice = 0; choice < _choices; choice++)
             {
-                if (_chosen[choice].IsSeen)
+                if (_chosen[choice].IsSeen == areSeen)
                 {
                     AddFar(receiver, choice, _chosen[choice].Light, _chosen[choice].Weight);
                 }

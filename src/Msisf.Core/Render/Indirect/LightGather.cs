@@ -27,7 +27,7 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     private const int Bins = 128;
 
     /// <summary>How much a part of far ground counts of which nothing was seen.</summary>
-    private const double Unseen = 0.04;
+    private const double Unseen = 0.1;
 
     /// <summary>The golden section: directions that follow each other by it are spread evenly round a circle.</summary>
     private const double Golden = 0.618_033_988_749_894_9;

@@ -35,7 +35,7 @@ public sealed class IndirectLightTests
     {
         double error = TestLength.IsLong ? 0.0025 : 0.01;
         NativeRenderOptions options = Options(albedo) with { Indirect = new IndirectLight(bounces, error) };
-        using NativeFrame frame = Draw(new BowlGrid(depth, TestLength.Of(200, 500)), elevation, TestLength.Of(12, 24), options);
+        using NativeFrame frame = Draw(PlaneGrid.Bowl(depth, TestLength.Of(200, 500)), elevation, TestLength.Of(12, 24), options);
 
         double view = 1.0 / (1.0 + (1.0 / (4.0 * depth * depth)));
         double series = Enumerable.Range(0, bounces).Sum(bounce => Math.Pow(albedo * view, bounce));
@@ -48,6 +48,67 @@ public sealed class IndirectLightTests
         Assert.All(InShadow(frame), pixel => Assert.Equal(frame.RadianceFactors[pixel], frame.IndirectFactors[pixel]));
     }
 
+    /// <summary>
+    /// What the bowl throws on itself is the part f of all that it reflects: over its whole ground, lit or not, no light is lost or made.
+    /// </summary>
+    [Fact]
+    public void Render_WholeBowl_GetsThePartOfItsLightThatDoesNotLeaveIt()
+    {
+        const double Albedo = 0.4;
+        const double Elevation = 20.0;
+        NativeRenderOptions options = Options(Albedo) with { Indirect = new IndirectLight(1, 0.01) };
+        using NativeFrame frame = Draw(PlaneGrid.Bowl(0.2, TestLength.Of(200, 500)), Elevation, TestLength.Of(24, 64), options);
+
+        (double power, double area) = (0.0, 0.0);
+        foreach ((int pixel, SurfaceHit hit, _) in InBowl(frame, 0.99))
+        {
+            double ground = 1.0 / hit.NormalBodyFixed.Z; // seen from above
+            (power, area) = (power + (ground * frame.IndirectFactors[pixel]), area + ground);
+        }
+
+        double stays = 1.0 / (1.0 + (1.0 / (4.0 * 0.2 * 0.2))); // part of a sphere that is missing over the whole
+        double incident = Math.Sin(double.DegreesToRadians(Elevation)) * (1.0 - stays); // on the mouth, for each area of ground
+        Assert.InRange(power / area / (Albedo * Albedo * incident * stays), 0.99, 1.01);
+    }
+
+    /// <summary>The contour formula of J. H. Lambert for a rectangle of even brightness.</summary>
+    [Fact]
+    public void Render_ShadowedSlopeOverLitPlane_HasTheLightOfTheClosedForm()
+    {
+        const double Albedo = 0.3;
+        const double Half = 1000.0;
+        const double Crest = 400.0;
+        double elevation = double.DegreesToRadians(44.5); // behind a slope of 45 degrees
+        PlaneGrid grid = new(10.0, 201, (_, y) => Math.Clamp(y, 0.0, Crest));
+        PinholeCamera camera = new(
+            new Vector3D(0.0, 0.0, Radius + 20_000.0), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY), 0.035, 24, 24);
+        SceneLight sun = new(
+            new Vector3D(0.0, 1.5e11 * Math.Cos(elevation), Radius + (1.5e11 * Math.Sin(elevation))), IsSun: true);
+        NativeRenderOptions options = Options(Albedo) with { Indirect = new IndirectLight(1, TestLength.IsLong ? 0.0025 : 0.01) };
+        using NativeFrame frame = new NativeRenderer(grid).Render(camera, sun, options, threads: 2);
+
+        double shadow = Crest - (Crest / Math.Tan(elevation)); // how far the slope darkens the plane
+        Vector3D[] lit = [new(-Half, -Half, 0.0), new(Half, -Half, 0.0), new(Half, shadow, 0.0), new(-Half, shadow, 0.0)];
+        List<double> ratios = [];
+        foreach ((int pixel, SurfaceHit hit, _) in InBowl(frame, 1.0))
+        {
+            Vector3D point = hit.PointBodyFixed - (Radius * Vector3D.UnitZ);
+            if (point.Y is > 40.0 and < 380.0)
+            {
+                double seen = Math.Abs(Enumerable.Range(0, 4).Sum(corner =>
+                {
+                    (Vector3D one, Vector3D next) = (lit[corner] - point, lit[(corner + 1) % 4] - point);
+                    return Vector3D.AngleBetween(one, next) * Vector3D.Dot(Vector3D.Cross(one, next).Normalized(), hit.NormalBodyFixed);
+                })) / (2.0 * Math.PI);
+                ratios.Add(frame.IndirectFactors[pixel] / (Albedo * Albedo * Math.Sin(elevation) * seen));
+            }
+        }
+
+        Assert.InRange(ratios.Count, 30, 300);
+        Assert.InRange(ratios.Average(), 0.99, 1.01);
+        Assert.InRange(Math.Sqrt(ratios.Average(ratio => (ratio - 1.0) * (ratio - 1.0))), 0.0, 0.02);
+    }
+
     [Fact]
     public void Render_OtherThreads_HasTheSameBits()
     {
@@ -58,7 +119,7 @@ public sealed class IndirectLightTests
             Reflectance = new LommelSeeligerReflectance(0.2),
             SubsamplesPerAxis = 2,
         };
-        BowlGrid bowl = new(0.2, 60);
+        PlaneGrid bowl = PlaneGrid.Bowl(0.2, 60);
         using NativeFrame one = Draw(bowl, 10.0, 16, options, threads: 1);
         using NativeFrame three = Draw(bowl, 10.0, 16, options, threads: 3);
 
@@ -73,7 +134,7 @@ public sealed class IndirectLightTests
     [InlineData(1, true)]
     public void Render_WithIndirect_AddsItsLayer(int perAxis, bool isAdaptive)
     {
-        BowlGrid bowl = new(0.2, 60);
+        PlaneGrid bowl = PlaneGrid.Bowl(0.2, 60);
         NativeRenderOptions alone = Options(0.3) with
         {
             SubsamplesPerAxis = perAxis,
@@ -99,26 +160,27 @@ public sealed class IndirectLightTests
         const double Height = 20_000.0;
         PinholeCamera camera = new(
             new Vector3D(0.0, 0.0, Radius + Height), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY),
-            2.0 * Math.Atan(0.5 * BowlGrid.Diameter / Height), side, side);
+            2.0 * Math.Atan(0.5 * PlaneGrid.Diameter / Height), side, side);
         SceneLight sun = new(new Vector3D(1.5e11 * cosine, 0.0, Radius + (1.5e11 * sine)), IsSun: true);
         return new NativeRenderer(grid).Render(camera, sun, options, threads);
     }
 
     /// <summary>The pixels in the bowl's shadow, but for those beside its rim, where facets are no longer a sphere.</summary>
-    private static List<int> InShadow(NativeFrame frame)
+    private static List<int> InShadow(NativeFrame frame) =>
+        [.. InBowl(frame, 0.96).Where(one => one.Light.State == IlluminationState.Shadow).Select(one => one.Pixel)];
+
+    /// <summary>The pixels that see ground around the pole.</summary>
+    /// <param name="part">Up to this part of the bowl's radius.</param>
+    private static IEnumerable<(int Pixel, SurfaceHit Hit, PixelIllumination Light)> InBowl(NativeFrame frame, double part)
     {
-        List<int> pixels = [];
-        for (int pixel = 0; pixel < frame.RadianceFactors.Length; pixel++)
+        for (int pixel = 0; pixel < frame.Camera.Width * frame.Camera.Height; pixel++)
         {
             (int x, int y) = ((pixel % frame.Camera.Width) + 1, (pixel / frame.Camera.Width) + 1);
             if (frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light)
-                && light.State == IlluminationState.Shadow
-                && double.Hypot(hit.PointBodyFixed.X, hit.PointBodyFixed.Y) < 0.48 * BowlGrid.Diameter)
+                && double.Hypot(hit.PointBodyFixed.X, hit.PointBodyFixed.Y) < part * PlaneGrid.Diameter / 2.0)
             {
-                pixels.Add(pixel);
+                yield return (pixel, hit, light);
             }
         }
-
-        return pixels;
     }
 }
