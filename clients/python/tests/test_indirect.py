@@ -11,7 +11,7 @@ from numpy_moon import GROUND, gathered_light
 TIME = 55289.0  # the Sun is over 1.5 N, 44 W
 CAMERA = {"width": 24, "height": 16, "principal-point": [7.3, 11.6], "focal-length-px": [30, 33], "skew": 1.5}
 DETECTOR = {
-    "aperture": 5, "exposure-time": 1e-2, "quantum-efficiency": 0.5, "band": [633, 653], "gain": 2000, "adc-bits": 12, "seed": "none",
+    "aperture": 5, "exposure-time": 1e-3, "quantum-efficiency": 0.5, "band": [633, 653], "gain": 2000, "adc-bits": 12, "seed": "none",
 }  # fmt: skip
 PLACE = {"latitude": 35.0, "longitude": 43.0, "height": 5e5}  # low Sun
 
@@ -40,7 +40,7 @@ def test_layer_is_the_light_that_rays_in_all_directions_find(moon):
         ({}, {}),
         ({}, {"sun": "disc", "reflectance": "lommel-seeliger"}),
         ({"detector": DETECTOR}, {}),
-        ({"distortion": {"model": "brown-conrady", "k1": -0.1, "k2": 0.02}}, {"samples": 4, "normals": "smooth"}),
+        ({"distortion": {"model": "brown-conrady", "k1": -0.1, "k2": 0.02}}, {"samples": 4, "shading": "smooth"}),
     ],
     ids=["plain", "disc and another law", "detector", "lens and several samples"],
 )
@@ -58,6 +58,9 @@ def test_layer_is_what_the_option_adds_to_the_image(moon, file, options):
     assert both.layers["indirect"].max() > 0.0
     np.testing.assert_allclose(added, both.layers["indirect"], atol=1e-12)
     if "detector" in file:
-        more = both.layers["electrons"] - alone.layers["electrons"]
-        per_light = alone.layers["electrons"].sum() / alone.layers["radiance-factor"].sum()
-        assert more.sum() == pytest.approx(per_light * added.sum(), rel=0.03)
+        light, electrons = both.layers["radiance-factor"], both.layers["electrons"]
+        lit, dark = alone.layers["radiance-factor"] > 0.0, (alone.layers["radiance-factor"] == 0.0) & (light > 1e-7)
+        per_light = electrons[lit] / light[lit]
+        np.testing.assert_allclose(per_light, alone.layers["electrons"][lit] / alone.layers["radiance-factor"][lit], rtol=1e-9)
+        assert dark.any() and not alone.layers["electrons"][dark].any()
+        np.testing.assert_allclose(electrons[dark] / light[dark], np.median(per_light), rtol=0.3)  # pixels differ in solid angle

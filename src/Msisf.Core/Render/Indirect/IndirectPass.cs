@@ -24,7 +24,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
 
     /// <summary>First samples of each point.</summary>
     private const int FirstFar = 4;
-    private const int FirstNear = 3;
+    private const int FirstNear = 8;
 
     /// <summary>Points of far ground of each group of pixels at the usual error.</summary>
     private const int Choices = 256;
@@ -39,7 +39,10 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private const double MostChoices = 64.0;
 
     /// <summary>Most further samples of a point at the usual error: what rough ground near by hides takes very many.</summary>
-    private const double MostSamples = 16.0;
+    private const double MostFar = 16.0;
+
+    /// <summary>The same for near ground, whose rays are short.</summary>
+    private const double MostNear = 64.0;
 
     /// <summary>The part of the error that samples may have; the rest is that of the points that stand for the ground.</summary>
     private const double PartOfSamples = 0.8;
@@ -218,8 +221,8 @@ internal sealed class IndirectPass(SurfaceModel surface)
             bool isFirst = round.SamplesPerDeviation == 0.0;
             double ratio = IndirectLight.DefaultError / round.Options.Indirect!.Error;
             ratio *= ratio;
-            int far = isFirst ? FirstFar : MoreThan(FirstFar, trial.Far * round.SamplesPerDeviation, ratio);
-            int near = isFirst ? FirstNear : MoreThan(FirstNear, trial.Near * round.SamplesPerDeviation, ratio);
+            int far = isFirst ? FirstFar : MoreThan(FirstFar, trial.Far * round.SamplesPerDeviation, MostFar * ratio);
+            int near = isFirst ? FirstNear : MoreThan(FirstNear, trial.Near * round.SamplesPerDeviation, MostNear * ratio);
             if (far + near == 0 || !worker.TryFill(round, strip, group, _camera!.PositionBodyFixed, _lights!.ReachOfView))
             {
                 continue;
@@ -249,8 +252,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         _idle.Add(worker);
     }
 
-    private static int MoreThan(int first, double wanted, double ratio) =>
-        (int)Math.Clamp(Math.Ceiling(wanted) - first, 0.0, MostSamples * ratio);
+    private static int MoreThan(int first, double wanted, double most) => (int)Math.Clamp(Math.Ceiling(wanted) - first, 0.0, most);
 
     private void AddRow(
         ISurfaceRows points, NativeRenderOptions options, int row, double weight, double[] radianceFactors, double[] indirect)

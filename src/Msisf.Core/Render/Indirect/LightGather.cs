@@ -29,6 +29,9 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     /// <summary>How much a part of far ground counts of which nothing was seen.</summary>
     private const double Unseen = 0.1;
 
+    /// <summary>No bright point within so many times the reach of near ground: no near ground is bright.</summary>
+    private const double MarginOfReach = 1.5;
+
     /// <summary>The golden section: directions that follow each other by it are spread evenly round a circle.</summary>
     private const double Golden = 0.618_033_988_749_894_9;
 
@@ -41,6 +44,7 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     private int _choices;
     private double _total;
     private int _nearest;
+    private bool _hasNear;
 
     /// <summary>The group; set before <see cref="Begin"/>.</summary>
     public Receivers Group { get; } = new();
@@ -53,6 +57,7 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
         Group.Close();
         double reach = Group.LeastReach;
         double closest = double.PositiveInfinity;
+        _hasNear = false;
         double sum = 0.0;
         for (int i = 0; i < lights.Bright.Length; i++)
         {
@@ -69,6 +74,7 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
                 sum += emitted > 0.0 ? lights.Powers[light] * Math.Min(emitted, 1.0) * Math.Min(received, 1.0) / (nearest * nearest) : 0.0;
             }
 
+            _hasNear |= distance < Group.Radius + (MarginOfReach * Group.MostReach);
             (closest, _nearest) = distance < closest ? (distance, light) : (closest, _nearest);
             _sums[i] = sum;
         }
@@ -83,11 +89,11 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     /// <param name="found">Receives the light.</param>
     public void Add(int samples, bool isNear, long round, GatheredLight found)
     {
-        if (isNear)
+        if (isNear && _hasNear)
         {
             AddNear(samples, round, found);
         }
-        else
+        else if (!isNear)
         {
             AddDifference(samples, round, found);
         }

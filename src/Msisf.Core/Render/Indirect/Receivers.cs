@@ -41,6 +41,9 @@ internal sealed class Receivers
     /// <summary>m: least of <see cref="Reaches"/>.</summary>
     public double LeastReach { get; private set; }
 
+    /// <summary>m: largest of <see cref="Reaches"/>.</summary>
+    public double MostReach { get; private set; }
+
     /// <summary>Forgets all points.</summary>
     public void Clear() => Count = 0;
 
@@ -61,11 +64,12 @@ internal sealed class Receivers
             normal += Normals[i] / Count;
         }
 
-        (double radius, LeastReach) = (0.0, double.PositiveInfinity);
+        (double radius, LeastReach, MostReach) = (0.0, double.PositiveInfinity, 0.0);
         for (int i = 0; i < Count; i++)
         {
             radius = Math.Max(radius, (Points[i] - middle).LengthSquared);
             LeastReach = Math.Min(LeastReach, Reaches[i]);
+            MostReach = Math.Max(MostReach, Reaches[i]);
         }
 
         (Middle, MeanNormal, Radius) = (middle, normal, Math.Sqrt(radius));
