@@ -29,8 +29,15 @@ public sealed class SunriseTableTests : IDisposable
     public void Sunrises_OfPlacesAnywhere_AreWithinASecondOfTheTracers()
     {
         Random random = new(5);
-        (double Latitude, double Longitude)[] places = [.. Enumerable.Range(0, TestLength.Of(2, 60)).Select(
-            _ => (-90.0 + (15.0 * random.NextDouble()), Math.Round(360.0 * random.NextDouble(), 3)))];
+        for (int call = 0; call < TestLength.Of(1, 10); call++)
+        {
+            Check([.. Enumerable.Range(0, 2).Select(
+                _ => (-90.0 + (15.0 * random.NextDouble()), Math.Round(360.0 * random.NextDouble(), 3)))]);
+        }
+    }
+
+    private void Check((double Latitude, double Longitude)[] places)
+    {
         string list = _folder.Write("sites.csv", "id,lat,lon\n" + string.Concat(places.Select((place, i) => string.Create(
             CultureInfo.InvariantCulture, $"{i},{place.Latitude:R},{place.Longitude:R}\n"))));
         CommandLineRun run = CommandLineRun.Of([
