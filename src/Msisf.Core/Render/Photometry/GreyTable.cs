@@ -1,5 +1,8 @@
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace Msisf.Core.Render.Photometry;
 
@@ -16,11 +19,19 @@ public sealed class GreyTable
     /// </summary>
     private const int StepsPerLevel = 16;
 
+    /// <summary>Bits behind the point of a step: 4096 steps of 8 bits fill an int with its sign.</summary>
+    private const int FractionBits = 18;
+
+    private const int FractionMask = (1 << FractionBits) - 1;
+
     private readonly int _maxLevel;
     private readonly double _stepsPerRadianceFactor;
     private readonly double _lastStep;
     private readonly ushort[] _levelBeforeStep;
     private readonly double[] _min;
+
+    /// <summary>For 8 bits of each step: the level before it, and in the last bits where in the step the border to the next one lies.</summary>
+    private readonly int[] _stepsOfBytes;
 
     /// <summary>Computes the table. For 8 bits this takes some microseconds and 10 kB, for 16 bits some milliseconds and 2.6 MB.</summary>
     /// <param name="bitDepth">Bits of a level: 8 or 16.</param>
@@ -48,6 +59,10 @@ public sealed class GreyTable
                 reached++;
             }
         }
+
+        _stepsOfBytes = bitDepth == 8
+            ? [.. _levelBeforeStep.Select((level, step) => (level << FractionBits) | FractionOf(_min[level + 1], step))]
+            : [];
     }
 
     /// <summary>Bits of a level: 8 or 16.</summary>
@@ -61,7 +76,7 @@ public sealed class GreyTable
         Debug.Assert(BitDepth == 8, "the table is for 8 bits");
         levels = levels[..radianceFactors.Length];
         Steps steps = new(this);
-        for (int i = 0; i < levels.Length; i++)
+        for (int i = Avx.IsSupported ? ConvertEights(radianceFactors, levels) : 0; i < levels.Length; i++)
         {
             levels[i] = (byte)steps.LevelOf(radianceFactors[i]);
         }
@@ -79,6 +94,55 @@ public sealed class GreyTable
         {
             levels[i] = (ushort)steps.LevelOf(radianceFactors[i]);
         }
+    }
+
+    /// <summary>
+    /// Converts eight at once, which takes two thirds of the time. Steps are counted with a fraction: where that is another one than the
+    /// border's, it says on which side of the border the radiance factor lies; where it is the same, the numbers themselves are compared.
+    /// </summary>
+    /// <returns>How many are converted; fewer than eight are left.</returns>
+    private int ConvertEights(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
+    {
+        ref double source = ref MemoryMarshal.GetReference(radianceFactors);
+        ref int table = ref MemoryMarshal.GetArrayDataReference(_stepsOfBytes);
+        Vector256<double> scale = Vector256.Create(_stepsPerRadianceFactor * (1 << FractionBits));
+        Vector256<double> last = Vector256.Create(_lastStep * (1 << FractionBits));
+        Vector256<int> mask = Vector256.Create(FractionMask);
+        Steps steps = new(this);
+        int i = 0;
+        for (; i <= levels.Length - 8; i += 8)
+        {
+            Vector256<int> place = Vector256.Create(
+                Places(Vector256.LoadUnsafe(ref source, (nuint)i)), Places(Vector256.LoadUnsafe(ref source, (nuint)(i + 4))));
+            Vector256<int> step = Vector256.ShiftRightArithmetic(place, FractionBits);
+            Vector256<int> found = Vector256.Create(
+                Unsafe.Add(ref table, step[0]), Unsafe.Add(ref table, step[1]), Unsafe.Add(ref table, step[2]),
+                Unsafe.Add(ref table, step[3]), Unsafe.Add(ref table, step[4]), Unsafe.Add(ref table, step[5]),
+                Unsafe.Add(ref table, step[6]), Unsafe.Add(ref table, step[7]));
+            Vector256<int> level = Vector256.ShiftRightArithmetic(found, FractionBits)
+                - Vector256.GreaterThan(place & mask, found & mask);
+            Vector128<ushort> words = Vector128.Narrow(level.GetLower(), level.GetUpper()).AsUInt16();
+            Vector128.Narrow(words, words).GetLower().CopyTo(levels[i..]);
+            if (Vector256.EqualsAny(place & mask, found & mask))
+            {
+                for (int j = i; j < i + 8; j++)
+                {
+                    levels[j] = (byte)steps.LevelOf(radianceFactors[j]);
+                }
+            }
+        }
+
+        return i;
+
+        Vector128<int> Places(Vector256<double> factors) => Avx.ConvertToVector128Int32WithTruncation(
+            Vector256.MinNative(Vector256.MaxNative(factors * scale, Vector256<double>.Zero), last));
+    }
+
+    /// <summary>Where in its step a border lies; the end of the step for one that is in a later step, or in none.</summary>
+    private int FractionOf(double border, int step)
+    {
+        double place = border * _stepsPerRadianceFactor * (1 << FractionBits);
+        return place < (step + 1.0) * (1 << FractionBits) ? (int)place & FractionMask : FractionMask;
     }
 
     private int StepOf(double radianceFactor) => new Steps(this).StepOf(radianceFactor);

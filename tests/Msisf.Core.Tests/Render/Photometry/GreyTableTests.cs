@@ -47,6 +47,38 @@ public class GreyTableTests
             [0, 0, 0, 0, white, white, white],
             Convert(new GreyScale(), bitDepth, [double.NegativeInfinity, -1.0, -0.0, 0.0, 1.0, 1e300, double.PositiveInfinity]));
 
+    /// <summary>Eight at once are converted in another way than one alone.</summary>
+    [Theory]
+    [InlineData(1.0, GreyTransfer.Srgb)]
+    [InlineData(0.37, GreyTransfer.Srgb)]
+    [InlineData(2.5, GreyTransfer.Linear)]
+    public void Convert_ManyAtOnce_IsWhatEachGivesAlone(double exposure, GreyTransfer transfer)
+    {
+        GreyScale scale = new(exposure, transfer);
+        GreyTable table = new(scale, 8);
+        Random random = new(20260923);
+        double[] radianceFactors =
+        [
+            .. Enumerable.Range(1, 255).Select(level => Border(scale, level, 255)).SelectMany(AllAround),
+            .. Enumerable.Range(0, 4097).Select(step => step / (4096.0 * exposure)).SelectMany(AllAround),
+            .. Enumerable.Range(0, 100_003).Select(_ => (random.NextDouble() * 1.1 / exposure) - 0.01),
+            double.NegativeInfinity, -1e300, -0.0, 1e300, double.PositiveInfinity,
+        ];
+
+        byte[] alone = new byte[radianceFactors.Length];
+        for (int i = 0; i < alone.Length; i++)
+        {
+            table.Convert(radianceFactors.AsSpan(i, 1), alone.AsSpan(i, 1));
+        }
+
+        Assert.Equal(alone.Select(level => (int)level), Convert(scale, 8, radianceFactors));
+
+        // The number and its twelve neighbours: the table's borders are that close to the formula's.
+        static IEnumerable<double> AllAround(double number) =>
+            Enumerable.Range(-6, 13).Select(ulps => BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(number) + ulps))
+                .Where(double.IsFinite);
+    }
+
     /// <summary>By bisection: the minimum radiance factor to which the plain formula gives the level.</summary>
     private static double Border(GreyScale scale, int level, int max)
     {
