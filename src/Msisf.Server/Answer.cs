@@ -39,13 +39,21 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     /// <param name="contentType">Its content type.</param>
     /// <param name="write">Writes it.</param>
     /// <param name="headers">Further headers.</param>
-    public virtual void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers)
+    public void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers) =>
+        Add(name, contentType, Make(write), headers);
+
+    /// <summary>Adds a part that <see cref="Make"/> made.</summary>
+    public virtual void Add(string name, string contentType, MemoryStream content, params (string Name, string Value)[] headers) =>
+        _parts.Add(new AnswerPart(Prefix + name, contentType, content, headers) { Length = content.Length });
+
+    /// <summary>Makes the content of a part, perhaps beside other work on the answer.</summary>
+    public MemoryStream Make(Action<MemoryStream> write)
     {
         MemoryStream content = pool.Take();
         content.SetLength(room);
         content.Position = room;
         write(content);
-        _parts.Add(new AnswerPart(Prefix + name, contentType, content, headers) { Length = content.Length });
+        return content;
     }
 
     /// <summary>Adds a part that may be too long for memory.</summary>

@@ -123,7 +123,7 @@ internal sealed class FrameAnswers
 
         if (plan.Meta is { } meta)
         {
-            AddMeta(answer, meta, stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
+            answer.Add(NameOfMeta(meta), meta, stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
         }
     }
 
@@ -133,13 +133,11 @@ internal sealed class FrameAnswers
         int threads, CancellationToken cancellation)
     {
         Task<MemoryStream> meta = Task.Run(
-            () =>
+            () => answer.Make(stream =>
             {
-                MemoryStream stream = new();
                 RenderedFrame rendered = image.ToRendered(Stream.Null);
                 WriteMeta(stream, metaForm, session, frame, rendered, session.Describe(frame, rendered), cancellation);
-                return stream;
-            },
+            }),
             CancellationToken.None);
         try
         {
@@ -150,12 +148,10 @@ internal sealed class FrameAnswers
             Task.WaitAny([meta], CancellationToken.None); // it reads the image, which is gone after an exception
         }
 
-        using MemoryStream written = meta.GetAwaiter().GetResult();
-        AddMeta(answer, metaForm, written.WriteTo);
+        answer.Add(NameOfMeta(metaForm), metaForm, meta.GetAwaiter().GetResult());
     }
 
-    private static void AddMeta(Answer answer, string form, Action<MemoryStream> write) =>
-        answer.Add(form == AnswerForm.Xml ? "xml" : "json", form, write);
+    private static string NameOfMeta(string form) => form == AnswerForm.Xml ? "xml" : "json";
 
     /// <summary>Adds the files of msis, each as "csm.json", "tsai", ...</summary>
     private static void AddCameraModels(

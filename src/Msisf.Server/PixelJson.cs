@@ -9,6 +9,9 @@ namespace Msisf.Server;
 /// <summary>Writes the pixels of a meta file as JSON, the same as <see cref="MetadataJson"/> makes of their elements.</summary>
 internal static class PixelJson
 {
+    /// <summary>bytes: the writer's memory grows by doubling, and large pieces of memory are slow to get.</summary>
+    private const int MostPending = 1 << 14;
+
     /// <summary>Writes what PixelInformation holds.</summary>
     /// <param name="json">Receives it.</param>
     /// <param name="pixels">Gives the pixels, by rows from the top.</param>
@@ -30,6 +33,10 @@ internal static class PixelJson
                 }
 
                 Write(json, record);
+                if (json.BytesPending > MostPending)
+                {
+                    json.Flush();
+                }
             }
         }
 

@@ -14,9 +14,9 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
     private readonly ResponseStream _body = (ResponseStream)response.Body;
 
     /// <inheritdoc/>
-    public override void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers)
+    public override void Add(string name, string contentType, MemoryStream content, params (string Name, string Value)[] headers)
     {
-        base.Add(name, contentType, write, headers);
+        base.Add(name, contentType, content, headers);
         AnswerPart part = Parts[^1];
         Begin(part with { Length = part.Bytes.Length });
         _body.Write(part.Bytes.Span);

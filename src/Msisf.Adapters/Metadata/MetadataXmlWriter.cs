@@ -15,7 +15,7 @@ public static class MetadataXmlWriter
     /// <summary>Version of the format (lib/MSISRendering.dtd).</summary>
     private const int FormatVersion = 3;
 
-    /// <summary>Writes one file without its pixels.</summary>
+    /// <summary>Writes the elements of one file without its pixels.</summary>
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
     /// <param name="pixels">Their grid and surface.</param>
@@ -37,6 +37,7 @@ public static class MetadataXmlWriter
         Stream stream, FrameMetadata frame, PixelSampler pixels, LongEDigits digits = LongEDigits.Thesis,
         CancellationToken cancellation = default)
     {
+        stream.Write(Encoding.UTF8.GetBytes(Grammar(frame)));
         stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels, digits)));
         WritePixels(stream, pixels, digits, cancellation);
         WriteEnd(stream, frame);
@@ -70,13 +71,17 @@ public static class MetadataXmlWriter
         }
     }
 
+    private static string Grammar(FrameMetadata frame) => $"""
+        <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+        <!DOCTYPE MSISRendering [
+        {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null)}
+        ]>
+
+        """;
+
     private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
     {
         return string.Create(CultureInfo.InvariantCulture, $"""
-            <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
-            <!DOCTYPE MSISRendering [
-            {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null)}
-            ]>
             <MSISRendering>
               <GeneralInformation>
                 <SimulationTime>

@@ -115,13 +115,23 @@ internal sealed class NativeImage : IDisposable
         }
 
         int length = (int)Math.Ceiling((double)(Width * Height) / parts);
-        Parallel.For(0, parts, new ParallelOptions { MaxDegreeOfParallelism = threads }, part =>
+        int next = -1;
+
+        // A thread that ends other work joins in; with Parallel.For it does not.
+        Task[] others = [.. Enumerable.Range(1, Math.Min(threads, parts) - 1).Select(_ => Task.Run(ConvertParts))];
+        ConvertParts();
+        Task.WaitAll(others);
+
+        void ConvertParts()
         {
-            int start = part * length;
-            int count = Math.Min(length, (Width * Height) - start);
-            ConvertLevels(
-                _drawn.RadianceFactors.Slice(start, count), levels.Span.Slice(start * BytesPerPixel, count * BytesPerPixel));
-        });
+            for (int part = Interlocked.Increment(ref next); part < parts; part = Interlocked.Increment(ref next))
+            {
+                int start = part * length;
+                int count = Math.Min(length, (Width * Height) - start);
+                ConvertLevels(
+                    _drawn.RadianceFactors.Slice(start, count), levels.Span.Slice(start * BytesPerPixel, count * BytesPerPixel));
+            }
+        }
     }
 
     private void ConvertLevels(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
