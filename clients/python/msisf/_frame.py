@@ -64,7 +64,6 @@ class Frame(View):
         super().__init__(moon, request, _vector(general["CameraPosition"]), matrices, camera.get("Distortion"))
         self._levels = _levels_of(image)
         self._meaning = (int(image.headers["x-msisf-bits"]), image.headers["x-msisf-transfer"])
-        self.image = self._levels.copy()
         self.layers: Dict[str, "NDArray[Any]"] = dict(layers)
         self.warnings = list(warnings)
         self.camera_models: Dict[str, str] = {}
@@ -94,6 +93,10 @@ class Frame(View):
         self._request = {**options, "fixed-state": [self.mjd, *self.position.tolist(), *self.quaternion.tolist()]}
 
     @cached_property
+    def image(self) -> "NDArray[Any]":
+        return self._levels.copy()
+
+    @cached_property
     def meta(self) -> Dict[str, Any]:
         with answers_of("the meta file"):
             meta: Dict[str, Any] = json.loads(self._meta)
@@ -112,9 +115,9 @@ class Frame(View):
         Path(path).write_bytes(png_of(self._levels, *self._meaning))
 
     def __repr__(self) -> str:
-        height, width = self.image.shape
+        height, width = self._levels.shape
         layers = f", layers {', '.join(self.layers)}" if self.layers else ""
-        return f"{super().__repr__()[:-1]} at {self.utc}: {width} x {height} px, {self.image.dtype}{layers}>"
+        return f"{super().__repr__()[:-1]} at {self.utc}: {width} x {height} px, {self._levels.dtype}{layers}>"
 
     def __getattr__(self, name: str) -> "NDArray[Any]":
         layers = self.__dict__.get("layers", {})

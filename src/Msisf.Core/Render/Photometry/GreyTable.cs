@@ -30,7 +30,7 @@ public sealed class GreyTable
     private readonly ushort[] _levelBeforeStep;
     private readonly double[] _min;
 
-    /// <summary>For 8 bits of each step: the level before it, and in the last bits where in the step the border to the next one lies.</summary>
+    /// <summary>For 8 bits of each step: the level before it, and in the last bits where in it the next border lies.</summary>
     private readonly int[] _stepsOfBytes;
 
     /// <summary>Computes the table. For 8 bits this takes some microseconds and 10 kB, for 16 bits some milliseconds and 2.6 MB.</summary>
