@@ -120,10 +120,10 @@ internal sealed class FrameService : IDisposable
     /// <param name="form">Form of the answer.</param>
     /// <param name="answer">Receives it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
-    /// <param name="suns">Positions of the Sun that other images of the same request know; null for none.</param>
+    /// <param name="shared">Positions of the Sun that other images of the same request know; null for none.</param>
     public async Task DrawAsync(
         RequestedFrame requested, TrajectorySettings place, AnswerForm form, Answer answer, CancellationToken client,
-        KnownSuns? suns = null)
+        SharedReadings? shared = null)
     {
         AnswerPlan plan = AnswerPlan.Of(form, requested.Settings);
         plan.Check(form, requested.Settings, Settings.MaxMegabytes);
@@ -133,7 +133,7 @@ internal sealed class FrameService : IDisposable
             (session, threads, end) =>
             {
                 answer.AddTime("wait", start);
-                FrameAnswers.Draw(answer, session, session.Prepare(place, end, suns), form, threads, end);
+                FrameAnswers.Draw(answer, session, session.Prepare(place, end, shared), form, threads, end);
                 return true;
             },
             client,

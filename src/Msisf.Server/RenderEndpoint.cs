@@ -33,11 +33,11 @@ internal sealed class RenderEndpoint(FrameService frames)
             return Task.CompletedTask;
         });
         using Answer answer = frames.Answers.For(PlanOf(images, form), context.Response, form.IsMultipart);
-        KnownSuns suns = []; // all images have one time
+        SharedReadings shared = new();
         foreach ((string prefix, RequestedFrame requested) in images)
         {
             answer.Prefix = prefix;
-            await frames.DrawAsync(requested, requested.Place!, form, answer, context.RequestAborted, suns).ConfigureAwait(false);
+            await frames.DrawAsync(requested, requested.Place!, form, answer, context.RequestAborted, shared).ConfigureAwait(false);
         }
 
         await answer.SendAsync(context.Response, form.IsMultipart, context.RequestAborted).ConfigureAwait(false);
@@ -60,7 +60,8 @@ internal sealed class RenderEndpoint(FrameService frames)
 
         IReadOnlyList<StreamCamera> read = StreamCamera.Read(cameras);
         return form.IsMultipart
-            ? [.. read.Select((camera, index) => ($"{camera.NameAt(index)}.", camera.Of(frames, frame)))]
+            ? [.. StreamCamera.WithOnePlace(read, [.. read.Select(camera => camera.Of(frames, frame))])
+                .Select((requested, index) => ($"{read[index].NameAt(index)}.", requested))]
             : throw new RefusedException(
                 StatusCodes.Status406NotAcceptable,
                 $"several cameras are answered in several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.");

@@ -72,6 +72,14 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             changes is null ? Options : Options.Where(option => !changes.ContainsKey(option.Key)).Concat(changes).ToDictionary(),
             needsPlace: changes is not null).On(Rig);
 
+    /// <summary>The frames of cameras with the place of the first one, whose states are then read once.</summary>
+    /// <param name="cameras">The cameras.</param>
+    /// <param name="frames">Their frames; as they are if a camera says itself where it is.</param>
+    public static IReadOnlyList<RequestedFrame> WithOnePlace(IReadOnlyList<StreamCamera> cameras, IReadOnlyList<RequestedFrame> frames) =>
+        cameras.Any(camera => camera.Options.Keys.Any(JsonOptions.IsPlace))
+            ? frames
+            : [.. frames.Select(frame => frame.At(frames[0].Place))];
+
     private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
     {
         string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : DefaultName(index);

@@ -155,10 +155,10 @@ internal sealed class StreamSession : IDisposable
                 ? PlacesOf(message)
                 : ReadChanges(message);
             Task sending = Task.CompletedTask;
-            KnownSuns suns = []; // all images of a message have one time
+            SharedReadings shared = new();
             foreach ((RequestedFrame requested, TrajectorySettings place) in images)
             {
-                sending = await DrawAsync(requested, place, suns, sending).ConfigureAwait(false);
+                sending = await DrawAsync(requested, place, shared, sending).ConfigureAwait(false);
             }
 
             await sending.ConfigureAwait(false);
@@ -172,15 +172,15 @@ internal sealed class StreamSession : IDisposable
     /// <summary>Draws an image while that of the camera before is sent.</summary>
     /// <param name="requested">The frame.</param>
     /// <param name="place">Where the camera is.</param>
-    /// <param name="suns">Positions of the Sun that are known.</param>
+    /// <param name="shared">What the images before have read.</param>
     /// <param name="before">The sending of the image before.</param>
     /// <returns>The sending of this one.</returns>
-    private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, KnownSuns suns, Task before)
+    private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, SharedReadings shared, Task before)
     {
         Answer answer = _frames.Answers.InMemory(HeadLength);
         try
         {
-            await _frames.DrawAsync(requested, place, _opening!.Form, answer, _gone.Token, suns).ConfigureAwait(false);
+            await _frames.DrawAsync(requested, place, _opening!.Form, answer, _gone.Token, shared).ConfigureAwait(false);
         }
         catch
         {
@@ -232,8 +232,8 @@ internal sealed class StreamSession : IDisposable
         }
 
         bool hasOwnNoise = changes.ContainsKey(NativeOptions.NoiseSeed.Key);
-        return [.. _opening!.Cameras
-            .Select(camera => camera.InStream(_frames, _opening.Frame, changes))
+        IReadOnlyList<StreamCamera> cameras = _opening!.Cameras;
+        return [.. StreamCamera.WithOnePlace(cameras, [.. cameras.Select(camera => camera.InStream(_frames, _opening.Frame, changes))])
             .Select(requested => (requested, hasOwnNoise ? requested.Place! : WithNoise(requested.Place!, requested)))];
     }
 

@@ -85,6 +85,22 @@ public sealed class RigRequestTests(RunningServer server) : IClassFixture<Runnin
             answer.Headers.GetValues("Server-Timing").Single().Split(", ").Select(time => time.Split(';')[0]));
     }
 
+    /// <summary>What the reading of a state says is said once, not for each camera.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task StateOfAllCameras_IsReadOnce()
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render",
+            """
+            {"frame": {"position": [0, 30, 1800000], "look-at": "nadir", "time": 55289.25, "width": 8, "height": 8},
+             "cameras": [{}, {"fov": 5}, {"width": 9}]}
+            """,
+            "multipart/mixed");
+
+        string said = answer.Headers.GetValues("X-Msisf-Warning").Single();
+        Assert.Equal(2, said.Split("heights are over the surface").Length);
+    }
+
     [RequiresTheory(Part.Ldem4)]
     [InlineData("[]", "multipart/mixed", 400, "a list of 1 to 16 objects")]
     [InlineData("[{\"name\": \"a\"}, {\"name\": \"a\"}]", "multipart/mixed", 400, "have one name")]

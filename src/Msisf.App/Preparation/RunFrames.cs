@@ -47,7 +47,7 @@ internal sealed record RunFrames(
             Needs = needs,
         };
         IReadOnlyList<SpacecraftState> read = host.Times.Measure(Phase.States, () => reader.ReadBody(trajectory, cancellation));
-        SunPositions sun = new(ephemeris.Engine, first.Aberration, cameras.Count > 1 ? [] : null);
+        SunPositions sun = new(ephemeris.Engine, first.Aberration, cameras.Count > 1 ? new SharedReadings() : null);
         return [.. cameras.Select((settings, index) =>
         {
             IReadOnlyList<SpacecraftState> states = host.Times.Measure(

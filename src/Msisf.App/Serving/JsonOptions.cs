@@ -82,7 +82,8 @@ internal sealed class JsonOptions
         changes.ContainsKey(key)
         || (IsPlace(key) && changes.Keys.Any(other => Ways.Contains(other)));
 
-    private static bool IsPlace(string key) =>
+    /// <summary>Whether an option says where the camera is, or belongs to one that does.</summary>
+    public static bool IsPlace(string key) =>
         key == RequestStates.Key || CameraOptions.Group.Options.Any(option => option.Key == key);
 
     private RequestedFrame Finish(bool needsPlace)

@@ -55,21 +55,27 @@ internal sealed class RenderSession : IDisposable
         _maps.Value.WholeAlbedo);
 
     /// <summary>Reads where the camera is, and sets up the frame.</summary>
-    /// <param name="suns">Positions of the Sun that other cameras of the same request know; null for none.</param>
+    /// <param name="shared">What other cameras of the same request have read; null for none.</param>
     /// <exception cref="MsisfException">There is no such frame.</exception>
-    public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation, KnownSuns? suns = null)
+    public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation, SharedReadings? shared = null)
     {
         RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
+        StateNeeds needs = StateNeeds.Of(Settings);
         StateReader reader = new(() => Engine, geometry, _host)
         {
-            Needs = [StateNeeds.Of(Settings)],
+            Needs = [needs],
             Kernels = () => _ephemeris.Of(Settings).Kernels(),
         };
-        SpacecraftState state = reader.Read(place, cancellation)[0];
+        StatesKey key = new(
+            place with { Noise = null }, Model, Settings.Ephemeris, Settings.Aberration, needs.NeedsMotion, needs.NeedsPath);
+        IReadOnlyList<SpacecraftState> states = shared?.States(key, Read) ?? Read();
+        SpacecraftState state = needs.Of(states, place)[0];
         Frame[] frames = FrameSetup.Of(
-            [state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration, suns), cancellation);
+            [state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration, shared), cancellation);
         GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, trajectory: place);
         return new PreparedFrame(state, frames[0]);
+
+        IReadOnlyList<SpacecraftState> Read() => reader.ReadBody(place, cancellation);
     }
 
     /// <summary>Draws a frame.</summary>

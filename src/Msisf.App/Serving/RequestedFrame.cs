@@ -28,6 +28,18 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
         ? this
         : new RequestedFrame(Model, Place, Settings with { Rig = rig }) { Noise = Noise }; // with a session key of its own
 
+    /// <summary>The frame at the place of another one; motion, Sun, exposure and noise stay its own.</summary>
+    public RequestedFrame At(TrajectorySettings? place) => place is null || Place is null ? this : this with
+    {
+        Place = place with
+        {
+            Motion = Place.Motion,
+            SunPositionBodyFixed = Place.SunPositionBodyFixed,
+            ExposureFactor = Place.ExposureFactor,
+            Noise = Place.Noise,
+        },
+    };
+
     /// <summary>Whether single rays tell what the image shows: the Sun is a point, and the normals are those of facets.</summary>
     public bool IsTraceable => Settings.Native.Render is { Sun: SunModel.Point, Normals: NormalModel.Facet };
 
