@@ -154,7 +154,7 @@ classdef MsisfStream < handle
                 elseif length == 127
                     length = 256 .^ (7:-1:0) * double(stream.take(8))';
                 end
-                if length > 2 * stream.Width * stream.Height + 2^20
+                if length > 2 * max(stream.Width .* stream.Height) + 2^20
                     error('msisf:server', 'the server''s message is too long');
                 end
                 content = stream.take(length);

@@ -69,7 +69,9 @@ internal static class RequestErrors
     /// <summary>One of the server's own paths, so that clients can't make up as many as they like.</summary>
     private static string PathOf(HttpContext context) => (context.GetEndpoint() as RouteEndpoint)?.RoutePattern.RawText ?? "other";
 
-    private static Problem Bug(Exception exception, ILog log)
+    /// <summary>Says a bug in the log.</summary>
+    /// <returns>What its client hears of it.</returns>
+    internal static Problem Bug(Exception exception, ILog log)
     {
         log.Error($"a bug in msis, please report it with the request and this text: {exception.GetType().Name}: {exception.Message}");
         log.Raw(exception.StackTrace ?? string.Empty);

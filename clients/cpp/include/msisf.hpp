@@ -267,18 +267,26 @@ struct Head {
     std::string field(const std::string& name) const { return fields.count(name) ? fields.at(name) : ""; }
 };
 
+/// Adds bytes to those of a body, piece by piece: a wrong length takes no memory.
+inline void read_more(Connection& connection, std::vector<std::uint8_t>& body, std::uint64_t length) {
+    while (length > 0) {
+        const std::size_t start = body.size(), piece = std::min<std::uint64_t>(length, 1 << 20);
+        body.resize(start + piece);
+        connection.read(body.data() + start, piece);
+        length -= piece;
+    }
+}
+
 /// The body of an answer, with its length or in chunks.
 inline std::vector<std::uint8_t> read_body(Connection& connection, const Head& head) {
     std::vector<std::uint8_t> body;
     if (head.field("transfer-encoding") != "chunked") {
-        body.resize(whole(head.field("content-length")));
-        connection.read(body.data(), body.size());
+        read_more(connection, body, whole(head.field("content-length")));
         return body;
     }
     for (;;) {
-        const std::size_t length = whole(connection.read_line(), 16), start = body.size();
-        body.resize(start + length);
-        connection.read(body.data() + start, length);
+        const std::uint64_t length = whole(connection.read_line(), 16);
+        read_more(connection, body, length);
         connection.read_line();
         if (length == 0) return body;
     }
@@ -339,6 +347,9 @@ class Server {
         image.height = number_of(head, "x-msisf-height");
         image.bits = head.field("x-msisf-type") == "u8" ? 8 : 16;
         image.data = std::move(body);
+        if (image.data.size() != std::size_t{image.width} * image.height * (image.bits / 8)) {
+            throw Error("the image has another length than its head says", 0);
+        }
         return image;
     }
 
@@ -478,12 +489,13 @@ class Stream {
         is_broken_ = true;  // until the answer is here whole: a late one would be taken for that of the next state
         sent_++;
         std::vector<Image> images;
-        for (const auto& size : sizes_) images.push_back(next(std::size_t{size[0]} * size[1]));
+        for (const auto& size : sizes_) images.push_back(next(size));
         is_broken_ = false;
         return images;
     }
 
-    Image next(std::size_t pixels) {
+    Image next(const std::array<std::uint32_t, 2>& size) {
+        const std::size_t pixels = std::size_t{size[0]} * size[1];
         std::vector<std::uint8_t> message;
         const int kind = receive(message, HeadLength + 2 * pixels + LongestText);
         if (kind == Text) {
@@ -497,6 +509,7 @@ class Stream {
             throw Error("the server's message is no image of this stream", 0);
         }
         std::memcpy(head, message.data() + 4, sizeof head);  // little-endian, as all machines that run msis
+        if (head[1] != size[0] || head[2] != size[1]) throw Error("the image has another size than its camera", 0);
         if (head[0] != sent_) throw Error("the image has number " + std::to_string(head[0]) + ", " + std::to_string(sent_) + " is due", 0);
         image.number = head[0], image.width = head[1], image.height = head[2];
         image.bits = length == pixels ? 8 : 16;

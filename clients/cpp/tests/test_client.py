@@ -267,6 +267,7 @@ def test_fragments_and_pings(programs):
 
 @pytest.mark.parametrize("sent, expected", [
     (message(2, image(number=2)), "number 2, 1 is due"),
+    (message(2, image(width=6, height=2)), "another size than its camera"),
     (message(2, image(levels=11)), "no image of this stream"),
     (message(2, image(magic=b"XXXX")), "no image of this stream"),
     (message(2, b"MSIF"), "no image of this stream"),
@@ -297,6 +298,8 @@ def test_broken_streams(programs, sent, expected):
     (b"HTTP/1.1 500 Bad\r\nTransfer-Encoding: chunked\r\n\r\n4\r\n{\"de\r\n9\r\ntail\": \"x\r\n2\r\n\"}\r\n0\r\n\r\n", "error 500: x"),
     (b"x" * 70000, "no HTTP"),
     (b"HTTP/1.1 503 Busy\r\nContent-Length: 100\r\n\r\nshort", "closed the connection"),
+    (b"HTTP/1.1 200 OK\r\nContent-Length: 9999999999999999999\r\n\r\nshort", "closed the connection"),
+    (b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\nshort", "closed the connection"),
 ])
 def test_broken_answers(programs, sent, expected):
     def answer(connection):

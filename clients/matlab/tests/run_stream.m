@@ -27,6 +27,7 @@ function run_stream(host, port, folder, dying)
         fprintf('%s\n', problem.message);
     end
     fprintf('%s %d %d\n', class(first), size(first));
+    several(host, port, folder);
     wrong = {{port, '/v1/render', '{"width": 0}', '0123456789abcdef'}, {port, '/v1/sun?mjd=55289', '', 'wrong'}, {dying, '/', ''}};
     for k = 1:3
         try
@@ -40,6 +41,23 @@ function run_stream(host, port, folder, dying)
     catch problem
         fprintf('%s\n', problem.message);
     end
+end
+
+% A rig: each image has the size and the levels of its own camera, also after a state that is refused.
+function several(host, port, folder)
+    cameras = ['[{"fov": 40, "offset": [0, -1000, 0]}, ' ...
+        '{"fov": 12, "width": 24, "height": 31, "bit-depth": 8, "quaternion": [0, 0, 0.1, 0.99498743710662]}]'];
+    stream = MsisfStream(host, port, '{"width": 37, "height": 20, "bit-depth": 16}', '0123456789abcdef', cameras);
+    images = stream.render(55289.25, [1.9e6 1e5 -2e5], [0 0 0 1]);
+    keep(folder, 'one of several', images{1});
+    try
+        stream.render(55289.25, [1e5 0 0], [0 0 0 1]);
+    catch problem
+        fprintf('%s\n', problem.message);
+    end
+    images = stream.render(55289.25, [1.9e6 1e5 -2e5], [0 0 0 1]);
+    keep(folder, 'other of several', images{2});
+    fprintf('%s %d %d, %s %d %d\n', class(images{1}), size(images{1}), class(images{2}), size(images{2}));
 end
 
 function keep(folder, name, image)

@@ -43,6 +43,7 @@ def die(server):
 
 @needs_octave
 def test_stream_in_octave(tmp_path):
+    from msisf._http import parts_of
     (tmp_path / "token").write_text("0123456789abcdef\n")
     with subprocess.Popen(
             [MSIS, "serve", "--listen", "127.0.0.1:0", "--ldem", ROOT / "input/ldem/LDEM_4.LBL", "--token-file", tmp_path / "token",
@@ -60,12 +61,24 @@ def test_stream_in_octave(tmp_path):
                 {"Content-Type": "application/json", "Accept": "application/octet-stream", "Authorization": "Bearer 0123456789abcdef"})
             with urllib.request.urlopen(request, timeout=60) as answer:
                 assert (tmp_path / name).read_bytes() == answer.read()
+        request = urllib.request.Request(
+            f"{address}/v1/render",
+            b'''{"frame": {"width": 37, "height": 20, "bit-depth": 16, "fixed-state": [55289.25, 1.9e6, 1e5, -2e5, 0, 0, 0, 1]},
+                 "cameras": [{"fov": 40, "offset": [0, -1000, 0]},
+                             {"fov": 12, "width": 24, "height": 31, "bit-depth": 8, "quaternion": [0, 0, 0.1, 0.99498743710662]}]}''',
+            {"Content-Type": "application/json", "Accept": "multipart/mixed, application/octet-stream",
+             "Authorization": "Bearer 0123456789abcdef"})
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            parts = parts_of(answer.headers, answer.read())
+        for name, part in (("one of several", "camera1.image.raw"), ("other of several", "camera2.image.raw")):
+            assert (tmp_path / name).read_bytes() == bytes(parts[part].content)
         server.stdin.close()
     lines = run.stdout.splitlines()
     assert "inside the Moon" in lines[0] and "all finite" in lines[1] and "--fov" in lines[2] and "401" in lines[3]
     assert lines[4] == "uint16 20 37"
-    assert "says where the camera is" in lines[5] and "--token-file is needed" in lines[6] and "no HTTP" in lines[7]
-    assert "onnection" in lines[8]  # lost: in the words of tcpclient
+    assert "inside the Moon" in lines[5] and lines[6] == "uint16 20 37, uint8 31 24"
+    assert "says where the camera is" in lines[7] and "--token-file is needed" in lines[8] and "no HTTP" in lines[9]
+    assert "onnection" in lines[10]  # lost: in the words of tcpclient
 
 
 @needs_octave

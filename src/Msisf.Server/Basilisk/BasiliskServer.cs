@@ -178,7 +178,7 @@ internal sealed class BasiliskServer : IAsyncDisposable
 
         int number = ++_count;
         HashSet<string> said = [];
-        BasiliskSimulation simulation = new(_frames, _settings, text =>
+        BasiliskSimulation simulation = new(_frames, _settings, _log, text =>
         {
             lock (said)
             {

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.Json;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
+using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
@@ -14,8 +15,9 @@ namespace Msisf.Server.Basilisk;
 /// <summary>One simulation: what its last message says, and the images of it.</summary>
 /// <param name="frames">Draws images.</param>
 /// <param name="settings">How.</param>
+/// <param name="log">Receives bugs.</param>
 /// <param name="note">Receives what the user should know, each text once.</param>
-internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings settings, Action<string> note)
+internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings settings, ILog log, Action<string> note)
 {
     private const string MoonName = "moon";
     private const string SunName = "sun";
@@ -81,8 +83,10 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
 
             return answer.Parts[0].Bytes.ToArray();
         }
-        catch (Exception exception) when (Problem.Of(exception) is { } problem)
+        catch (Exception exception) when (!cancellation.IsCancellationRequested)
         {
+            // Of a bug too: without an answer Basilisk waits for ever.
+            Problem problem = Problem.Of(exception) ?? RequestErrors.Bug(exception, log);
             note($"no image: {Problem.Shortened(problem.Detail)}");
             return null;
         }
