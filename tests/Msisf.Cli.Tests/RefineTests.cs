@@ -101,6 +101,48 @@ public sealed class RefineTests : IDisposable
         Assert.True(rays.Max() > 1.2 && rays.Min() < 0.99, $"{rays.Min()} to {rays.Max()}");
     }
 
+    /// <summary>
+    /// A map of a site's own reflectance counts as it is, without invented rays; around it, in the same image, they are seen.
+    /// </summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Run_SiteWithOwnMap_HasNoRaysThere()
+    {
+        const string Script = """
+            import sys
+            import numpy as np
+            from osgeo import gdal, osr
+            def write(path, width, height, west, north, pixel):
+                data = gdal.GetDriverByName('GTiff').Create(path, width, height, 1, gdal.GDT_Float32)
+                data.GetRasterBand(1).WriteArray(np.full((height, width), 0.25, 'f4'))
+                data.SetGeoTransform([west, pixel, 0.0, north, 0.0, -pixel])
+                system = osr.SpatialReference()
+                system.ImportFromProj4('+proj=eqc +R=1737400 +units=m')
+                data.SetProjection(system.ExportToWkt())
+            degree = np.radians(1737400.0)
+            write(sys.argv[1], 360, 180, -180 * degree, 90 * degree, degree)
+            write(sys.argv[2], 200, 200, 5 * degree - 800, 12 * degree + 400, 4.0)
+            """;
+        (string moon, string site) = (_folder["moon.tif"], _folder["site.tif"]);
+        ChildRun.Of(TestParts.Python!, ["-c", Script, moon, site], _folder.Path).Succeeded();
+        CommandLineRun run = Run(
+            ["--position=12,5,terrain+400", "--time", "2000-01-01T00:00:00Z", "--ignore-sun", "--batch", "--width", "200", "--height",
+             "200", "--fov", "40", "--renderer", "native", "--ldem", Moon(), "--res", "2", "--refine", "7", "--layers",
+             "rays,incidence,radiance-factor,longitude", "--layers-format", "npy", "--reflectance", "lambert", "--albedo-map",
+             $"{moon},scale=1,incidence=0,emission=0,phase=0", "--albedo-map", $"{site},scale=1,incidence=0,emission=0,phase=0"],
+            "a");
+        Assert.True(run.ExitCode == 0, run.Error);
+        (double[] rays, double[] incidence) = (Doubles("a", "rays"), Doubles("a", "incidence"));
+        (double[] factors, double[] longitudes) = (Doubles("a", "radiance-factor"), Doubles("a", "longitude"));
+        double[] albedos = [.. factors.Zip(incidence, (factor, angle) => factor / Math.Cos(double.DegreesToRadians(angle)))];
+        int[] lit = [.. Enumerable.Range(0, rays.Length).Where(i => incidence[i] < 85.0 && Math.Abs(longitudes[i] - 5.0) > 1e-4)];
+        int[] inside = [.. lit.Where(i => longitudes[i] < 5.0)];
+        int[] around = [.. lit.Where(i => longitudes[i] > 5.0)];
+        Assert.All(inside, i => Assert.Equal(0.25, albedos[i], 1e-9));
+        double whole = albedos[around[0]] / rays[around[0]];
+        Assert.All(around, i => Assert.Equal(whole * rays[i], albedos[i], 1e-9));
+        Assert.True(inside.Max(i => rays[i]) > 1.05 && around.Max(i => rays[i]) > 1.05, "the site, or what is around it, has no rays");
+    }
+
     [Theory]
     [InlineData("--renderer native --layers rays", 1, "--layers: rays needs invented ground. Give --refine with a seed")]
     [InlineData("--renderer native --refine -1", 1, "--refine")]

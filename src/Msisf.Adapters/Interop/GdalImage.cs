@@ -9,6 +9,10 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <summary>Ends of the names of files that hold nothing but statistics and coarser levels.</summary>
     private static readonly string[] Derived = [".aux.xml", ".ovr"];
 
+    private const string RemoteAdvice =
+        "It needs a network, and a server that sends parts of files, and at least 1000 bytes in a second: check the address, try again, "
+        + "or get the whole file and name it here.";
+
     private readonly GdalNative _gdal;
     private readonly string _path;
     private readonly nint _band;
@@ -61,18 +65,41 @@ internal sealed unsafe class GdalImage : IDisposable
     public static GdalImage Open(string path, string? libraryPath)
     {
         GdalNative gdal = GdalLibrary.Require(libraryPath, $"{Path.GetFileName(path)}, which is no PDS3 image,");
-        nint image;
+        nint opened;
+        gdal.CPLErrorReset();
         fixed (byte* name = Encoding.UTF8.GetBytes(path + '\0'))
         {
-            image = gdal.GDALOpenEx(name, GdalNative.OpenRaster, 0, 0, 0);
+            opened = gdal.GDALOpenEx(name, GdalNative.OpenRaster, 0, 0, 0);
         }
 
-        return image == 0 || gdal.GDALGetRasterBand(image, 1) == 0
-            ? throw new BadInputException(path.Contains("://", StringComparison.Ordinal)
-                ? $"{path}: GDAL can't open the remote file ({Message(gdal)}). It needs a network and a server that is up: check the "
-                    + "address, or get the file and name it here."
-                : $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.")
-            : new GdalImage(gdal, path, image);
+        if (opened == 0 || gdal.GDALGetRasterBand(opened, 1) == 0)
+        {
+            throw new BadInputException(IsRemote(path)
+                ? $"{path}: GDAL can't open the remote file ({Message(gdal)}). {RemoteAdvice}"
+                : $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
+        }
+
+        GdalImage image = new(gdal, path, opened);
+        if (IsRemote(path) && image.IsHeadBroken())
+        {
+            string reason = Message(gdal);
+            image.Dispose();
+            throw new BadInputException($"{path}: the head of the remote file is not whole ({reason}). {RemoteAdvice}");
+        }
+
+        return image;
+    }
+
+    /// <summary>
+    /// Whether a part of a remote file's head did not come: GDAL takes that for missing, with a warning, and would give an image without
+    /// a coordinate system, or without the value for no data.
+    /// </summary>
+    private bool IsHeadBroken()
+    {
+        bool isPlaced = (Projection(), GeoTransform()) is (not null, not null);
+        int error = _gdal.CPLGetLastErrorType();
+        return error >= GdalNative.Failure || (error == GdalNative.Warning
+            && (!isPlaced || Message(_gdal).Contains("IO error", StringComparison.Ordinal)));
     }
 
     /// <summary>The files of which the image is made, but for what GDAL's tools keep beside it; the image's own path first.</summary>
@@ -197,8 +224,7 @@ internal sealed unsafe class GdalImage : IDisposable
         if (result >= GdalNative.Failure)
         {
             throw new BadInputException($"{_path}: GDAL can't read it to its end ({Message(_gdal)}). "
-                + (_path.Contains("://", StringComparison.Ordinal)
-                    ? "The remote file broke off: try again, or get the whole file and name it here." : "Get the file again."));
+                + (IsRemote(_path) ? $"The remote file broke off. {RemoteAdvice}" : "Get the file again."));
         }
     }
 
@@ -210,6 +236,8 @@ internal sealed unsafe class GdalImage : IDisposable
             _gdal.GDALClose(image);
         }
     }
+
+    private static bool IsRemote(string path) => path.Contains("://", StringComparison.Ordinal);
 
     private static string Message(GdalNative gdal) => Marshal.PtrToStringUTF8((nint)gdal.CPLGetLastErrorMsg()) is { Length: > 0 } text
         ? text.ReplaceLineEndings(" ")

@@ -12,14 +12,19 @@ internal static unsafe class GdalLibrary
     private const int OldestVersion = 26;
 
     /// <summary>
-    /// Memory of decoded blocks in MB, where GDAL takes a twentieth of the machine's; how long it waits for other computers, s; and that it
-    /// looks for no other files beside a remote one.
+    /// Memory of decoded blocks in MB, where GDAL takes a twentieth of the machine's; how long it waits for other computers, s: for a
+    /// connection, for <see cref="LeastBytesPerSecond"/>, and for one answer as a whole; that it asks once more; and that it lists no
+    /// folders of theirs.
     /// </summary>
     private static readonly (string Name, string Value)[] Settings =
     [
-        ("GDAL_CACHEMAX", "64"), ("GDAL_HTTP_CONNECTTIMEOUT", "10"), ("GDAL_HTTP_TIMEOUT", "60"),
-        ("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"),
+        ("GDAL_CACHEMAX", "64"), ("GDAL_HTTP_CONNECTTIMEOUT", "10"), ("GDAL_HTTP_LOW_SPEED_TIME", "10"),
+        ("GDAL_HTTP_LOW_SPEED_LIMIT", LeastBytesPerSecond), ("GDAL_HTTP_TIMEOUT", "60"), ("GDAL_HTTP_MAX_RETRY", "1"),
+        ("GDAL_HTTP_RETRY_DELAY", "1"), ("GDAL_DISABLE_READDIR_ON_OPEN", "TRUE"),
     ];
+
+    /// <summary>A server that sends fewer for 10 s counts as broken off.</summary>
+    private const string LeastBytesPerSecond = "1000";
 
     private static readonly Lock Gate = new();
     private static readonly Dictionary<string, GdalNative> Loaded = new(StringComparer.Ordinal);

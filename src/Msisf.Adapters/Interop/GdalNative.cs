@@ -26,6 +26,9 @@ internal sealed unsafe class GdalNative
     /// <summary>OGRERR_NONE.</summary>
     internal const int NoError = 0;
 
+    /// <summary>CE_Warning.</summary>
+    internal const int Warning = 2;
+
     /// <summary>CE_Failure; smaller results are successes or warnings.</summary>
     internal const int Failure = 3;
 
@@ -64,6 +67,8 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALTranslateOptionsFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint, nint, int*, nint> GDALTranslate;
     internal readonly delegate* unmanaged[Cdecl]<void*, void> VSIFree;
+    internal readonly delegate* unmanaged[Cdecl]<void> CPLErrorReset;
+    internal readonly delegate* unmanaged[Cdecl]<int> CPLGetLastErrorType;
     internal readonly delegate* unmanaged[Cdecl]<byte*> CPLGetLastErrorMsg;
     internal readonly delegate* unmanaged[Cdecl]<nint, nint> CPLSetErrorHandler;
     internal readonly nint CPLQuietErrorHandler;
@@ -110,6 +115,8 @@ internal sealed unsafe class GdalNative
         GDALTranslateOptionsFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALTranslateOptionsFree));
         GDALTranslate = (delegate* unmanaged[Cdecl]<byte*, nint, nint, int*, nint>)Find(nameof(GDALTranslate));
         VSIFree = (delegate* unmanaged[Cdecl]<void*, void>)Find(nameof(VSIFree));
+        CPLErrorReset = (delegate* unmanaged[Cdecl]<void>)Find(nameof(CPLErrorReset));
+        CPLGetLastErrorType = (delegate* unmanaged[Cdecl]<int>)Find(nameof(CPLGetLastErrorType));
         CPLGetLastErrorMsg = (delegate* unmanaged[Cdecl]<byte*>)Find(nameof(CPLGetLastErrorMsg));
         CPLSetErrorHandler = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(CPLSetErrorHandler));
         CPLQuietErrorHandler = Find(nameof(CPLQuietErrorHandler));

@@ -57,6 +57,13 @@ internal sealed unsafe class GdalStream : Stream
         {
             _ = _gdal.VSIFSeekL(_file, (ulong)_position, 0);
             int read = (int)_gdal.VSIFReadL(start, 1, (nuint)count, _file);
+            if (read == 0 && count > 0 && _position < Length)
+            {
+                throw new IOException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"the remote file broke off after {_position} of {Length} bytes. Try again, or get the whole file and name it here"));
+            }
+
             _position += read;
             return read;
         }
