@@ -54,6 +54,9 @@ internal static class ResourceCheck
     /// <summary>Maximum bytes per pixel on disk with the program's own renderer: a PNG of 16 bits, and its copy.</summary>
     private const long NativeDiskBytesPerPixel = 4;
 
+    /// <summary>Bytes of a scan's exposure: its state, its camera, and what is written of it.</summary>
+    private const long BytesOfExposure = 2200;
+
     /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
     private const long MetaBytesPerPoint = 240;
 
@@ -121,6 +124,22 @@ internal static class ResourceCheck
                 CultureInfo.InvariantCulture,
                 $"{all} frames will take about {Size((long)series)} in {cameras[0].Settings.OutputFolder}, {Size(diskThere)} are free. "
                     + $"Make room, use another --output-dir, or make a part with --frames."));
+        }
+    }
+
+    /// <summary>Checks the memory for the states of a scan's exposures, before they are made.</summary>
+    /// <param name="settings">The scan.</param>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    /// <exception cref="BadInputException">It is not sufficient.</exception>
+    public static void CheckExposures(RenderSettings settings, long memoryThere)
+    {
+        long needed = BytesOfExposure * (settings.Scan?.Count ?? 0);
+        if (needed > memoryThere)
+        {
+            throw new BadInputException(string.Create(
+                CultureInfo.InvariantCulture,
+                $"the states of {settings.Scan!.Count} exposures of a scan need {Size(needed)} of memory, {Size(memoryThere)} are there. "
+                    + $"Make the scan in parts of fewer exposures, each from its own --time on."));
         }
     }
 

@@ -37,6 +37,11 @@ internal sealed record RunFrames(
         CancellationToken cancellation)
     {
         RefuseUnrepeatable(trajectory, cameras);
+        foreach (RenderSettings settings in cameras)
+        {
+            ResourceCheck.CheckExposures(settings, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes);
+        }
+
         RenderSettings first = cameras[0];
         RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, first.Aberration, first.Body);
         StateNeeds[] needs = [.. cameras.Select(StateNeeds.Of)];

@@ -60,13 +60,6 @@ public sealed class StripedTruth(
     }
 
     /// <inheritdoc/>
-    ReadOnlySpan<double> IGroundTruth.IndirectFactorsOf(int row)
-    {
-        (IGroundTruth truth, int first) = Of(StripOf(row));
-        return truth.IndirectFactorsOf(row - first);
-    }
-
-    /// <inheritdoc/>
     ReadOnlySpan<double> IGroundTruth.ElectronsOf(int row)
     {
         (IGroundTruth truth, int first) = Of(StripOf(row));

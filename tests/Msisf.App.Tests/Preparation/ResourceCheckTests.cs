@@ -42,6 +42,16 @@ public sealed class ResourceCheckTests
         Assert.Contains("4000 frames will take about 1145 MiB", exception.Message, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void CheckExposures_MoreThanMemory_AreRefusedBeforeTheyAreMade()
+    {
+        RenderSettings settings = Settings("--renderer native --camera lroc-nac-l --lines 500000");
+        ResourceCheck.CheckExposures(settings, 2 * Gibibyte);
+        BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.CheckExposures(settings, Gibibyte));
+
+        Assert.Contains("500000 exposures of a scan need 1049 MiB of memory, 1024 MiB", exception.Message, StringComparison.Ordinal);
+    }
+
     /// <summary>A small camera leaves its room to a large one.</summary>
     [Fact]
     public void Check_CamerasOfARig_TakeTheirSum()
