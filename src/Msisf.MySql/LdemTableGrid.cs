@@ -58,26 +58,6 @@ public sealed class LdemTableGrid : IGlobalGrid
         }
     }
 
-    /// <inheritdoc/>
-    /// <exception cref="ExternalPartException">The database failed.</exception>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        CheckBlock(firstLine, lines, firstSample, samples);
-        double[] radii = new double[samples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            foreach (double radius in radii)
-            {
-                minimum = Math.Min(minimum, radius);
-                maximum = Math.Max(maximum, radius);
-            }
-        }
-
-        return (minimum, maximum);
-    }
-
     private double[] ReadRun(int line, int firstSample, int count) => _database.Query(
         $"SELECT planetary_radius FROM {_table} WHERE row_index = @row AND col_index BETWEEN @first AND @last ORDER BY col_index",
         [("@row", line), ("@first", firstSample), ("@last", firstSample + count - 1)],

@@ -80,24 +80,6 @@ internal sealed class SyntheticShape : IGlobalGrid
         }
     }
 
-    /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double minimum = double.PositiveInfinity;
-        double maximum = double.NegativeInfinity;
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            for (int sample = firstSample; sample < firstSample + samples; sample++)
-            {
-                double radius = _radii[(line * Samples) + (sample % Samples)];
-                minimum = Math.Min(minimum, radius);
-                maximum = Math.Max(maximum, radius);
-            }
-        }
-
-        return (minimum, maximum);
-    }
-
     private static IEnumerable<NoiseOctave> Octaves(ulong seed)
     {
         for (double spacing = CoarsestSpacing; spacing >= FinestSpacing; spacing *= 0.5)

@@ -43,18 +43,6 @@ public class LdemTableGridTests(PrivateServer server)
     }
 
     [RequiresFact(Part.MariaDb)]
-    public void RadiusBounds_BlockOverTheSeam_IsMinAndMax()
-    {
-        FunctionGrid peaks = new(
-            1, (line, sample) => 1_737_400.0 + (line == 90 && sample == 1 ? 9.5 : 0.0) - (line == 91 && sample == 358 ? 7.5 : 0.0));
-        using MoonTable moon = new(server, peaks, Enumerable.Range(89, 6), MoonTable.Record("TEST_GRID"));
-        LdemTableGrid grid = LdemTableGrid.Open(moon.Database, 1);
-
-        Assert.Equal((1_737_392.5, 1_737_409.5), grid.RadiusBounds(89, 3, 357, 6));
-        Assert.Equal((1_737_400.0, 1_737_400.0), grid.RadiusBounds(92, 3, 357, 6));
-    }
-
-    [RequiresFact(Part.MariaDb)]
     public void EnsurePatterns_FromTheTable_AreThoseFromTheGrid()
     {
         using TemporaryFolder folder = new();

@@ -1,4 +1,5 @@
 using Msisf.Core.Terrain;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Synthesis.Tests;

@@ -40,7 +40,4 @@ internal sealed class GridWithGaps(ITerrainGrid grid, Func<int, int, bool> isGap
 
         grid.ReadRadii(line, firstSample, radii);
     }
-
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        throw new NotSupportedException();
 }

@@ -29,7 +29,4 @@ internal sealed class WindowGrid(IGlobalGrid moon, GridWindow window) : ITerrain
 
         moon.ReadRadii(line, firstSample % moon.Samples, radii); // of a window across the prime meridian they count on
     }
-
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        moon.RadiusBounds(firstLine, lines, firstSample % moon.Samples, samples);
 }

@@ -41,11 +41,6 @@ public sealed class CubeStates
         _sun = Positions(tables, "SunPosition");
     }
 
-    /// <summary>Whether position and pointing are known at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    public bool Covers(double tdbSeconds) =>
-        Covers(_position.Times, tdbSeconds) && Covers(_instrument.Samples.Times, tdbSeconds);
-
     /// <summary>The camera at a time.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <param name="axes">How the image lies in the instrument's frame.</param>

@@ -10,9 +10,6 @@ namespace Msisf.Core.Comparison;
 public sealed record ProductPixels(
     int Samples, int Lines, int FirstSample, int SampleStep, int LineStep, IReadOnlyList<int> Rows)
 {
-    /// <summary>Whether each pixel of the product is one of the drawn image.</summary>
-    public bool IsWhole => SampleStep == 1 && LineStep == 1;
-
     /// <summary>The means that are the product's pixels.</summary>
     /// <param name="drawn">By rows; NaN where no surface is seen.</param>
     /// <param name="width">px: of the drawn image.</param>

@@ -102,35 +102,6 @@ public abstract class BlockedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        Layout.CheckRange(firstLine, lines, firstSample, samples);
-        float min = float.PositiveInfinity;
-        float max = float.NegativeInfinity;
-        GridWindow window = Layout.Window;
-        for (int line = firstLine, nextLine; line < firstLine + lines; line = nextLine)
-        {
-            nextLine = Math.Min(firstLine + lines, (line | (LodLayout.Side - 1)) + 1);
-            for (int done = 0, count; done < samples; done += count)
-            {
-                int sample = firstSample + done < window.EndSample ? firstSample + done : firstSample + done - window.Samples;
-                count = Math.Min(samples - done, Math.Min((sample | (LodLayout.Side - 1)) + 1, window.EndSample) - sample);
-                ReadOnlySpan<float> heights = HeightsOf(Layout.RowOf(line), Layout.ColumnOf(sample));
-                for (int i = line; i < nextLine; i++)
-                {
-                    foreach (float height in heights.Slice(LodLayout.IndexInBlock(i, sample), count))
-                    {
-                        min = Math.Min(min, height);
-                        max = Math.Max(max, height);
-                    }
-                }
-            }
-        }
-
-        return (ReferenceRadius + min, ReferenceRadius + max);
-    }
-
-    /// <inheritdoc/>
     /// <remarks>Means of samples lie between them, and differ by no more than the samples that lie a coarse cell apart.</remarks>
     public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
     {

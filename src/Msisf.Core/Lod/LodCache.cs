@@ -21,18 +21,6 @@ internal sealed class LodCache
     /// <param name="capacityBytes">Maximum size of the samples that are kept, bytes; at least a few blocks are always kept.</param>
     public LodCache(long capacityBytes) => _capacity = (int)Math.Clamp(capacityBytes / BlockBytes, PartsFreed, int.MaxValue);
 
-    /// <summary>The blocks that are kept now.</summary>
-    public int Count
-    {
-        get
-        {
-            lock (_gate)
-            {
-                return _blocks.Count;
-            }
-        }
-    }
-
     /// <summary>Notes that a block is used.</summary>
     public void Touch(LodBlock block)
     {

@@ -23,9 +23,6 @@ public sealed class StepRanges
         _ranges = [.. merged];
     }
 
-    /// <summary>How many steps there are.</summary>
-    public long Count => _ranges.Sum(range => (long)range.Last - range.First + 1);
-
     /// <summary>The maximum step; 0 if there is none.</summary>
     public int Last => _ranges.Length > 0 ? _ranges[^1].Last : 0;
 
@@ -41,9 +38,6 @@ public sealed class StepRanges
     /// <exception cref="BadInputException">The text names no steps.</exception>
     public static StepRanges Parse(string text) =>
         new(text.Split(',', StringSplitOptions.TrimEntries).Select(word => ParseRange(word, text)));
-
-    /// <summary>Whether a step is among them.</summary>
-    public bool Contains(int step) => Array.Exists(_ranges, range => range.First <= step && step <= range.Last);
 
     /// <summary>The shortest text that <see cref="Parse"/> reads back.</summary>
     public override string ToString() => string.Join(',', _ranges.Select(range => range.First == range.Last

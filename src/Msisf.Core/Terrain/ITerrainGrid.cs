@@ -73,25 +73,6 @@ public interface ITerrainGrid : ITerrain
     void Prefetch(int firstLine, int lines, int firstSample, int samples)
     {
     }
-
-    /// <summary>Minimum and maximum radius of a block of samples, m. Reads them all, where a grid has no quicker way.</summary>
-    /// <param name="firstLine">Top line.</param>
-    /// <param name="firstSample">Leftmost sample.</param>
-    /// <param name="samples">How many samples; the block of a model of the whole Moon continues across the prime meridian.</param>
-    /// <exception cref="BadInputException">A sample of the block can't be right: the file is damaged.</exception>
-    (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double[] radii = new double[samples];
-        (double minimum, double maximum) = (double.PositiveInfinity, double.NegativeInfinity);
-        for (int line = firstLine; line < firstLine + lines; line++)
-        {
-            ReadRadii(line, firstSample, radii);
-            minimum = Math.Min(minimum, radii.Min());
-            maximum = Math.Max(maximum, radii.Max());
-        }
-
-        return (minimum, maximum);
-    }
 }
 
 /// <summary>Bounds of a block of samples.</summary>

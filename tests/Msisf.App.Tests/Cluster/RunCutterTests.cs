@@ -21,7 +21,7 @@ public sealed class RunCutterTests
         IReadOnlyList<StepRanges> pieces = RunCutter.ByCount(Steps(5_000_000), 1000);
 
         Assert.Equal("4995001:5000000", pieces[^1].ToString());
-        Assert.All(pieces, piece => Assert.Equal(5000, piece.Count));
+        Assert.All(pieces, piece => Assert.Equal(5000, piece.Steps.Count()));
     }
 
     [Theory]

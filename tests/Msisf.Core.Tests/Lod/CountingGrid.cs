@@ -27,7 +27,4 @@ internal sealed class CountingGrid(FunctionGrid grid) : IGlobalGrid
         Interlocked.Add(ref _samplesRead, radii.Length);
         grid.ReadRadii(line, firstSample, radii);
     }
-
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-        ((ITerrainGrid)grid).RadiusBounds(firstLine, lines, firstSample, samples);
 }

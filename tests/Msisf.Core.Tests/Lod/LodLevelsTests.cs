@@ -166,24 +166,6 @@ public sealed class LodLevelsTests
     }
 
     [Theory]
-    [InlineData(0, 720, 0, 1440)]
-    [InlineData(60, 10, 1430, 20)]
-    [InlineData(719, 1, 3, 1)]
-    public void RadiusBounds_AnyBlock_AreThoseOfItsSamples(int firstLine, int lines, int firstSample, int samples)
-    {
-        IGlobalGrid grid = LodLevels.Open(FunctionGrid.Rough(8)).Level(1);
-        double[] all = Everything(grid);
-        double[] radii =
-        [
-            .. from line in Enumerable.Range(firstLine, lines)
-               from sample in Enumerable.Range(firstSample, samples)
-               select all[(line * 1440) + (sample % 1440)],
-        ];
-
-        Assert.Equal((radii.Min(), radii.Max()), grid.RadiusBounds(firstLine, lines, firstSample, samples));
-    }
-
-    [Theory]
     [InlineData(-1, 0, 1)]
     [InlineData(360, 0, 1)]
     [InlineData(0, 720, 1)]

@@ -122,15 +122,6 @@ public sealed class MapLevelsTests
         }
     }
 
-    [Fact]
-    public void RadiusBounds_AnyBlock_AreThoseOfItsSamples()
-    {
-        ITerrainGrid level = MapLevels.Open(Rough(300, 281)).Grid(1);
-        double[,] all = All(level);
-        double[] block = [.. from line in Enumerable.Range(60, 90) from sample in Enumerable.Range(3, 138) select all[line, sample]];
-        Assert.Equal((block.Min(), block.Max()), level.RadiusBounds(60, 90, 3, 138));
-    }
-
     [Theory]
     [InlineData(-1, 0, 1)]
     [InlineData(75, 0, 1)]
@@ -212,8 +203,5 @@ public sealed class MapLevelsTests
         public int Samples => side;
 
         public void ReadRadii(int line, int firstSample, Span<double> radii) => throw new NotSupportedException();
-
-        public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-            throw new NotSupportedException();
     }
 }

@@ -7,17 +7,13 @@ namespace Msisf.Core.Tests.Scene;
 public sealed class StepRangesTests
 {
     [Theory]
-    [InlineData("17", "17", 1)]
-    [InlineData("1001:2000", "1001:2000", 1000)]
-    [InlineData("17, 3:5", "3:5,17", 4)]
-    [InlineData("4:6,1:3,5,7", "1:7", 7)]
-    [InlineData("1:2147483647,5", "1:2147483647", 2147483647L)]
-    public void Parse_Steps_AreSortedAndJoined(string text, string expected, long count)
-    {
-        StepRanges ranges = StepRanges.Parse(text);
-        Assert.Equal(expected, ranges.ToString());
-        Assert.Equal(count, ranges.Count);
-    }
+    [InlineData("17", "17")]
+    [InlineData("1001:2000", "1001:2000")]
+    [InlineData("17, 3:5", "3:5,17")]
+    [InlineData("4:6,1:3,5,7", "1:7")]
+    [InlineData("1:2147483647,5", "1:2147483647")]
+    public void Parse_Steps_AreSortedAndJoined(string text, string expected) =>
+        Assert.Equal(expected, StepRanges.Parse(text).ToString());
 
     [Theory]
     [InlineData("")]
@@ -37,8 +33,6 @@ public sealed class StepRangesTests
         Assert.Equal("1:3,9,11", ranges.ToString());
         Assert.Equal([1, 2, 3, 9, 11], ranges.Steps);
         Assert.Equal(11, ranges.Last);
-        Assert.True(ranges.Contains(9));
-        Assert.False(ranges.Contains(10));
         Assert.Empty(StepRanges.Of([]).ToString());
     }
 }

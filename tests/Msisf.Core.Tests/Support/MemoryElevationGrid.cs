@@ -65,14 +65,4 @@ internal sealed class MemoryElevationGrid : IGlobalGrid
             radii[index] = _radii[start + sample];
         }
     }
-
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        var block =
-            from line in Enumerable.Range(firstLine, lines)
-            from sample in Enumerable.Range(firstSample, samples)
-            select (double)_radii[(line * Samples) + (sample % Samples)];
-        double[] radii = [.. block];
-        return (radii.Min(), radii.Max());
-    }
 }

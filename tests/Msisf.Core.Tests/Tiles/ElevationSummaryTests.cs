@@ -3,6 +3,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Tiles;

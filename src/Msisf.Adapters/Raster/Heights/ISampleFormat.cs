@@ -12,9 +12,6 @@ internal unsafe interface ISampleFormat
 
     /// <summary>Eight samples from an index on; needs AVX2.</summary>
     static abstract Vector256<float> Eight(byte* samples, int index, bool isReversed);
-
-    /// <summary>Minimum and maximum value of a block; NaN if one is NaN.</summary>
-    static abstract (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples, bool isReversed);
 }
 
 /// <summary>16-bit integers.</summary>
@@ -25,39 +22,6 @@ internal readonly unsafe struct Int16Samples : ISampleFormat
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Eight(byte* samples, int index, bool isReversed) =>
         Avx.ConvertToVector256Single(Avx2.ConvertToVector256Int32(Values(samples, index, isReversed)));
-
-    public static (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples, bool isReversed)
-    {
-        short minimum = short.MaxValue;
-        short maximum = short.MinValue;
-        Vector128<short> minima = Vector128.Create(minimum);
-        Vector128<short> maxima = Vector128.Create(maximum);
-        for (int line = 0; line < lines; line++, first += lineBytes)
-        {
-            int i = 0;
-            for (; i <= samples - Vector128<short>.Count; i += Vector128<short>.Count)
-            {
-                Vector128<short> values = Values(first, i, isReversed);
-                minima = Vector128.Min(minima, values);
-                maxima = Vector128.Max(maxima, values);
-            }
-
-            for (; i < samples; i++)
-            {
-                short value = Value(first, i, isReversed);
-                minimum = short.Min(minimum, value);
-                maximum = short.Max(maximum, value);
-            }
-        }
-
-        for (int i = 0; i < Vector128<short>.Count; i++)
-        {
-            minimum = short.Min(minimum, minima[i]);
-            maximum = short.Max(maximum, maxima[i]);
-        }
-
-        return (minimum, maximum);
-    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector128<short> Values(byte* samples, int index, bool isReversed)
@@ -93,22 +57,5 @@ internal readonly unsafe struct Float32Samples : ISampleFormat
                     (byte)3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12, 19, 18, 17, 16, 23, 22, 21, 20, 27, 26, 25, 24, 31, 30, 29,
                     28)).AsSingle()
             : values;
-    }
-
-    public static (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples, bool isReversed)
-    {
-        double minimum = double.PositiveInfinity;
-        double maximum = double.NegativeInfinity;
-        for (int line = 0; line < lines; line++, first += lineBytes)
-        {
-            for (int i = 0; i < samples; i++)
-            {
-                double value = One(first, i, isReversed);
-                minimum = Math.Min(minimum, value);
-                maximum = Math.Max(maximum, value);
-            }
-        }
-
-        return (minimum, maximum);
     }
 }

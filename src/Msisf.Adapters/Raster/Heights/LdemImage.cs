@@ -116,20 +116,6 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
     }
 
     /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        double minimum = double.PositiveInfinity;
-        double maximum = double.NegativeInfinity;
-        foreach ((LdemPart part, GridWindow block) in PiecesOf(firstLine, lines, firstSample, samples))
-        {
-            (double min, double max) = part.RadiusBounds(block.FirstLine, block.Lines, block.FirstSample, block.Samples);
-            (minimum, maximum) = (Math.Min(minimum, min), Math.Max(maximum, max));
-        }
-
-        return (minimum, maximum);
-    }
-
-    /// <inheritdoc/>
     public void Prefetch(int firstLine, int lines, int firstSample, int samples)
     {
         foreach ((LdemPart part, GridWindow block) in PiecesOf(firstLine, lines, firstSample, samples))

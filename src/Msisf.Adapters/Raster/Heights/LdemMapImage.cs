@@ -54,13 +54,6 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     }
 
     /// <inheritdoc/>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        CheckBlock(firstLine, lines, firstSample, samples);
-        return _image.RadiusBounds(firstLine, lines, firstSample, samples);
-    }
-
-    /// <inheritdoc/>
     public void ReleasePages() => _image.ReleasePages();
 
     /// <summary>Unmaps the files.</summary>

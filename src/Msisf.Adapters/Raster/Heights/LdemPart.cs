@@ -78,18 +78,8 @@ internal sealed unsafe class LdemPart : IDisposable
     {
         if (!_codec.TryReadRadii(Address(line, firstSample), radii))
         {
-            throw NotAllowed(line, 1, firstSample, radii.Length);
+            throw NotAllowed(line, firstSample, radii.Length);
         }
-    }
-
-    /// <summary>Minimum and maximum radius of a block, m.</summary>
-    /// <exception cref="BadInputException">A sample is outside the label's limits.</exception>
-    public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples)
-    {
-        (double minimum, double maximum) = _codec.Bounds(Address(firstLine, firstSample), _lineBytes, lines, samples);
-        return _codec.IsAllowed(minimum) && _codec.IsAllowed(maximum)
-            ? (Label.Offset + (Label.ScalingFactor * minimum), Label.Offset + (Label.ScalingFactor * maximum))
-            : throw NotAllowed(firstLine, lines, firstSample, samples);
     }
 
     /// <summary>Has the pages of a block of samples fetched, if some are not in memory.</summary>
@@ -119,27 +109,22 @@ internal sealed unsafe class LdemPart : IDisposable
 
     private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
 
-    /// <summary>
-    /// The error for the first bad sample of a block that has one. Lines and samples in the message count in the file, from 1.
-    /// </summary>
-    private BadInputException NotAllowed(int firstLine, int lines, int firstSample, int samples)
+    /// <summary>The error for the first bad sample of a run that has one. Lines and samples in the message count in the file, from 1.</summary>
+    private BadInputException NotAllowed(int line, int firstSample, int samples)
     {
-        for (int line = firstLine; line < firstLine + lines; line++)
+        for (int sample = firstSample; sample < firstSample + samples; sample++)
         {
-            for (int sample = firstSample; sample < firstSample + samples; sample++)
+            double value = _codec.ValueAt(Address(line, sample));
+            if (!_codec.IsAllowed(value))
             {
-                double value = _codec.ValueAt(Address(line, sample));
-                if (!_codec.IsAllowed(value))
-                {
-                    return new BadInputException(string.Create(
-                        CultureInfo.InvariantCulture,
-                        $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
-                            + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
-                            + $"The file is damaged, or the label belongs to another one: get both again."));
-                }
+                return new BadInputException(string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
+                        + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
+                        + $"The file is damaged, or the label belongs to another one: get both again."));
             }
         }
 
-        throw new InvalidOperationException("No sample of the block is outside the limits.");
+        throw new InvalidOperationException("No sample of the run is outside the limits.");
     }
 }

@@ -33,9 +33,6 @@ internal abstract unsafe class SampleCodec
     /// <returns>False if a value is not allowed.</returns>
     public abstract bool TryReadRadii(byte* samples, Span<double> radii);
 
-    /// <summary>Minimum and maximum value of a block; NaN if one is NaN.</summary>
-    public abstract (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples);
-
     /// <summary>The smallest float that is not below a number: floats can be compared with it instead.</summary>
     private static float MinFrom(double limit) => (float)limit < limit ? MathF.BitIncrement((float)limit) : (float)limit;
 }
@@ -56,9 +53,6 @@ internal sealed unsafe class SampleCodec<TFormat> : SampleCodec
     }
 
     public override double ValueAt(byte* sample) => TFormat.One(sample, 0, _isReversed);
-
-    public override (double Minimum, double Maximum) Bounds(byte* first, long lineBytes, int lines, int samples) =>
-        TFormat.Bounds(first, lineBytes, lines, samples, _isReversed);
 
     public override bool TryReadRadii(byte* samples, Span<double> radii)
     {

@@ -126,8 +126,5 @@ public sealed class ElevationSummaryFileTests : IDisposable
                 radii[index] = 1_737_000.0 + (((line * 7) + ((firstSample + index) % 360 * 13)) % 900);
             }
         }
-
-        public (double Minimum, double Maximum) RadiusBounds(int firstLine, int lines, int firstSample, int samples) =>
-            throw new NotSupportedException();
     }
 }

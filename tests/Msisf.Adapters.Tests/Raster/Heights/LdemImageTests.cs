@@ -90,30 +90,6 @@ public sealed class LdemImageTests : IDisposable
         }
     }
 
-    [Theory]
-    [InlineData(LdemSampleType.Int16LittleEndian)]
-    [InlineData(LdemSampleType.Int16BigEndian)]
-    [InlineData(LdemSampleType.Float32BigEndian)]
-    public void RadiusBounds_AnyBlock_AreThoseOfItsSamples(LdemSampleType type)
-    {
-        using LdemImage image = Open(type);
-        double[] radii = new double[TestModel.Samples];
-        foreach ((int firstLine, int lines, int firstSample, int samples) in new[] { (
-            0, 180, 0, 360), (3, 5, 355, 5), (10, 1, 359, 1), (20, 9, 350, 29), (179, 1, 0, 17) })
-        {
-            double minimum = double.MaxValue;
-            double maximum = double.MinValue;
-            for (int line = firstLine; line < firstLine + lines; line++)
-            {
-                image.ReadRadii(line, firstSample, radii.AsSpan(0, samples));
-                minimum = Math.Min(minimum, radii.Take(samples).Min());
-                maximum = Math.Max(maximum, radii.Take(samples).Max());
-            }
-
-            Assert.Equal((minimum, maximum), image.RadiusBounds(firstLine, lines, firstSample, samples));
-        }
-    }
-
     [Fact]
     public void Prefetch_AnyBlock_LeavesTheSamplesAsTheyAre()
     {
@@ -159,8 +135,6 @@ public sealed class LdemImageTests : IDisposable
 
         image.ReadRadii(40, 0, radii);
         Assert.Contains(expected, Assert.Throws<BadInputException>(() => image.ReadRadii(41, 0, radii)).Message, StringComparison.Ordinal);
-        Assert.Contains(
-            expected, Assert.Throws<BadInputException>(() => image.RadiusBounds(40, 3, 0, 360)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -173,10 +147,6 @@ public sealed class LdemImageTests : IDisposable
         Assert.Contains(
             "line 2, sample 1: the value NaN",
             Assert.Throws<BadInputException>(() => image.ReadRadii(1, 0, new double[3])).Message,
-            StringComparison.Ordinal);
-        Assert.Contains(
-            "line 2, sample 1: the value NaN",
-            Assert.Throws<BadInputException>(() => image.RadiusBounds(0, 180, 0, 360)).Message,
             StringComparison.Ordinal);
     }
 

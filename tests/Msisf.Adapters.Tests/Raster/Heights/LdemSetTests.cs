@@ -33,25 +33,6 @@ public sealed class LdemSetTests : IDisposable
         }
     }
 
-    [Theory]
-    [InlineData(0, 180, 0, 360)]
-    [InlineData(40, 10, 85, 10)]
-    [InlineData(89, 2, 350, 29)]
-    [InlineData(100, 1, 359, 1)]
-    public void RadiusBounds_AcrossFilesAndMeridian_AreThoseOfTheSamples(int firstLine, int lines, int firstSample, int samples)
-    {
-        SplitModel.Write(_folder.Path, 45, 90);
-        using LdemImage image = LdemImage.Open(Find());
-        double[] radii =
-        [
-            .. from line in Enumerable.Range(firstLine, lines)
-               from sample in Enumerable.Range(firstSample, samples)
-               select 1737400.0 + (0.5 * TestModel.ValueAt(line, sample % 360)),
-        ];
-
-        Assert.Equal((radii.Min(), radii.Max()), image.RadiusBounds(firstLine, lines, firstSample, samples));
-    }
-
     [Fact]
     public void Join_PartsOfDifferentSizes_IsOneModel()
     {
