@@ -198,6 +198,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
 
     private static async Task AssertReadAsync(ViewerPage viewer, XElement pixel)
     {
+        // Each bound is a little more than half of the last digit that the page shows.
         XElement place = pixel.Element("SelenographicCoordinates")!;
         string latitude = await viewer.ReadAsync("Latitude");
         Assert.Equal(Math.Abs(Value(place.Attribute("lat")!.Value)), Number(latitude), 0.6e-6);

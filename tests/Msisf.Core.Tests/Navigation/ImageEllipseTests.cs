@@ -48,6 +48,7 @@ public class ImageEllipseTests
             3.0, -7.0,
             [(1000.0 * Math.Cos(0.3), 1000.0 * Math.Sin(0.3)), (-1e-3 * Math.Sin(0.3), 1e-3 * Math.Cos(0.3))]);
 
+        // Last digits: the axes are 1,000 px and 0.001 px long.
         Assert.Equal(ellipse.SemiMajor, again.SemiMajor, 1e-10);
         Assert.Equal(ellipse.SemiMinor, again.SemiMinor, 1e-15);
         Assert.Equal(ellipse.Angle, again.Angle, 1e-15);
@@ -62,6 +63,7 @@ public class ImageEllipseTests
             [.. Enumerable.Range(0, 24).Select(i => ellipse.PointAt(0.1 + (i * Math.PI / 12.0)))], out ImageEllipse found,
             out double residual));
 
+        // The points lie on the ellipse to their last digits: 1e-13 of 1,000 px.
         Assert.Equal(ellipse.X, found.X, 1e-10);
         Assert.Equal(ellipse.Y, found.Y, 1e-10);
         Assert.Equal(ellipse.SemiMajor, found.SemiMajor, 1e-10);
