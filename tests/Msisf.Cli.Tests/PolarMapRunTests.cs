@@ -97,14 +97,7 @@ public sealed class PolarMapRunTests(PolarMapRunTests.Map map) : IClassFixture<P
     {
         private readonly TemporaryFolder _folder = new();
 
-        public Map()
-        {
-            CommandLineRun made = CommandLineRun.Of(
-                ["ldem", "synthesize", "--projection", "polar-south", "--map-scale", "10000", "--seed", "1", "--output-dir",
-                    _folder.Path, "--batch"]);
-            Assert.True(made.ExitCode == 0, made.Error);
-            Label = made.Output.Trim();
-        }
+        public Map() => Label = SyntheticModels.MakePolar(_folder.Path, 10000);
 
         /// <summary>Path of its label.</summary>
         public string Label { get; }

@@ -182,14 +182,7 @@ public sealed class RefineTests : IDisposable
         return [.. Enumerable.Range(-40_000, 40_000).Select(pixel => BitConverter.ToDouble(file, file.Length + (8 * pixel)))];
     }
 
-    private string Moon() => Synthesize("--res", "2");
+    private string Moon() => SyntheticModels.Make(_folder["model"], "--res", "2");
 
-    private string Map() => Synthesize("--projection", "polar-south", "--map-scale", "10000");
-
-    private string Synthesize(params string[] options)
-    {
-        CommandLineRun made = CommandLineRun.Of(
-            ["ldem", "synthesize", .. options, "--seed", "1", "--output-dir", _folder["model"], "--batch"]);
-        return made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
-    }
+    private string Map() => SyntheticModels.MakePolar(_folder["model"], 10000);
 }

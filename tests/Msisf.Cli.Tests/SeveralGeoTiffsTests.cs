@@ -31,12 +31,7 @@ public sealed class SeveralGeoTiffsTests : IDisposable
     private readonly TemporaryFolder _folder = new();
     private readonly string _moon;
 
-    public SeveralGeoTiffsTests()
-    {
-        CommandLineRun made = CommandLineRun.Of(
-            ["ldem", "synthesize", "--res", "2", "--seed", "1", "--output-dir", _folder["model"], "--batch"]);
-        _moon = made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
-    }
+    public SeveralGeoTiffsTests() => _moon = SyntheticModels.Make(_folder["model"], "--res", "2");
 
     public void Dispose() => _folder.Dispose();
 

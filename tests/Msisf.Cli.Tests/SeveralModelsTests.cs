@@ -6,7 +6,7 @@ namespace Msisf.Cli.Tests;
 /// <summary>Several elevation models in one scene, as a user has them.</summary>
 public sealed class SeveralModelsTests : IDisposable
 {
-    private const string View = "--fixed-state {51544.5,0,0,-3.2E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
+    internal const string View = "--fixed-state {51544.5,0,0,-3.2E6,0,0.7071067811865476,0,0.7071067811865476} --ignore-sun --batch "
         + "--width 40 --height 40 --fov 40";
 
     private readonly TemporaryFolder _folder = new();
@@ -103,46 +103,6 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.Equal(("15161.6", "10000"), Drawn([.. View.Split(' '), "--lod", "off"]));
     }
 
-    [Theory]
-    [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
-    [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]
-    [InlineData("MOON MAP MAP", 1, "is given twice")]
-    [InlineData("MAP OTHER", 2, "the coarsest of several elevation models, is not of the whole Moon")]
-    [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
-    [InlineData("MOON missing.LBL", 2, "missing.LBL")]
-    [InlineData("MOON ''", 1, "--ldem is empty")]
-    [InlineData("MOON MAP --body mercury", 1, "several --ldem are of the Moon only")]
-    public void Run_WrongModels_AreRefusedInOneLine(string models, int exitCode, string message)
-    {
-        List<string> arguments = [.. View.Split(' '), "--output-dir", _folder["out"]];
-        string[] words = models.Split(' ');
-        for (int i = 0; i < words.Length; i++)
-        {
-            arguments.AddRange(words[i] switch
-            {
-                "MOON" => ["--ldem", Moon()],
-                "MAP" => ["--ldem", Map()],
-                "OTHER" => ["--ldem", Map(20000)],
-                "FOLDER" => ["--ldem", _folder["model"]],
-                "''" => ["--ldem", string.Empty],
-                "missing.LBL" => ["--ldem", "missing.LBL"],
-                _ => (string[])[words[i]],
-            });
-        }
-
-        if (!models.Contains("--renderer", StringComparison.Ordinal))
-        {
-            arguments.AddRange(["--renderer", "native"]);
-        }
-
-        CommandLineRun run = CommandLineRun.Of([.. arguments]);
-
-        Assert.Equal(exitCode, run.ExitCode);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-        Assert.Single(run.Error.Split('\n'), line => line.Contains("error", StringComparison.Ordinal));
-        Assert.False(Directory.Exists(_folder["out"]));
-    }
-
     /// <summary>
     /// From 3,200 km with 40 px a cell may be 32 km wide: the model of 15 km will do. From 30 km nothing is coarser than it must be.
     /// </summary>
@@ -168,7 +128,7 @@ public sealed class SeveralModelsTests : IDisposable
     [RequiresFact(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
     public void Run_RealPiecesInAModelOfTheWholeMoon_AreDrawnAsGroundOfTheirOwn()
     {
-        string between = Synthesize("--projection", "polar-south", "--map-scale", "2000");
+        string between = SyntheticModels.MakePolar(_folder["model"], 2000);
         string[] models =
         [
             "--ldem", TestParts.Ldem4Label!, "--ldem", between,
@@ -242,32 +202,6 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.InRange(best, 6, 7);
     }
 
-    /// <summary>Options that can't be are one line that says what to do.</summary>
-    [RequiresTheory(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
-    [InlineData(",offset=3", "", 1, "a model of the whole Moon is what others are joined to")]
-    [InlineData("", ",shift=2e5,0", 1, "shift= is at most 100 km")]
-    [InlineData("", ",offset=30000", 2, "offset=30000 makes heights of it")]
-    [InlineData(",scale=2", "", 1, "scale= is for other rasters")]
-    [InlineData(",values=samples", "", 1, "values= is for other rasters")]
-    public void Run_MoveThatCantBe_IsRefused(string ofMoon, string ofMap, int exitCode, string message)
-    {
-        CommandLineRun run = CommandLineRun.Of(
-            ["--renderer", "native", "--ldem", TestParts.Ldem4Label! + ofMoon, "--ldem", TestParts.PolarPiece("NPC")! + ofMap,
-             "--position=-84.8,126,9000", "--time", "61060", "--batch", "--output-dir", _folder["out"]]);
-        Assert.Equal(exitCode, run.ExitCode);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-    }
-
-    [RequiresFact(Part.PolarPieces, Part.GdalLibrary)]
-    public void Run_OneMapThatIsToMeetOthers_SaysThatThereAreNone()
-    {
-        CommandLineRun run = CommandLineRun.Of(
-            ["--renderer", "native", "--ldem", TestParts.PolarPiece("NPC")! + ",offset=auto", "--position=-84.8,126,9000", "--time",
-             "61060", "--batch", "--output-dir", _folder["out"]]);
-        Assert.Equal(1, run.ExitCode);
-        Assert.Contains("and there are none. Give a model of the whole Moon", run.Error, StringComparison.Ordinal);
-    }
-
     /// <summary>%: pixels on which the Sun's centre shines, of an image of the map's middle, 300 m and more from its sides.</summary>
     private double LitShare(string name, string time, string[] models)
     {
@@ -287,15 +221,6 @@ public sealed class SeveralModelsTests : IDisposable
         return [.. file.Skip(header).Chunk((file.Length - header) / (80 * 80))];
     }
 
-    [Theory]
-    [InlineData("patterns")]
-    public void Run_CommandsOfOneModel_RefuseSeveral(string command)
-    {
-        CommandLineRun run = CommandLineRun.Of([command, "--ldem", "a.LBL", "--ldem", "b.LBL"]);
-        Assert.Equal(1, run.ExitCode);
-        Assert.Contains("--ldem is given 2 times; here it names one.", run.Error, StringComparison.Ordinal);
-    }
-
     private CommandLineRun Draw(string name, params string[] options) => CommandLineRun.Of(
         [.. View.Split(' '), "--renderer", "native", "--surface", "terrain", "--gridH", "2", "--gridV", "2", .. options, "--output-dir",
             _folder["out"], "--output-name", name]);
@@ -306,14 +231,7 @@ public sealed class SeveralModelsTests : IDisposable
 
     private string Meta(string name) => File.ReadAllText(Path.Combine(_folder["out"], $"{name}.xml"));
 
-    private string Moon() => Synthesize("--res", "2");
+    private string Moon() => SyntheticModels.Make(_folder["model"], "--res", "2");
 
-    private string Map(int scale = 10000) => Synthesize("--projection", "polar-south", "--map-scale", $"{scale}");
-
-    private string Synthesize(params string[] options)
-    {
-        CommandLineRun made = CommandLineRun.Of(
-            ["ldem", "synthesize", .. options, "--seed", "1", "--output-dir", _folder["model"], "--batch"]);
-        return made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
-    }
+    private string Map() => SyntheticModels.MakePolar(_folder["model"], 10000);
 }

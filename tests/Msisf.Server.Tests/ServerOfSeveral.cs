@@ -20,7 +20,7 @@ public sealed class ServerOfSeveral : IAsyncLifetime, IDisposable
 
     public async Task InitializeAsync()
     {
-        (Moon, Map) = (Synthesize("--res", "2"), Synthesize("--projection", "polar-south", "--map-scale", "10000"));
+        (Moon, Map) = (SyntheticModels.Make(_folder.Path, "--res", "2"), SyntheticModels.MakePolar(_folder.Path, 10000));
         Running = await RunningServer.StartAsync((SurfaceOptions.Ldem, Map), (SurfaceOptions.Ldem, Moon));
     }
 
@@ -31,11 +31,4 @@ public sealed class ServerOfSeveral : IAsyncLifetime, IDisposable
     }
 
     public void Dispose() => _folder.Dispose();
-
-    private string Synthesize(params string[] options)
-    {
-        CommandLineRun made = CommandLineRun.Of(
-            ["ldem", "synthesize", .. options, "--seed", "1", "--output-dir", _folder.Path, "--batch"]);
-        return made.ExitCode == 0 ? made.Output.Trim() : throw new InvalidOperationException(made.Error);
-    }
 }

@@ -141,7 +141,7 @@ public class MetadataXmlWriterTests
     [InlineData(true, "PixelSurface")] // version 2
     public void Dtd_FileOfAnEarlierVersion_IsValidAsItWas(bool isTerrain, string last)
     {
-        string xml = isTerrain ? TerrainText(Frame(), spacing: 100) : Text(Frame(), spacing: 100);
+        string xml = isTerrain ? MetadataXmlTerrainTests.TerrainText(Frame(), spacing: 100) : Text(Frame(), spacing: 100);
         int first = xml.IndexOf("    <FormatVersion>", StringComparison.Ordinal);
         int end = xml.IndexOf("  </GeneralInformation>", StringComparison.Ordinal);
 
@@ -215,59 +215,6 @@ public class MetadataXmlWriterTests
     }
 
     [Theory]
-    [InlineData(RendererKind.PovRay, "povray")]
-    [InlineData(RendererKind.Native, "native")]
-    public void Write_Terrain_NamesSurfaceRendererAndVersionAndIsValid(RendererKind renderer, string name)
-    {
-        FrameMetadata frame = Frame() with { Renderer = renderer };
-
-        XDocument document = MetaFileXml.Parse(TerrainText(frame, spacing: 50));
-
-        XElement surface = document.Root!.Element("GeneralInformation")!.Element("PixelSurface")!;
-        Assert.Equal("CommandLine", surface.ElementsBeforeSelf().Last().Name.LocalName);
-        Assert.Equal(
-            [("type", "terrain"), ("renderer", name), ("formatVersion", "3")],
-            surface.Attributes().Select(attribute => (attribute.Name.LocalName, attribute.Value)));
-        XElement[] pixels = [.. document.Descendants("Pixel")];
-        Assert.InRange(pixels.Length, 363 - 20, 363 + 20); // by numpy 363 on the sphere; hills move the limb
-        Assert.All(pixels, pixel => Assert.Equal(
-            ["Height", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination", "Facet"],
-            pixel.Elements().Skip(2).Select(element => element.Name.LocalName)));
-    }
-
-    [Fact]
-    public void Write_TerrainWithoutItsElements_DiffersFromTheSphereOnlyInTheVersion()
-    {
-        // The same points: all that is added is added in lines of its own.
-        FrameMetadata frame = Frame() with { Renderer = RendererKind.Native };
-        string[] added =
-        [
-            "PixelSurface", "Height ", "Position", "Range", "Normal", "IncidenceAngle", "EmissionAngle", "PhaseAngle", "Illumination ",
-            "Facet"
-        ];
-
-        IEnumerable<string> terrain = TerrainText(frame, spacing: 50).Split('\n')
-            .Where(line => !added.Any(name => line.TrimStart().StartsWith($"<{name}", StringComparison.Ordinal)));
-
-        Assert.Equal(Text(frame, spacing: 50).Split('\n'), terrain);
-    }
-
-    [Fact]
-    public void Write_TerrainLargeEnoughForThreads_KeepsRecordsAndOrder()
-    {
-        FrameMetadata frame = Frame();
-        XElement[] pixels = [.. MetaFileXml.Parse(TerrainText(frame, spacing: 14)).Descendants("Pixel")];
-
-        PixelRecord[] records = [.. TerrainSampler(frame, spacing: 14).Sample()];
-
-        Assert.Equal(
-            records.Select(record => (record.H, record.V)),
-            pixels.Select(pixel => ((int)pixel.Attribute("h")!, (int)pixel.Attribute("v")!)));
-        Assert.Equal(
-            records.Select(record => LongE.ToText(record.Terrain!.Value.Range)), pixels.Select(pixel => pixel.Element("Range")!.Value));
-    }
-
-    [Theory]
     [InlineData("-o \"a & b\" <in> ]]>", "-o \"a & b\" <in> ]]>")]
     [InlineData("Mond\u00FCberflug \U0001F311", "Mond\u00FCberflug \U0001F311")]
     [InlineData("tab\tline\nreturn\r", "tab\tline\nreturn\r")]
@@ -299,7 +246,7 @@ public class MetadataXmlWriterTests
             () => MetadataXmlWriter.Write(Stream.Null, frame, Sampler(frame, spacing: 1), cancellation: cancelled));
     }
 
-    private static FrameMetadata Frame()
+    internal static FrameMetadata Frame()
     {
         UnitQuaternion orientation = UnitQuaternion.FromComponents(
             -2.391176183943345e-001, +9.904576054128762e-002, +3.696438106143861e-001, +8.923991008325228e-001);
@@ -327,18 +274,6 @@ public class MetadataXmlWriterTests
             ReferenceSphere.Lola,
             new SceneLight(frame.SunPositionBodyFixed, IsSun: true));
 
-    private static PixelSampler TerrainSampler(FrameMetadata frame, int spacing) => new(
-        new PixelGrid(frame.Camera.Width, frame.Camera.Height, spacing, spacing),
-        FunctionTruth.OfSphere(frame.Camera, frame.SunPositionBodyFixed),
-        4);
-
-    private static string TerrainText(FrameMetadata frame, int spacing)
-    {
-        using MemoryStream stream = new();
-        MetadataXmlWriter.Write(stream, frame, TerrainSampler(frame, spacing));
-        return Encoding.UTF8.GetString(stream.ToArray());
-    }
-
     private static byte[] Bytes(FrameMetadata frame, int spacing)
     {
         using MemoryStream stream = new();
@@ -346,7 +281,7 @@ public class MetadataXmlWriterTests
         return stream.ToArray();
     }
 
-    private static string Text(FrameMetadata frame, int spacing) => Encoding.UTF8.GetString(Bytes(frame, spacing));
+    internal static string Text(FrameMetadata frame, int spacing) => Encoding.UTF8.GetString(Bytes(frame, spacing));
 
     private static double[] Numbers(XElement element) =>
         [.. element.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Select(Number)];
