@@ -109,7 +109,7 @@ internal sealed unsafe class LdemPart : IDisposable
 
     private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
 
-    /// <summary>The error for the first bad sample of a run that has one. Lines and samples in the message count in the file, from 1.</summary>
+    /// <summary>The error for the first bad sample of a run. Lines and samples in the message count in the file, from 1.</summary>
     private BadInputException NotAllowed(int line, int firstSample, int samples)
     {
         for (int sample = firstSample; sample < firstSample + samples; sample++)
