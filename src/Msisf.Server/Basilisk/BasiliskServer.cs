@@ -147,7 +147,7 @@ internal sealed class BasiliskServer : IAsyncDisposable
         }
 
         string camera = command[ImageRequest.Length..].TrimStart('_');
-        byte[] image = await Task.Run(() => simulation.DrawAsync(camera, _end.Token), _end.Token).ConfigureAwait(false) ?? [];
+        byte[] image = await simulation.DrawAsync(camera, _end.Token).ConfigureAwait(false) ?? [];
         byte[] length = new byte[sizeof(int)];
         BinaryPrimitives.WriteInt32BigEndian(length, image.Length);
         return [length, image];

@@ -36,6 +36,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
     private readonly Dictionary<long, (VizCamera Camera, RequestedFrame Requested)> _requested = [];
     private VizMessage? _message;
     private VizEpoch? _epoch;
+    private Task _lastImage = Task.CompletedTask;
 
     /// <summary>Takes what a SIM_UPDATE says; a wrong one leaves nothing to draw from.</summary>
     /// <param name="bytes">The VizMessage.</param>
@@ -54,15 +55,27 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         }
     }
 
-    /// <summary>Draws the image of a camera.</summary>
+    /// <summary>
+    /// Draws the image of a camera from what the last SIM_UPDATE said, after those that were asked for before: a peer that asks
+    /// without waiting takes one place of the server's queue, not all. Updates and images are asked for by one thread.
+    /// </summary>
     /// <param name="number">Its number; empty for the only camera.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <returns>A PNG; null if there is no image, which has been said.</returns>
-    public async Task<byte[]?> DrawAsync(string number, CancellationToken cancellation)
+    public Task<byte[]?> DrawAsync(string number, CancellationToken cancellation)
+    {
+        VizMessage? message = _message;
+        Task<byte[]?> image = _lastImage.ContinueWith(
+            _ => DrawAsync(number, message, cancellation), cancellation, TaskContinuationOptions.None, TaskScheduler.Default).Unwrap();
+        _lastImage = image;
+        return image;
+    }
+
+    private async Task<byte[]?> DrawAsync(string number, VizMessage? last, CancellationToken cancellation)
     {
         try
         {
-            VizMessage message = _message ?? throw new BadInputException(
+            VizMessage message = last ?? throw new BadInputException(
                 "an image is asked for, but no SIM_UPDATE with a VizMessage came before.");
             VizCamera camera = message.Cameras.FirstOrDefault(
                 camera => number.Length == 0 || camera.Id.ToString(CultureInfo.InvariantCulture) == number)
