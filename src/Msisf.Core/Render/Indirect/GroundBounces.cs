@@ -57,7 +57,7 @@ internal sealed class GroundBounces(GroundTree tree, GroundLights lights, FrameC
             }
 
             gather.Begin();
-            gather.Choose(Looks, Choices, number);
+            gather.Choose(Looks, Choices, (first * IndirectLight.MaxBounces) + number); // each group its own: errors of many cancel
             gather.AddShared(areSeen: true, found);
             gather.Add(Samples, isNear: false, number, found);
             gather.Add(Samples, isNear: true, number, found);

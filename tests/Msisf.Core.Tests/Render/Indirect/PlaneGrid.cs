@@ -39,14 +39,17 @@ internal sealed class PlaneGrid : ITerrainGrid
 
     public (double Min, double Max) RadiusLimits => (_radii.Min() - 1.0, _radii.Max() + 1.0);
 
-    /// <summary>A bowl that is a part of a sphere, around the pole.</summary>
+    /// <summary>
+    /// A bowl that is a part of a sphere, around the pole. Facets cut its rim off, where much of the light of a low Sun falls: with 200
+    /// cells 0.6 % of the light in the shadow is missing (depth 0.2, the Sun at 10 degrees), with 500 0.2 %, with 2000 0.02 %.
+    /// </summary>
     /// <param name="depth">Depth over <see cref="Diameter"/>.</param>
     /// <param name="cells">Cells across the bowl.</param>
     public static PlaneGrid Bowl(double depth, int cells)
     {
         double deep = depth * Diameter;
         double curvature = ((Diameter * Diameter / 4.0) + (deep * deep)) / (2.0 * deep);
-        return new PlaneGrid(Diameter / cells, (3 * cells) | 1, (x, y) => double.Hypot(x, y) < Diameter / 2.0
+        return new PlaneGrid(Diameter / cells, (3 * cells / 2) | 1, (x, y) => double.Hypot(x, y) < Diameter / 2.0
             ? curvature - deep - Math.Sqrt((curvature * curvature) - (x * x) - (y * y))
             : 0.0);
     }
