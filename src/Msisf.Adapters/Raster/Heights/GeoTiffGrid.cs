@@ -236,7 +236,8 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             part.Clear();
             if (scan.Of(row, 1, column, count).Gaps > 0)
             {
-                ReadOnlySpan<float> values = _blocks.RunAt(row, column, count);
+                ReadOnlySpan<float> values = RunAt(row, column, count);
+                count = values.Length;
                 for (int j = 0; j < count; j++)
                 {
                     part[j] = float.IsNaN(values[j]);
@@ -254,7 +255,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         for (int i = 0; i < radii.Length;)
         {
             int column = ColumnOf(firstSample + i);
-            ReadOnlySpan<float> values = _blocks.RunAt(row, column, radii.Length - i);
+            ReadOnlySpan<float> values = RunAt(row, column, radii.Length - i);
             for (int j = 0; j < values.Length; j++)
             {
                 radii[i + j] = float.IsNaN(values[j])
@@ -268,6 +269,11 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     /// <summary>Closes the file.</summary>
     public void Dispose() => _blocks.Dispose();
+
+    private ReadOnlySpan<float> RunAt(int row, int column, int most) =>
+        Volatile.Read(ref _scan) is { } scan && scan.Border.RunAt(row, column, most) is { IsEmpty: false } run
+            ? run
+            : _blocks.RunAt(row, column, most);
 
     private int RowOf(int line)
     {

@@ -1,8 +1,8 @@
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// What all pixels of a raster are: bounds of its squares of 256 pixels, a coarser level, and how many pixels are no data though the file
-/// does not say so. Immutable once it is made.
+/// What all pixels of a raster are: bounds of its squares of 256 pixels, a coarser level, its border, and how many pixels are no data
+/// though the file does not say so. Immutable once it is made.
 /// </summary>
 /// <param name="Rows">Squares from top to bottom.</param>
 /// <param name="Columns">Squares from left to right.</param>
@@ -10,8 +10,9 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <param name="Undeclared">Pixels that can't be heights, which the file does not declare.</param>
 /// <param name="Halvings">How many times the resolution of the coarser level is halved; 0 if there is none.</param>
 /// <param name="Level">m over the reference radius, NaN without data: the level line by line.</param>
+/// <param name="Border">The outermost pixels, and those within.</param>
 internal sealed record RasterScan(
-    int Rows, int Columns, ScannedSquare[] Squares, UndeclaredGaps Undeclared, int Halvings, float[] Level)
+    int Rows, int Columns, ScannedSquare[] Squares, UndeclaredGaps Undeclared, int Halvings, float[] Level, RasterBorder Border)
 {
     /// <summary>px: side of a square.</summary>
     public const int Side = 1 << SideShift;
@@ -25,7 +26,8 @@ internal sealed record RasterScan(
     /// <summary>Whether another scan has found the same.</summary>
     public bool IsSameAs(RasterScan other) =>
         (Rows, Columns, Undeclared, Halvings) == (other.Rows, other.Columns, other.Undeclared, other.Halvings)
-        && Squares.AsSpan().SequenceEqual(other.Squares) && Level.AsSpan().SequenceEqual(other.Level);
+        && Squares.AsSpan().SequenceEqual(other.Squares) && Level.AsSpan().SequenceEqual(other.Level)
+        && Border.Values.AsSpan().SequenceEqual(other.Border.Values);
 
     /// <summary>The squares of a rectangle of pixels together.</summary>
     public ScannedSquare Of(int firstRow, int rows, int firstColumn, int columns)

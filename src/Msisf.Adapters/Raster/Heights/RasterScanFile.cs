@@ -11,7 +11,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <remarks>
 /// Layout: a magic number, SHA-256 of what the raster is, SHA-256 of the rest; then little-endian: rows and columns of squares, halvings of
 /// the level (32-bit integers), undeclared pixels (64-bit count, line, sample, value), the squares (minimum, maximum, step: 32-bit floats;
-/// pixels without data: 32-bit integers), number of the level's samples and they (32-bit floats).
+/// pixels without data: 32-bit integers), number of the level's samples and they (32-bit floats);
+/// rows and pixels of a row (32-bit integers), and the border's values (32-bit floats).
 /// </remarks>
 internal static class RasterScanFile
 {
@@ -21,7 +22,7 @@ internal static class RasterScanFile
     /// <summary>Name of the file, behind that of the raster.</summary>
     public const string Extension = ".scan";
 
-    private static ReadOnlySpan<byte> Magic => "MSISFRS1"u8;
+    private static ReadOnlySpan<byte> Magic => "MSISFRS2"u8;
 
     /// <summary>What a raster is: lengths and times of its files, and what its pixels mean.</summary>
     /// <param name="meaning">Size, place and rule of the values.</param>
@@ -76,13 +77,20 @@ internal static class RasterScanFile
             squares[i] = new ScannedSquare(reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle(), reader.ReadInt32());
         }
 
-        float[] level = new float[reader.ReadInt32()];
-        for (int i = 0; i < level.Length; i++)
+        float[] level = ReadValues(reader, new float[reader.ReadInt32()]);
+        RasterBorder border = new(reader.ReadInt32(), reader.ReadInt32());
+        ReadValues(reader, border.Values);
+        return new RasterScan(rows, columns, squares, undeclared, halvings, level, border);
+    }
+
+    private static float[] ReadValues(BinaryReader reader, float[] values)
+    {
+        for (int i = 0; i < values.Length; i++)
         {
-            level[i] = reader.ReadSingle();
+            values[i] = reader.ReadSingle();
         }
 
-        return new RasterScan(rows, columns, squares, undeclared, halvings, level);
+        return values;
     }
 
     private static void Write(BinaryWriter writer, RasterScan scan)
@@ -104,6 +112,9 @@ internal static class RasterScanFile
 
         writer.Write(scan.Level.Length);
         Array.ForEach(scan.Level, writer.Write);
+        writer.Write(scan.Border.Height);
+        writer.Write(scan.Border.Width);
+        Array.ForEach(scan.Border.Values, writer.Write);
     }
 }
 

@@ -34,6 +34,7 @@ internal sealed class RasterScanner
     private readonly int _halvings;
     private readonly int _levelSamples;
     private readonly float[] _level;
+    private readonly RasterBorder _border;
 
     private RasterScanner(RasterBlocks blocks, double sphere, HeightRule rule, bool hasLevel)
     {
@@ -45,6 +46,7 @@ internal sealed class RasterScanner
         Array.Fill(_squares, ScannedSquare.None);
         _lastColumns = new float[_strips][];
         _firstColumns = new float[_strips][];
+        _border = new RasterBorder(blocks.Height, blocks.Width);
         while (hasLevel && SizeOf(blocks.Height) * (long)SizeOf(blocks.Width) > MostLevelSamples)
         {
             _halvings++;
@@ -83,7 +85,8 @@ internal sealed class RasterScanner
         });
         scanner.AddStepsBetweenStrips();
         return new RasterScan(
-            scanner._squares.Length / scanner._columns, scanner._columns, scanner._squares, undeclared, scanner._halvings, scanner._level);
+            scanner._squares.Length / scanner._columns, scanner._columns, scanner._squares, undeclared, scanner._halvings, scanner._level,
+            scanner._border);
     }
 
     private double RadiusOf(float value) => _sphere + _rule.HeightOf(value);
@@ -108,6 +111,7 @@ internal sealed class RasterScanner
                 ReadOnlySpan<float> above = values.AsSpan(i * samples, samples);
                 ReadOnlySpan<float> row = values.AsSpan((i + 1) * samples, samples);
                 (_firstColumns[strip][line + i], _lastColumns[strip][line + i]) = (row[0], row[^1]);
+                _border.Take(line + i, first, row);
                 for (int start = 0; start < samples; start += Side)
                 {
                     ref ScannedSquare square = ref _squares[(((line + i) >> SideShift) * _columns) + ((first + start) >> SideShift)];

@@ -15,7 +15,7 @@ public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Heigh
     public double BlendedMetres { get; init; }
 
     /// <summary>Samples over which the slope is taken, where the model has as many: fewer have its roughness, not its trend.</summary>
-    private const int SlopeSamples = 64;
+    public const int SlopeSamples = 64;
 
     /// <summary>Compares a model's outermost samples, also those around places without data.</summary>
     /// <param name="coarserAt">m: radius of the coarser models in a direction.</param>

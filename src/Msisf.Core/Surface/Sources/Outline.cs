@@ -1,4 +1,3 @@
-using Msisf.Core.Parallel;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Surface.Sources;
@@ -11,16 +10,11 @@ internal sealed class Outline
     /// <summary>Tiles that are looked at, at least, of a model that has as many: 512 samples tell a mean.</summary>
     private const double LeastTiles = 16.0;
 
-    /// <summary>Threads that read tiles at most.</summary>
-    private const int MostReaders = 8;
-
     private readonly ITerrainGrid _grid;
     private readonly DataGaps _gaps;
     private readonly int _columns;
 
-    /// <summary>
-    /// Reads them, several tiles at a time: of a large raster each is a block to unpack. Of a model with gaps all samples are looked at.
-    /// </summary>
+    /// <summary>Reads them; of a model with gaps all samples are looked at.</summary>
     /// <param name="grid">The model, which is not of the whole Moon.</param>
     /// <param name="piece">m: of each piece so long two tiles or more are read.</param>
     public Outline(ITerrainGrid grid, double piece)
@@ -48,11 +42,7 @@ internal sealed class Outline
         double side = Side * grid.Projection.Resolution.MetresPerPixel;
         int step = Math.Max(1, (int)Math.Min(piece / (TilesOfPiece * side), tiles.Length / LeastTiles));
         step -= 1 - (step % 2); // an even one would take the left sides of lines of tiles only
-        int[] chosen = [.. tiles.Where((_, number) => number % step == 0)];
-        List<OutlineSample>[] found = new List<OutlineSample>[chosen.Length];
-        WorkerTeam.Run(
-            MostReaders, chosen.Length, (_, number) => found[number] = In(chosen[number], step), CancellationToken.None);
-        Samples = [.. found.SelectMany(samples => samples)];
+        Samples = [.. tiles.Where((_, number) => number % step == 0).SelectMany(tile => In(tile, step))];
     }
 
     /// <summary>The samples, tile by tile.</summary>

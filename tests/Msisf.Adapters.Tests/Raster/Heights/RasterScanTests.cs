@@ -1,4 +1,5 @@
 using Msisf.Adapters.Raster.Heights;
+using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;
@@ -67,6 +68,45 @@ public sealed class RasterScanTests : IDisposable
         using GeoTiffGrid again = GeoTiffGrid.Open(path, libraryPath: null);
         Assert.Null(again.Prepare(cacheFolder: null, Display));
         Assert.Equal(2, _displays);
+    }
+
+    /// <summary>
+    /// The border, and the pixels up to which its slope is taken, are those of the file; of a kept scan they need no block of it.
+    /// </summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void ReadRadii_BorderOfKeptScan_NeedsNoBlockOfTheFile()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", Large);
+        (int Line, int Sample, int Count)[] runs =
+        [
+            (0, 0, 4600), (64, 0, 4600), (3635, 0, 4600), (3699, 0, 4599),
+            (3000, 0, 1), (3000, 64, 1), (3000, 4535, 1), (3000, 4599, 1), (3698, 0, 1), (3698, 4535, 1),
+        ];
+        using GeoTiffGrid file = GeoTiffGrid.Open(path, libraryPath: null);
+        double[][] expected = [.. runs.Select(run => RadiiOf(file, run))]; // before it is scanned
+        using (GeoTiffGrid scanned = GeoTiffGrid.Open(path, libraryPath: null))
+        {
+            Assert.Null(scanned.Prepare(cacheFolder: null, Display));
+        }
+
+        using GeoTiffGrid kept = GeoTiffGrid.Open(path, libraryPath: null); // looks at some blocks to guess what the values are
+        Assert.Null(kept.Prepare(cacheFolder: null, Display));
+        byte[] bytes = File.ReadAllBytes(path);
+        bytes.AsSpan(bytes.Length / 2).Clear(); // blocks of the lower half can't be unpacked
+        File.WriteAllBytes(path, bytes);
+        Assert.Equal(1, _displays);
+        Assert.Equal(expected, runs.Select(run => RadiiOf(kept, run)));
+        bool[] isGap = new bool[2];
+        kept.ReadGaps(3699, 4598, isGap);
+        Assert.Equal([false, true], isGap);
+        Assert.Throws<BadInputException>(() => Array.ForEach([2000, 2300, 2600, 2900, 3200], line => RadiiOf(kept, (line, 0, 4600))));
+    }
+
+    private static double[] RadiiOf(GeoTiffGrid grid, (int Line, int Sample, int Count) run)
+    {
+        double[] radii = new double[run.Count];
+        grid.ReadRadii(run.Line, run.Sample, radii);
+        return radii;
     }
 
     private FractionDisplay Display()
