@@ -23,16 +23,23 @@ public sealed class CameraFormat
             Text(".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
             Text(".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer))),
         new("tsai", TsaiCamera.Has, Text(".tsai", TsaiCamera.Write)),
-        new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write)) { NeedsEphemeris = true, IsCsm = true },
+        new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write))
+        {
+            NeedsEphemeris = true,
+            IsCsm = true,
+            Scans = Enum.GetValues<ScanKind>(),
+        },
         new("isd", CsmLens.Has, Text(".isd.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: true)))
         {
             NeedsEphemeris = true,
             IsCsm = true,
+            Scans = Enum.GetValues<ScanKind>(),
         },
         new("isd-body", CsmLens.Has, Text(".isd-body.json", (writer, frame) => AleIsd.Write(writer, frame, isInertial: false)))
         {
             NeedsEphemeris = true,
             IsCsm = true,
+            Scans = Enum.GetValues<ScanKind>(),
         },
         new("isis", IsisCube.Has, Bytes(".cub", IsisCube.Write)) { NeedsEphemeris = true, HasPixels = true, Scans = [ScanKind.LineScan] },
         new("pds4", _ => true, Bytes(Pds4Product.ArrayEnding, Pds4Product.WriteArray), Text(".lblx", Pds4Product.WriteLabel))
@@ -53,15 +60,7 @@ public sealed class CameraFormat
     public bool HasPixels { get; private init; }
 
     /// <summary>Whether USGSCSM reads it, which has cameras that scan.</summary>
-    private bool IsCsm
-    {
-        get;
-        init
-        {
-            field = value;
-            Scans = Enum.GetValues<ScanKind>();
-        }
-    }
+    private bool IsCsm { get; init; }
 
     /// <summary>The cameras that scan which it has.</summary>
     private ScanKind[] Scans { get; init; } = [];
