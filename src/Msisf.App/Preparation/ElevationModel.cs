@@ -159,7 +159,8 @@ internal sealed class ElevationModel : IDisposable
         {
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
-                RefinedTerrain terrain = new(Grid, InventedGround.Of(detail.Seed, RefinedTerrain.GroundsOf(Grid)), detail.FinestLevel);
+                IGroundDetail ground = InventedGround.Of(detail.Seed, RefinedTerrain.RequireWhole(Grid).Grounds);
+                RefinedTerrain terrain = new(Grid, ground, detail.FinestLevel);
                 host.Log.Note(string.Create(
                     CultureInfo.InvariantCulture,
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "

@@ -99,6 +99,18 @@ internal sealed class GridPatch : Patch
     }
 
     /// <inheritdoc/>
+    public override (int Part, FacetSource Source) SourceOf(FacetId facet)
+    {
+        return (facet.Part, IsBlended(0) || IsBlended(1) || IsBlended(2) ? FacetSource.Blended : FacetSource.Measured);
+
+        bool IsBlended(int corner)
+        {
+            (_, int line, int sample) = VertexOf(facet, corner);
+            return line >= 0 && line < Grid.Lines && Grid.IsBlended(line, sample);
+        }
+    }
+
+    /// <inheritdoc/>
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Corners(facet.Line, facet.Sample).Facet(facet.Half);
 
     /// <inheritdoc/>

@@ -6,6 +6,9 @@ internal interface ISurfaceSource
     /// <summary>The surface; made at the first request.</summary>
     /// <exception cref="Errors.BadInputException">The models can't be joined.</exception>
     SurfaceModel Surface { get; }
+
+    /// <summary>The models with all their cells, the coarsest first.</summary>
+    IReadOnlyList<GridPatch> WholeParts { get; }
 }
 
 /// <summary>A terrain that is more than one grid, and knows its heights itself.</summary>

@@ -54,6 +54,9 @@ internal abstract class Patch
     /// <returns>Part, line and sample of the vertex.</returns>
     public abstract (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner);
 
+    /// <summary>The finest model at a facet's corners, and what became of its heights; invented ones count as measured.</summary>
+    public abstract (int Part, FacetSource Source) SourceOf(FacetId facet);
+
     /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public abstract (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet);
 

@@ -112,6 +112,13 @@ internal sealed class SeamPatch : Patch
     }
 
     /// <inheritdoc/>
+    public override (int Part, FacetSource Source) SourceOf(FacetId facet)
+    {
+        int part = Math.Max(VertexOf(facet.Sample, 0).Part, Math.Max(VertexOf(facet.Sample, 1).Part, VertexOf(facet.Sample, 2).Part));
+        return (part, FacetSource.Seam);
+    }
+
+    /// <inheritdoc/>
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => CornersOf(facet.Sample);
 
     /// <inheritdoc/>

@@ -52,6 +52,10 @@ internal sealed class SurfaceModel
     public static SurfaceModel Of(ITerrain terrain) =>
         terrain is ISurfaceSource source ? source.Surface : new SurfaceModel((ITerrainGrid)terrain);
 
+    /// <summary>The models of a terrain with all their cells, the coarsest first; nothing is read yet.</summary>
+    public static IReadOnlyList<GridPatch> WholePartsOf(ITerrain terrain) =>
+        terrain is ISurfaceSource source ? source.WholeParts : [new GridPatch((ITerrainGrid)terrain)];
+
     /// <summary>
     /// m: radius of a sphere into which no ray gets without meeting a facet, for vertices above a radius in m; 0 if the surface is not
     /// closed.

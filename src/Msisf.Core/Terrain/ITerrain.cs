@@ -20,6 +20,9 @@ public interface ITerrain
     /// <summary>The models, the coarsest first; of a single one itself.</summary>
     IReadOnlyList<ITerrainGrid> Models { get; }
 
+    /// <summary>The ground in which detail is invented: the models with what they get from finer ones, the coarsest first.</summary>
+    IReadOnlyList<ITerrainGrid> Grounds => Models;
+
     /// <summary>Whether it goes around the whole body.</summary>
     bool IsWholeBody => true;
 

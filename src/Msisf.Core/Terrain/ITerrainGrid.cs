@@ -56,6 +56,9 @@ public interface ITerrainGrid : ITerrain
     /// <param name="firstSample">Leftmost sample.</param>
     bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => MayHaveGaps;
 
+    /// <summary>Whether the height of a sample with data was changed to meet other models.</summary>
+    bool IsBlended(int line, int sample) => false;
+
     /// <summary>
     /// Bounds of a block of samples that are known without reading it; null if none are. The samples may have less extreme values.
     /// </summary>

@@ -12,7 +12,7 @@ namespace Msisf.Core.Surface.Sources;
 /// up to 1, and w = t t (3 - 2 t), a radius is w times its own plus 1 - w times that of the coarser facets in its direction. So the
 /// outermost samples, for which d is 1, lie on the coarser facets.
 /// </remarks>
-internal sealed class BorderBlend : IBlendedGrid
+internal sealed class BorderBlend : ITerrainGrid
 {
     private const int Side = DataGaps.Side;
 
@@ -205,11 +205,4 @@ internal sealed class BorderBlend : IBlendedGrid
 
     /// <summary>Samples of a tile that are known, the others NaN, and their distances from places without data.</summary>
     private sealed record Tile(double[] Radii, byte[] Distances);
-}
-
-/// <summary>A model that is changed to meet others. Safe for several threads.</summary>
-internal interface IBlendedGrid : ITerrainGrid
-{
-    /// <summary>Whether the height of a sample with data is another one than the model's own.</summary>
-    bool IsBlended(int line, int sample);
 }

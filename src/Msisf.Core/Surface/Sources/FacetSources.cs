@@ -26,38 +26,8 @@ public sealed class FacetSources
     /// <returns>Number of the model, 0 for the coarsest, of a seam that of the finest one at a corner; and the kind.</returns>
     public (int Model, FacetSource Source) Of(FacetId facet)
     {
-        Patch patch = _surface.Patches[facet.Part];
-        (int model, bool isBlended) = (facet.Part == _surface.Parts.Count ? 0 : facet.Part, false);
-        for (int corner = 0; corner < 3; corner++)
-        {
-            (int part, int line, int sample) = patch.VertexOf(facet, corner);
-            model = Math.Max(model, part);
-            isBlended |= facet.Part < _surface.Parts.Count && _surface.Parts[part].Grid is IBlendedGrid grid
-                && line >= 0 && line < grid.Lines && grid.IsBlended(line, sample);
-        }
-
-        model = Math.Min(model, _models);
-        return (
-            model,
-            facet.Part == _surface.Parts.Count ? FacetSource.Seam
-            : facet.Part >= _firstInvented ? FacetSource.Invented
-            : isBlended ? FacetSource.Blended
-            : FacetSource.Measured);
+        (int part, FacetSource source) = _surface.Patches[facet.Part].SourceOf(facet);
+        bool isInvented = facet.Part >= _firstInvented && source != FacetSource.Seam;
+        return (Math.Min(part, _models), isInvented ? FacetSource.Invented : source);
     }
-}
-
-/// <summary>Where the heights of a facet come from.</summary>
-public enum FacetSource
-{
-    /// <summary>From one model, as they are there.</summary>
-    Measured = 1,
-
-    /// <summary>From one model, changed to meet others.</summary>
-    Blended = 2,
-
-    /// <summary>It joins two models.</summary>
-    Seam = 3,
-
-    /// <summary>They are invented.</summary>
-    Invented = 4,
 }

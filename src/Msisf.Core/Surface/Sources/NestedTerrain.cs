@@ -75,6 +75,9 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <summary>The models, the coarsest first; a facet's part is an index here.</summary>
     public IReadOnlyList<ITerrainGrid> Models { get; }
 
+    /// <inheritdoc/>
+    public IReadOnlyList<ITerrainGrid> Grounds => Blend == NestBlend.Outward ? [.. WholeParts.Select(part => part.Grid)] : Models;
+
     /// <summary>Which of two models gives way where they meet.</summary>
     public NestBlend Blend { get; }
 
@@ -98,8 +101,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     {
         get
         {
-            IEnumerable<ITerrainGrid> grids = Blend == NestBlend.Inward ? Models : WholeParts.Select(part => part.Grid);
-            return (grids.Min(grid => grid.RadiusLimits.Min), grids.Max(grid => grid.RadiusLimits.Max));
+            IReadOnlyList<ITerrainGrid> grounds = Grounds;
+            return (grounds.Min(grid => grid.RadiusLimits.Min), grounds.Max(grid => grid.RadiusLimits.Max));
         }
     }
 
@@ -108,6 +111,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     internal SurfaceModel Surface => _surface.Value;
 
     SurfaceModel ISurfaceSource.Surface => Surface;
+
+    IReadOnlyList<GridPatch> ISurfaceSource.WholeParts => WholeParts;
 
     /// <summary>The models with the cells that the surface has of them; without the seams, which take long.</summary>
     /// <exception cref="BadInputException">Nothing would be seen of a model.</exception>

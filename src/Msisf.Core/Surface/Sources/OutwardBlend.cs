@@ -7,7 +7,7 @@ namespace Msisf.Core.Surface.Sources;
 /// A model, or a level of it, whose ground meets the finer models in it: its own heights and those of an <see cref="OutlineField"/>. Its
 /// samples without data lie on the coarser models. Safe for several threads.
 /// </summary>
-internal class OutwardBlend : IBlendedGrid
+internal class OutwardBlend : ITerrainGrid
 {
     private const int Side = DataGaps.Side;
 

@@ -48,9 +48,8 @@ public sealed class RefinedTerrain : ITerrain, IGround
         (_models, _detail, _finestLevel) = (models, detail, finestLevel);
         _tiles = new DetailTiles<double>(HeightBytes, detail.ReadRadii);
         _brightness = new DetailTiles<float>(BrightnessBytes, detail.ReadBrightness);
-        _whole = new Lazy<IReadOnlyList<GridPatch>>(
-            () => models is NestedTerrain nested ? nested.WholeParts : [new GridPatch((ITerrainGrid)models)]);
-        _plan = new WindowPlan(detail, ModelsOf(models), finestLevel);
+        _whole = new Lazy<IReadOnlyList<GridPatch>>(() => SurfaceModel.WholePartsOf(models));
+        _plan = new WindowPlan(detail, RequireWhole(models).Models, finestLevel);
     }
 
     /// <inheritdoc/>
@@ -74,20 +73,16 @@ public sealed class RefinedTerrain : ITerrain, IGround
     /// <inheritdoc/>
     public string? InventedName => _detail.Name;
 
-    /// <summary>The models, the coarsest first.</summary>
-    /// <param name="terrain">One model of the whole Moon, or several.</param>
+    /// <summary>The models with all their cells, the coarsest first.</summary>
+    internal IReadOnlyList<GridPatch> WholeParts => _whole.Value;
+
+    /// <summary>Refuses models in which no detail can be invented.</summary>
     /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
-    public static IReadOnlyList<ITerrainGrid> ModelsOf(ITerrain terrain) => terrain.IsWholeBody
-        ? terrain.Models
+    public static ITerrain RequireWhole(ITerrain terrain) => terrain.IsWholeBody
+        ? terrain
         : throw new BadInputException(
             $"{terrain.ProductId} is a map of a part of the Moon. Detail is invented in models of the whole Moon, and in such maps inside "
                 + "one: give one as well, for instance LDEM_4.");
-
-    /// <summary>The ground in which detail is invented: the models with what they get from finer ones, the coarsest first.</summary>
-    /// <param name="terrain">One model of the whole Moon, or several.</param>
-    /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
-    public static IReadOnlyList<ITerrainGrid> GroundsOf(ITerrain terrain) =>
-        terrain is NestedTerrain { Blend: NestBlend.Outward } nested ? [.. nested.WholeParts.Select(part => part.Grid)] : ModelsOf(terrain);
 
     /// <summary>The surface that a camera sees.</summary>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
@@ -125,7 +120,7 @@ public sealed class RefinedTerrain : ITerrain, IGround
         GridPatch[] windows = [.. places.Select((place, index) => WindowAt(place, index == 0))];
         lock (_joining)
         {
-            return RefinedSurface.Join(_whole.Value, windows, places, _seams, _rings, new GroundBrightness(_brightness, places));
+            return RefinedSurface.Join(WholeParts, windows, places, _seams, _rings, new GroundBrightness(_brightness, places));
         }
     }
 
@@ -143,7 +138,7 @@ public sealed class RefinedTerrain : ITerrain, IGround
             {
                 ITerrainGrid window = new DetailWindow(_detail, _tiles, place);
                 known = (place, isCoarsest, new GridPatch(
-                    isCoarsest ? new BorderBlend(window, new CoarserGround(_whole.Value), WindowPlan.WidestBorder) : window));
+                    isCoarsest ? new BorderBlend(window, new CoarserGround(WholeParts), WindowPlan.WidestBorder) : window));
             }
 
             _windows.AddFirst(known);

@@ -53,6 +53,8 @@ public sealed class RefinedView : ITerrain, ISurfaceSource
 
     SurfaceModel ISurfaceSource.Surface => Surface;
 
+    IReadOnlyList<GridPatch> ISurfaceSource.WholeParts => _terrain.WholeParts;
+
     /// <inheritdoc/>
     public void ReleasePages() => _terrain.ReleasePages();
 }
