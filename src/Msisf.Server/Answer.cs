@@ -1,8 +1,6 @@
 using System.Collections.Concurrent;
 using System.Diagnostics;
-using System.Globalization;
 using System.Text;
-using Microsoft.AspNetCore.Http;
 
 namespace Msisf.Server;
 
@@ -36,9 +34,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
     /// <summary>Adds a part.</summary>
     /// <param name="name">Name of a file with it.</param>
-    /// <param name="contentType">Its content type.</param>
-    /// <param name="write">Writes it.</param>
-    /// <param name="headers">Further headers.</param>
     public void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers) =>
         Add(name, contentType, Make(write), headers);
 
@@ -58,9 +53,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
     /// <summary>Adds a part that may be too long for memory.</summary>
     /// <param name="name">Name of a file with it.</param>
-    /// <param name="contentType">Its content type.</param>
     /// <param name="length">Its length in bytes; null if that is not known before it is made.</param>
-    /// <param name="write">Writes it.</param>
     /// <param name="headers">Further headers.</param>
     public virtual void AddLarge(
         string name, string contentType, long? length, Action<Stream> write, params (string Name, string Value)[] headers) =>
@@ -156,7 +149,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
 /// <summary>A part of an answer.</summary>
 /// <param name="Name">Name of a file with it, e.g. "depth.npy".</param>
-/// <param name="ContentType">Its content type.</param>
 /// <param name="Content">Its bytes; empty if they are sent as they are made.</param>
 /// <param name="Headers">Further headers.</param>
 internal sealed record AnswerPart(string Name, string ContentType, MemoryStream Content, IReadOnlyList<(string Name, string Value)> Headers)

@@ -1,5 +1,3 @@
-using System.Globalization;
-using Microsoft.AspNetCore.Http;
 using Msisf.App.Settings;
 using Msisf.Core.Layers;
 
@@ -24,7 +22,6 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
     public bool IsSentAsMade => Bytes > LargestInMemory;
 
     /// <summary>Plans an answer.</summary>
-    /// <param name="form">Its form.</param>
     /// <param name="settings">Options of the frame.</param>
     public static AnswerPlan Of(AnswerForm form, RenderSettings settings)
     {
@@ -44,9 +41,7 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
     }
 
     /// <summary>Refuses what can't be answered.</summary>
-    /// <param name="form">Form of the answer.</param>
     /// <param name="settings">Options of the frame.</param>
-    /// <param name="maxMegabytes">Of an answer.</param>
     /// <exception cref="RefusedException">The form does not fit the options, or the answer is too large.</exception>
     public void Check(AnswerForm form, RenderSettings settings, int maxMegabytes)
     {

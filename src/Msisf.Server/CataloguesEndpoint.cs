@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Catalogues;
 using Msisf.Core.Navigation;
 

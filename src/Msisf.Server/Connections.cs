@@ -54,7 +54,6 @@ internal sealed class Connections(int most, TimeSpan longestSilence)
 }
 
 /// <summary>A connection of a client. Thread-safe.</summary>
-/// <param name="context">The connection.</param>
 internal sealed class Connection(ConnectionContext context)
 {
     private int _requests;

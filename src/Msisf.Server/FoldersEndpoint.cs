@@ -1,6 +1,4 @@
-using System.Globalization;
 using System.Text.Json;
-using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 

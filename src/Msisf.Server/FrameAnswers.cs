@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
-using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
@@ -35,10 +33,6 @@ internal sealed class FrameAnswers
     /// <summary>Draws a frame and writes its answer.</summary>
     /// <param name="answer">Receives it.</param>
     /// <param name="session">Draws it.</param>
-    /// <param name="frame">The frame.</param>
-    /// <param name="form">Form of the answer.</param>
-    /// <param name="threads">Number of threads.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public static void Draw(
         Answer answer, RenderSession session, PreparedFrame frame, AnswerForm form, int threads, CancellationToken cancellation)
     {
@@ -53,9 +47,7 @@ internal sealed class FrameAnswers
 
     /// <summary>Adds the image in a form.</summary>
     /// <param name="answer">Receives it.</param>
-    /// <param name="image">The image.</param>
     /// <param name="form">Content type.</param>
-    /// <param name="threads">Number of threads.</param>
     private static void AddImage(Answer answer, NativeImage image, string form, int threads)
     {
         switch (form)

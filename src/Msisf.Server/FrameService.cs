@@ -1,14 +1,10 @@
 using System.Diagnostics;
-using System.Globalization;
 using System.Text.Json;
-using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Time;
 
@@ -99,7 +95,6 @@ internal sealed class FrameService : IDisposable
     public IReadOnlyList<string> CollectWarnings() => _log.Collect();
 
     /// <summary>Does the work of a request when it is its turn.</summary>
-    /// <param name="requested">The frame.</param>
     /// <param name="work">Receives the session and the number of threads.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
     /// <param name="isLarge">Whether the work is that of a large image.</param>
@@ -115,9 +110,7 @@ internal sealed class FrameService : IDisposable
             client);
 
     /// <summary>Draws a frame when it is its turn.</summary>
-    /// <param name="requested">The frame.</param>
     /// <param name="place">Where the camera is.</param>
-    /// <param name="form">Form of the answer.</param>
     /// <param name="answer">Receives it.</param>
     /// <param name="client">Stops the work when the client goes away.</param>
     /// <param name="shared">Positions of the Sun that other images of the same request know; null for none.</param>

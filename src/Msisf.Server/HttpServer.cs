@@ -5,7 +5,6 @@ using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Hosting.Server;
 using Microsoft.AspNetCore.Hosting.Server.Features;
-using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.AspNetCore.Server.Kestrel.Core;
 using Microsoft.AspNetCore.Routing;
@@ -13,10 +12,8 @@ using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.FileProviders;
 using Microsoft.Extensions.Hosting;
 using Msisf.App.Host;
-using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 
@@ -57,7 +54,6 @@ internal sealed class HttpServer : IAsyncDisposable
         route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
 
     /// <summary>Starts a server.</summary>
-    /// <param name="settings">Its settings.</param>
     /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">There is no elevation model, or the address can't be listened on.</exception>
     public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)

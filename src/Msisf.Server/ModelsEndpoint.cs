@@ -1,4 +1,3 @@
-using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Camera;
 using Msisf.App.Settings;
 

@@ -1,4 +1,3 @@
-using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.IO;
 using Msisf.Core.Navigation;

@@ -1,9 +1,6 @@
-using System.Globalization;
-using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.OpenApi;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.OpenApi;
-using Msisf.App.Serving;
 
 namespace Msisf.Server;
 

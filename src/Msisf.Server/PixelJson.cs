@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Msisf.Core.Metadata;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Surface;
 

@@ -1,12 +1,9 @@
-using System.Globalization;
 using System.Text.Json;
 using Msisf.App.Serving;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 
 /// <summary>A request with a frame and a list of points.</summary>
-/// <param name="Frame">The frame.</param>
 /// <param name="Points">The points, each with so many numbers as were asked for.</param>
 internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[]> Points)
 {

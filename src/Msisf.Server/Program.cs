@@ -1,6 +1,5 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Server;
 using Msisf.Server.Basilisk;
 

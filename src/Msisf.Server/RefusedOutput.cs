@@ -1,5 +1,4 @@
 using System.Buffers;
-using System.Globalization;
 using System.IO.Pipelines;
 using System.Text;
 using Microsoft.AspNetCore.WebUtilities;
@@ -17,10 +16,8 @@ internal sealed class RefusedOutput(PipeWriter output) : PipeWriter
     private byte[] _unsent = [];
     private bool _isSent;
 
-    /// <inheritdoc/>
     public override bool CanGetUnflushedBytes => output.CanGetUnflushedBytes;
 
-    /// <inheritdoc/>
     public override long UnflushedBytes => output.UnflushedBytes;
 
     /// <summary>Puts a problem in the place of all that would be sent from now on.</summary>
@@ -35,13 +32,10 @@ internal sealed class RefusedOutput(PipeWriter output) : PipeWriter
         _answer = [.. Encoding.ASCII.GetBytes(head), .. body];
     }
 
-    /// <inheritdoc/>
     public override Memory<byte> GetMemory(int sizeHint = 0) => _answer is null ? output.GetMemory(sizeHint) : Unsent(sizeHint);
 
-    /// <inheritdoc/>
     public override Span<byte> GetSpan(int sizeHint = 0) => _answer is null ? output.GetSpan(sizeHint) : Unsent(sizeHint);
 
-    /// <inheritdoc/>
     public override void Advance(int bytes)
     {
         if (_answer is null)
@@ -50,7 +44,6 @@ internal sealed class RefusedOutput(PipeWriter output) : PipeWriter
         }
     }
 
-    /// <inheritdoc/>
     public override ValueTask<FlushResult> FlushAsync(CancellationToken cancellationToken = default)
     {
         if (_answer is not null && !_isSent)
@@ -62,10 +55,8 @@ internal sealed class RefusedOutput(PipeWriter output) : PipeWriter
         return output.FlushAsync(cancellationToken);
     }
 
-    /// <inheritdoc/>
     public override void CancelPendingFlush() => output.CancelPendingFlush();
 
-    /// <inheritdoc/>
     public override void Complete(Exception? exception = null) => output.Complete(exception);
 
     private byte[] Unsent(int sizeHint)

@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.IO.Pipelines;
 using Microsoft.AspNetCore.Connections;
-using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 
 namespace Msisf.Server;
@@ -24,7 +23,6 @@ internal sealed class RefusedRequests(ServerMetrics metrics) : IObserver<KeyValu
         return next(context);
     }
 
-    /// <inheritdoc/>
     public void OnNext(KeyValuePair<string, object?> value)
     {
         if (value.Value is IFeatureCollection features
@@ -38,12 +36,10 @@ internal sealed class RefusedRequests(ServerMetrics metrics) : IObserver<KeyValu
         }
     }
 
-    /// <inheritdoc/>
     public void OnCompleted()
     {
     }
 
-    /// <inheritdoc/>
     public void OnError(Exception error)
     {
     }

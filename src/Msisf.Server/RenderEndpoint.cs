@@ -1,8 +1,6 @@
 using System.Text.Json;
-using Microsoft.AspNetCore.Http;
 using Msisf.App.Preparation;
 using Msisf.App.Serving;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 

@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
-using Microsoft.AspNetCore.Http;
 
 namespace Msisf.Server;
 
@@ -8,7 +6,6 @@ namespace Msisf.Server;
 /// Runs the work of requests, which share the cores, in the order in which they came; but small work does not wait for large work. Each of
 /// both has places of its own. Thread-safe.
 /// </summary>
-/// <param name="cores">Number of cores.</param>
 /// <param name="maxWaiting">Number of requests that may wait, small or large.</param>
 /// <param name="limit">Longest time of a request, waiting included.</param>
 internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : IDisposable

@@ -1,4 +1,3 @@
-using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
 using Microsoft.AspNetCore.WebUtilities;
 using Msisf.App.Host;
@@ -9,7 +8,6 @@ namespace Msisf.Server;
 internal static class RequestErrors
 {
     /// <summary>Handles a request.</summary>
-    /// <param name="context">The request.</param>
     /// <param name="next">Answers it.</param>
     /// <param name="guard">Refuses requests of other sites.</param>
     /// <param name="metrics">Counts the answer.</param>

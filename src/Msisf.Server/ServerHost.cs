@@ -9,7 +9,6 @@ internal static class ServerHost
     /// <summary>Creates the host.</summary>
     /// <param name="results">Standard output.</param>
     /// <param name="log">Receives messages; those about a request go to its answer too.</param>
-    /// <param name="clock">Clock.</param>
     /// <param name="environment">Gets a variable of the environment.</param>
     public static ProgramHost Create(TextWriter results, ILog log, TimeProvider clock, Func<string, string?> environment) =>
         new(clock, environment)

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Diagnostics.Metrics;
 using Msisf.App.Serving;
 
@@ -22,7 +21,6 @@ internal sealed class ServerMetrics : IDisposable
     /// <summary>Begins to count.</summary>
     /// <param name="queue">The work.</param>
     /// <param name="sessions">The warm sessions.</param>
-    /// <param name="clock">Clock.</param>
     public ServerMetrics(RenderQueue queue, RenderSessions sessions, TimeProvider clock)
     {
         long start = clock.GetTimestamp();

@@ -1,7 +1,5 @@
-using System.Globalization;
 using System.Net.Sockets;
 using System.Text;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 

@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Msisf.App.Serving;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 
@@ -73,7 +72,6 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             needsPlace: changes is not null).On(Rig);
 
     /// <summary>The frames of cameras with the place of the first one, whose states are then read once.</summary>
-    /// <param name="cameras">The cameras.</param>
     /// <param name="frames">Their frames; as they are if a camera says itself where it is.</param>
     public static IReadOnlyList<RequestedFrame> WithOnePlace(IReadOnlyList<StreamCamera> cameras, IReadOnlyList<RequestedFrame> frames) =>
         cameras.Any(camera => camera.Options.Keys.Any(JsonOptions.IsPlace))

@@ -1,6 +1,5 @@
 using System.Text.Json;
 using Msisf.App.Serving;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 

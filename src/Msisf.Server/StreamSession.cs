@@ -5,7 +5,6 @@ using System.Threading.Channels;
 using Msisf.App.Preparation;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server;
 
@@ -170,7 +169,6 @@ internal sealed class StreamSession : IDisposable
     }
 
     /// <summary>Draws an image while that of the camera before is sent.</summary>
-    /// <param name="requested">The frame.</param>
     /// <param name="place">Where the camera is.</param>
     /// <param name="shared">What the images before have read.</param>
     /// <param name="before">The sending of the image before.</param>

@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Net.WebSockets;
 using System.Text.Json;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Server;

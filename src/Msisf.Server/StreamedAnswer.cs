@@ -1,5 +1,4 @@
 using System.Text;
-using Microsoft.AspNetCore.Http;
 
 namespace Msisf.Server;
 
@@ -13,7 +12,6 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
 
     private readonly ResponseStream _body = (ResponseStream)response.Body;
 
-    /// <inheritdoc/>
     public override void Add(string name, string contentType, MemoryStream content, params (string Name, string Value)[] headers)
     {
         base.Add(name, contentType, content, headers);
@@ -23,7 +21,6 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
         Dispose();
     }
 
-    /// <inheritdoc/>
     public override void AddLarge(
         string name, string contentType, long? length, Action<Stream> write, params (string Name, string Value)[] headers)
     {
@@ -37,7 +34,6 @@ internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, boo
         write(_body);
     }
 
-    /// <inheritdoc/>
     public override async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
     {
         if (isMultipart)

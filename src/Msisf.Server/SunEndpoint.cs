@@ -1,9 +1,6 @@
 using System.Text.Json;
-using Microsoft.AspNetCore.Http;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Preview;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;

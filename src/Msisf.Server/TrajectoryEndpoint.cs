@@ -1,9 +1,7 @@
 using System.Text.Json;
-using Microsoft.AspNetCore.Http;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Server;

@@ -29,21 +29,16 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     /// <summary>The blocks so far.</summary>
     public IReadOnlyList<AttitudeBlock> Blocks => _blocks;
 
-    /// <inheritdoc/>
     public override string Kind => "AEM";
 
-    /// <inheritdoc/>
     public override string[] Keywords => OfBlock;
 
-    /// <inheritdoc/>
     protected override string[] Versions { get; } = ["1.0", "2.0"];
 
     private bool IsFirstVersion => Version == "1.0";
 
-    /// <inheritdoc/>
     public override (int Index, string Unit) PlaceOf(string parent, string name, string? axis) => _columns!.PlaceOf(parent, name, axis);
 
-    /// <inheritdoc/>
     public override void EndBlock()
     {
         if (_samples.Count == 0)
@@ -60,7 +55,6 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _blocks.Add(new AttitudeBlock(_samples, _moonMeFromFrame));
     }
 
-    /// <inheritdoc/>
     protected override void OpenBlock()
     {
         string a = Metadata.Require("REF_FRAME_A", "from which axes its attitudes turn");
@@ -92,7 +86,6 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _samples = new AttitudeSamples { Useable = ReadUseable(), Interpolation = said };
     }
 
-    /// <inheritdoc/>
     protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
     {
         RequireLater(_samples.Times, tdbSeconds);

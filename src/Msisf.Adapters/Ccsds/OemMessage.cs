@@ -32,23 +32,18 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     /// <summary>What is to be said of lines that contradict each other; null if none do.</summary>
     public string? Warning => _joints.Warning is { } warning ? $"{Place.FileName}{warning}" : null;
 
-    /// <inheritdoc/>
     public override string Kind => "OEM";
 
-    /// <inheritdoc/>
     public override string[] Keywords => OfBlock;
 
-    /// <inheritdoc/>
     protected override string[] Versions { get; } = ["1.0", "2.0", "3.0"];
 
-    /// <inheritdoc/>
     public override (int Index, string Unit) PlaceOf(string parent, string name, string? axis)
     {
         int index = Array.IndexOf(Names, name);
         return (index, index < 3 ? "km" : index < 6 ? "km/s" : "km/s**2");
     }
 
-    /// <inheritdoc/>
     public override void EndBlock()
     {
         if (_samples.Count == 0)
@@ -83,7 +78,6 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _blocks.Add(new TrajectoryBlock(_samples, CcsdsFrames.Center(center)!.Value, moonMeFromFrame));
     }
 
-    /// <inheritdoc/>
     protected override void OpenBlock()
     {
         string center = Metadata.Require("CENTER_NAME", "about which body its numbers are");
@@ -116,7 +110,6 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _joints.BeginBlock();
     }
 
-    /// <inheritdoc/>
     protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
     {
         if (numbers.Length is not (6 or 9))

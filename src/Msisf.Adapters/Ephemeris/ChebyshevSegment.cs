@@ -69,16 +69,12 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
         _records = new double[(int)count][];
     }
 
-    /// <inheritdoc/>
     public int Body { get; }
 
-    /// <inheritdoc/>
     public int Center { get; }
 
-    /// <inheritdoc/>
     public TdbInterval Interval { get; }
 
-    /// <inheritdoc/>
     public Vector3D ValueAt(double tdbSeconds)
     {
         ReadOnlySpan<double> record = RecordAt(tdbSeconds);
@@ -89,7 +85,6 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
             Chebyshev.Evaluate(Series(record, 2), x));
     }
 
-    /// <inheritdoc/>
     public Vector3D RateAt(double tdbSeconds)
     {
         ReadOnlySpan<double> record = RecordAt(tdbSeconds);

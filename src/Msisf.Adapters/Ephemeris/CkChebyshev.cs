@@ -40,11 +40,9 @@ internal sealed class CkChebyshev : CkSegment
         _starts = new Lazy<double[]>(() => Words.ReadRising(references, count));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals =>
         [.. Enumerable.Range(0, _packets).Select(Packet).Select(packet => new TdbInterval(packet[0] - packet[1], packet[0] + packet[1]))];
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks)
     {
         double[] packet = Packet(Math.Max(0, LastAtOrBefore(_starts.Value, ticks)));

@@ -19,10 +19,8 @@ internal sealed class CkDiscrete : CkSegment
         _ticks = new Lazy<double[]>(() => Words.ReadRising((long)count * _record, count));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals => [.. _ticks.Value.Select(tick => new TdbInterval(tick, tick))];
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks) => Array.BinarySearch(_ticks.Value, ticks) is >= 0 and int index
         ? Matrix(Words.Read((long)index * _record, 4))
         : null;

@@ -21,10 +21,8 @@ internal sealed class CkInterpolated : CkSegment
         _times = new Lazy<TickIntervals>(() => TickIntervals.Read(Words, record, count, intervals));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals => _times.Value.All;
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks)
     {
         TickIntervals times = _times.Value;

@@ -20,10 +20,8 @@ internal sealed class CkLinear : CkSegment
         _times = new Lazy<TickIntervals>(() => TickIntervals.Read(Words, _record, count, intervals));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals => _times.Value.All;
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks)
     {
         double[] times = _times.Value.Ticks;

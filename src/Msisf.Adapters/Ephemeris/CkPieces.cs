@@ -19,7 +19,6 @@ internal sealed class CkPieces : CkSegment
         _pieces = new Lazy<(double[], Piece[])>(() => ReadPieces(count));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals =>
     [
         .. _pieces.Value.Pieces.Select((piece, i) => new TdbInterval(
@@ -27,7 +26,6 @@ internal sealed class CkPieces : CkSegment
             Math.Max(_pieces.Value.Bounds[i], Math.Min(_pieces.Value.Bounds[i + 1], piece.Ticks[^1])))),
     ];
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks)
     {
         (double[] bounds, Piece[] pieces) = _pieces.Value;

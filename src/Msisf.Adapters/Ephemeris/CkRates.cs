@@ -26,11 +26,9 @@ internal sealed class CkRates : CkSegment
             Words.ReadRising((long)count * RecordWords, count), Words.ReadRising((long)count * (RecordWords + 1), count)));
     }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<TdbInterval> Intervals =>
         [.. _times.Value.Starts.Zip(_times.Value.Ends, (start, end) => new TdbInterval(start, Math.Max(start, end)))];
 
-    /// <inheritdoc/>
     protected override RotationMatrix? Evaluate(double ticks)
     {
         int index = LastAtOrBefore(_times.Value.Starts, ticks);

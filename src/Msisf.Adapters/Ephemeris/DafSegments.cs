@@ -85,10 +85,8 @@ internal static class DafSegments
 /// <param name="Reason">What it is, with the file's name.</param>
 internal sealed record UnreadableSegment(int Body, int Center, TdbInterval Interval, string Reason) : IEphemerisSegment
 {
-    /// <inheritdoc/>
     public Vector3D ValueAt(double tdbSeconds) => throw Unreadable();
 
-    /// <inheritdoc/>
     public Vector3D RateAt(double tdbSeconds) => throw Unreadable();
 
     private SpiceException Unreadable() => new($"{Reason}. Use --ephemeris cspice, or a kernel of another type.");

@@ -30,7 +30,6 @@ internal sealed class FrameSystem : ISpaceFrames
     public FrameSystem(KernelPool pool, Func<SegmentTable> orientations, SpacecraftAttitudes attitudes) =>
         (_pool, _orientations, _attitudes) = (pool, new Lazy<SegmentTable>(orientations), attitudes);
 
-    /// <inheritdoc/>
     public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) => FromJ2000(frame, tdbSeconds, 0);
 
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>

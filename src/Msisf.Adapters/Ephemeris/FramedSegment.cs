@@ -12,22 +12,16 @@ internal sealed class FramedSegment(IEphemerisSegment segment, Func<double, Rota
     /// </summary>
     private const double Step = 20.0;
 
-    /// <inheritdoc/>
     public int Body => segment.Body;
 
-    /// <inheritdoc/>
     public int Center => segment.Center;
 
-    /// <inheritdoc/>
     public TdbInterval Interval => segment.Interval;
 
-    /// <inheritdoc/>
     public Vector3D ValueAt(double tdbSeconds) => frameFromJ2000(tdbSeconds).Transposed * segment.ValueAt(tdbSeconds);
 
-    /// <inheritdoc/>
     public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
 
-    /// <inheritdoc/>
     public StateVector StateAt(double tdbSeconds)
     {
         StateVector inFrame = segment.StateAt(tdbSeconds);

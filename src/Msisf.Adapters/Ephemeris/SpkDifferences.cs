@@ -23,7 +23,6 @@ internal sealed class SpkDifferences : SpkSegment
         _ends = new Lazy<double[]>(() => Words.ReadRising((long)count * words, count));
     }
 
-    /// <inheritdoc/>
     public override StateVector StateAt(double tdbSeconds)
     {
         // Each record serves the times up to its end; past the last end, which a summary may name, the last one goes on.

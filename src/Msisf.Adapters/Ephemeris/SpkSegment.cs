@@ -6,24 +6,18 @@ namespace Msisf.Adapters.Ephemeris;
 /// <param name="file">The kernel; must outlive the segment.</param>
 internal abstract class SpkSegment(DafFile file, DafSummary summary) : IEphemerisSegment
 {
-    /// <inheritdoc/>
     public int Body => summary.Integers[0];
 
-    /// <inheritdoc/>
     public int Center => summary.Integers[1];
 
-    /// <inheritdoc/>
     public TdbInterval Interval => summary.Interval;
 
     /// <summary>The segment's numbers.</summary>
     protected DafWords Words { get; } = new(file, summary);
 
-    /// <inheritdoc/>
     public Vector3D ValueAt(double tdbSeconds) => StateAt(tdbSeconds).Position;
 
-    /// <inheritdoc/>
     public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
 
-    /// <inheritdoc/>
     public abstract StateVector StateAt(double tdbSeconds);
 }

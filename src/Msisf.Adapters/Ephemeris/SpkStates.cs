@@ -54,7 +54,6 @@ internal sealed class SpkStates : SpkSegment
         _epochs = new Lazy<double[]>(() => isEven ? [] : Words.ReadRising((long)_count * _packet, _count));
     }
 
-    /// <inheritdoc/>
     public override StateVector StateAt(double tdbSeconds)
     {
         (int first, int count) = WindowAt(tdbSeconds);

@@ -21,7 +21,6 @@ internal sealed class SpkTwoBody : SpkSegment
         _epochs = new Lazy<double[]>(() => Words.ReadRising((long)count * StateWords, count));
     }
 
-    /// <inheritdoc/>
     public override StateVector StateAt(double tdbSeconds)
     {
         double[] epochs = _epochs.Value;

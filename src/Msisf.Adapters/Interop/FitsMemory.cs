@@ -20,11 +20,9 @@ internal sealed unsafe class FitsMemory : IFitsStore
         _block->Size = capacity;
     }
 
-    /// <inheritdoc/>
     public int Open(out CFitsioHandle file, ref int status) =>
         CFitsioNative.ffimem(out file, &_block->Address, &_block->Size, step: 0, &Reallocate, ref status);
 
-    /// <inheritdoc/>
     public void CopyTo(Stream destination, long start, long end)
     {
         using UnmanagedMemoryStream bytes = new((byte*)_block->Address + start, end - start);

@@ -17,10 +17,8 @@ internal sealed class FitsDiskFile(string path) : IFitsStore
     /// <summary>bytes: what is copied at once.</summary>
     private const int CopiedAtOnce = 1 << 20;
 
-    /// <inheritdoc/>
     public int Open(out CFitsioHandle file, ref int status) => CFitsioNative.ffdkinit(out file, path, ref status);
 
-    /// <inheritdoc/>
     public void CopyTo(Stream destination, long start, long end)
     {
         using FileStream file = new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);

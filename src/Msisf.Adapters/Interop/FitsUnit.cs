@@ -124,7 +124,6 @@ internal sealed unsafe class FitsUnit : IDisposable
 
     /// <summary>The same image compressed without loss, in tiles of whole rows, as a table that readers show as the image.</summary>
     /// <param name="path">Of a file for it while CFITSIO has it; null to have it in memory.</param>
-    /// <param name="tileRows">Rows of a tile.</param>
     /// <param name="lengths">NAXIS1, NAXIS2, ... of the image.</param>
     /// <exception cref="ExternalPartException">CFITSIO fails.</exception>
     public FitsUnit Compressed(string? path, int tileRows, params ReadOnlySpan<long> lengths)

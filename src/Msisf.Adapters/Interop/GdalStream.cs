@@ -31,26 +31,20 @@ internal sealed unsafe class GdalStream : Stream
         Length = (long)_gdal.VSIFTellL(_file);
     }
 
-    /// <inheritdoc/>
     public override bool CanRead => true;
 
-    /// <inheritdoc/>
     public override bool CanSeek => true;
 
-    /// <inheritdoc/>
     public override bool CanWrite => false;
 
-    /// <inheritdoc/>
     public override long Length { get; }
 
-    /// <inheritdoc/>
     public override long Position
     {
         get => _position;
         set => _position = value;
     }
 
-    /// <inheritdoc/>
     public override int Read(byte[] buffer, int offset, int count)
     {
         fixed (byte* start = buffer.AsSpan(offset, count))
@@ -69,7 +63,6 @@ internal sealed unsafe class GdalStream : Stream
         }
     }
 
-    /// <inheritdoc/>
     public override long Seek(long offset, SeekOrigin origin) => _position = origin switch
     {
         SeekOrigin.Begin => offset,
@@ -77,18 +70,14 @@ internal sealed unsafe class GdalStream : Stream
         _ => Length + offset,
     };
 
-    /// <inheritdoc/>
     public override void Flush()
     {
     }
 
-    /// <inheritdoc/>
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    /// <inheritdoc/>
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    /// <inheritdoc/>
     protected override void Dispose(bool disposing)
     {
         if (Interlocked.Exchange(ref _file, 0) is not 0 and nint file)

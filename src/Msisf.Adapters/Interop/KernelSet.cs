@@ -28,7 +28,6 @@ internal sealed class KernelSet : IDisposable
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         if (!_isDisposed)

@@ -13,7 +13,6 @@ internal static class FitsLayerBands
     /// <summary>Writes the layers as they are.</summary>
     /// <param name="stream">Receives them; can seek.</param>
     /// <param name="sampler">Computes them.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
     /// <param name="newImage">Makes the unit of a layer, as an image of a pixel.</param>
     /// <param name="cancellation">Stops between rows.</param>
@@ -68,7 +67,6 @@ internal static class FitsLayerBands
     /// <summary>Writes the layers compressed, by way of files beside the stream's, which go when they are done with.</summary>
     /// <param name="stream">Receives them.</param>
     /// <param name="sampler">Computes them.</param>
-    /// <param name="layers">Which.</param>
     /// <param name="precision">Of their real numbers.</param>
     /// <param name="newImage">Makes the unit of a layer in a file, without its pixels.</param>
     /// <param name="compressed">Compresses a unit into a file.</param>
@@ -113,7 +111,6 @@ internal static class FitsLayerBands
     }
 
     /// <summary>Writes pixels of a unit.</summary>
-    /// <param name="image">The unit.</param>
     /// <param name="first">Where they begin in the image.</param>
     /// <param name="type">Of the pixels.</param>
     /// <param name="bytes">The pixels, in memory order of the machine.</param>
@@ -138,7 +135,6 @@ internal static class FitsLayerBands
 
     /// <summary>Where a layer is in the file.</summary>
     /// <param name="start">Its header begins there.</param>
-    /// <param name="dataStart">Its data.</param>
     /// <param name="rowLength">bytes.</param>
     private sealed class Slot(long start, long dataStart, long rowLength)
     {

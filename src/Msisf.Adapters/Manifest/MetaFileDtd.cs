@@ -10,13 +10,11 @@ namespace Msisf.Adapters.Manifest;
 /// <param name="path">lib/MSISRendering.dtd of the installation.</param>
 internal sealed class MetaFileDtd(string path) : XmlResolver
 {
-    /// <inheritdoc/>
     public override ICredentials Credentials
     {
         set { }
     }
 
-    /// <inheritdoc/>
     public override object GetEntity(Uri absoluteUri, string? role, Type? ofObjectToReturn) =>
         Path.GetFileName(absoluteUri.AbsolutePath) == Path.GetFileName(path)
             ? File.OpenRead(path)

@@ -89,7 +89,6 @@ public sealed class BlockPatterns
 /// <param name="path">Its file.</param>
 internal sealed class BlockPatternOrder(string path, SceneBlocks blocks, SceneBlock block) : PatternOrder(path)
 {
-    /// <inheritdoc/>
     public override Content Read()
     {
         IReadOnlyList<BlockMesh> meshes = blocks.MeshesOf(block);

@@ -11,7 +11,6 @@ namespace Msisf.Adapters.Tiles;
 internal sealed class TilePatternOrder(
     string path, TileMeshLayout layout, TileMeshBuilder builder, string productId, PatternFormat format) : PatternOrder(path)
 {
-    /// <inheritdoc/>
     public override Content Read()
     {
         double[] radii = builder.ReadRadii(layout);

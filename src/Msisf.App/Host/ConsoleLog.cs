@@ -6,13 +6,10 @@ internal sealed class ConsoleLog(TextWriter error) : ILog
     private readonly Lock _gate = new();
     private List<string>? _held;
 
-    /// <inheritdoc/>
     public void Note(string text) => Raw($"msis: {text}");
 
-    /// <inheritdoc/>
     public void Warning(string text) => Raw($"msis: warning: {text}");
 
-    /// <inheritdoc/>
     public void Error(string text) => Raw($"msis: error: {text.ReplaceLineEndings(" ")}");
 
     /// <summary>

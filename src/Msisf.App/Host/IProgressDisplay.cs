@@ -19,15 +19,12 @@ internal interface IRunProgress : IDisposable
 /// <summary>Shows no progress.</summary>
 internal sealed class NoProgress : IProgressDisplay, IRunProgress
 {
-    /// <inheritdoc/>
     public IRunProgress Start(string title, int total, bool unattended) => this;
 
-    /// <inheritdoc/>
     public void Advance(string name)
     {
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
     }

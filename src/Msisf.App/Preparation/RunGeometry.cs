@@ -13,15 +13,11 @@ namespace Msisf.App.Preparation;
 internal sealed class RunGeometry(
     Func<ElevationModel> model, Func<IEphemeris> ephemeris, Aberration aberration, CelestialBody? body = null) : ISceneGeometry
 {
-    /// <inheritdoc/>
     public double ReferenceRadius => body is { IsMoon: false } ? model().Grid.ReferenceRadius : MoonConstants.ReferenceRadius;
 
-    /// <inheritdoc/>
     public double GroundRadius(Vector3D directionBodyFixed) => model().GroundRadius(directionBodyFixed);
 
-    /// <inheritdoc/>
     public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => ephemeris().SunPositionBodyFixed(time, aberration);
 
-    /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => ephemeris().MoonMeFromJ2000(time);
 }

@@ -33,13 +33,10 @@ internal sealed class BlockSurface : ISceneSurface
     public BlockSurface(ITerrain terrain, IFrameTerrain detail, int subsamplesPerAxis, PatternRepository repository) =>
         (_terrain, _detail, _subsamplesPerAxis, _repository) = (terrain, detail, subsamplesPerAxis, repository);
 
-    /// <inheritdoc/>
     public string Folder => _repository.FolderOf(FolderName);
 
-    /// <inheritdoc/>
     public string FolderName => BlockPatterns.FolderNameOf(_terrain);
 
-    /// <inheritdoc/>
     public int Count => _ready.Count;
 
     /// <inheritdoc/>
@@ -57,7 +54,6 @@ internal sealed class BlockSurface : ISceneSurface
                 + $"with wider cells."));
     }
 
-    /// <inheritdoc/>
     public void Dispose() => _repository.Dispose();
 
     private static IReadOnlyList<SceneBlock> BlocksOf(

@@ -26,10 +26,8 @@ internal interface IFrameRenderer : IDisposable
 /// <param name="cameras">Disposed with this object.</param>
 internal sealed class RendererOfRun(IReadOnlyList<IFrameRenderer> cameras) : IFrameRenderer
 {
-    /// <inheritdoc/>
     public int FramesAhead => cameras[0].FramesAhead;
 
-    /// <inheritdoc/>
     public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
         cameras[frame.CameraIndex].RenderAsync(frame, threads, cancellation);
 

@@ -15,7 +15,6 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
 {
     private readonly ConcurrentBag<MemoryStream> _idleImages = [];
 
-    /// <inheritdoc/>
     public int FramesAhead => 0;
 
     /// <summary>Does nothing, because no resource is held between frames.</summary>
@@ -23,7 +22,6 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
     {
     }
 
-    /// <inheritdoc/>
     public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
         Task.Run(() => Render(frame, threads, cancellation), cancellation);
 

@@ -63,10 +63,8 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         _times = times;
     }
 
-    /// <inheritdoc/>
     public int FramesAhead { get; }
 
-    /// <inheritdoc/>
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
         ISceneMeshes meshes = _times.Measure(Phase.Selection, () => _surface.Select(frame, threads, cancellation));
@@ -93,7 +91,6 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         _surface.Dispose();

@@ -45,7 +45,6 @@ internal sealed class ProcessSlots : IDisposable
         }
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         _all.Dispose();

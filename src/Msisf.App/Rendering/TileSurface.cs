@@ -27,20 +27,15 @@ internal sealed class TileSurface : ISceneSurface
         _builders = new LevelMeshBuilders(model.WholeMoon, () => model.Levels);
     }
 
-    /// <inheritdoc/>
     public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
 
-    /// <inheritdoc/>
     public string FolderName => _builders.PixelsPerDegree.ToString(CultureInfo.InvariantCulture);
 
-    /// <inheritdoc/>
     public int Count => _ready.Count;
 
-    /// <inheritdoc/>
     public ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation) =>
         new Meshes(this, frame, _model.SelectParts(frame, _errorPixels));
 
-    /// <inheritdoc/>
     public void Dispose() => _repository.Dispose();
 
     private sealed class Meshes(TileSurface surface, Frame frame, IReadOnlyList<SurfacePart> parts) : ISceneMeshes

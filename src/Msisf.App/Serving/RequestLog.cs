@@ -11,10 +11,8 @@ internal sealed class RequestLog(ILog server) : ILog
     /// <returns>Receives them.</returns>
     public IReadOnlyList<string> Collect() => _warnings.Value = [];
 
-    /// <inheritdoc/>
     public void Note(string text) => server.Note(text);
 
-    /// <inheritdoc/>
     public void Warning(string text)
     {
         if (_warnings.Value is { } collected)
@@ -30,9 +28,7 @@ internal sealed class RequestLog(ILog server) : ILog
         }
     }
 
-    /// <inheritdoc/>
     public void Error(string text) => server.Error(text);
 
-    /// <inheritdoc/>
     public void Raw(string line) => server.Raw(line);
 }

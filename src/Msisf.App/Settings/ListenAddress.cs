@@ -33,6 +33,5 @@ internal sealed record ListenAddress(IPEndPoint? EndPoint, string? SocketPath)
                         + "./msis.sock.");
     }
 
-    /// <inheritdoc/>
     public override string ToString() => SocketPath ?? EndPoint!.ToString();
 }

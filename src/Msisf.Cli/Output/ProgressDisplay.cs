@@ -8,7 +8,6 @@ namespace Msisf.Cli.Output;
 /// </summary>
 internal sealed class ProgressDisplay(ResultsWriter results, ConsoleLog log, TimeProvider clock) : IProgressDisplay
 {
-    /// <inheritdoc/>
     public IRunProgress Start(string title, int total, bool unattended)
     {
         if (total <= 1)

@@ -57,16 +57,12 @@ internal sealed class BlockTargets : IReceiverBounds
         MaxDepth = targets.Select(target => target.MaxDepth).DefaultIfEmpty(double.NegativeInfinity).Max();
     }
 
-    /// <inheritdoc/>
     public LightFrame Frame { get; }
 
-    /// <inheritdoc/>
     public LightBox Box { get; }
 
-    /// <inheritdoc/>
     public double MaxDepth { get; }
 
-    /// <inheritdoc/>
     public double MaxDepthIn(in LightBox box)
     {
         double max = double.NegativeInfinity;

@@ -7,11 +7,9 @@ namespace Msisf.Core.Camera;
 /// <summary>A frame camera with a lens.</summary>
 internal sealed class LensCamera(CameraState state, CameraModel model) : FrameCamera(state, model)
 {
-    /// <inheritdoc/>
     internal override (Vector3D Middle, Vector3D Right, Vector3D Vertical) RayAxes =>
         (OpticalAxis, ImagePlaneDistance * UnitRight, -ImagePlaneDistance * UnitUp);
 
-    /// <inheritdoc/>
     public override Ray RayThrough(double x, double y)
     {
         (double right, double down) = Model.ToIdeal(x, y);
@@ -19,7 +17,6 @@ internal sealed class LensCamera(CameraState state, CameraModel model) : FrameCa
         return new Ray(PositionBodyFixed, middle + (right * toRight) + (down * toDown));
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
     internal override void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions)
     {

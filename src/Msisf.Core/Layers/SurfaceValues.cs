@@ -1,5 +1,4 @@
 using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Tiles;
 
 namespace Msisf.Core.Layers;

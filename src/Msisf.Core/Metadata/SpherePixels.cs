@@ -26,10 +26,8 @@ internal sealed class SpherePixels : IPixelView
         _light = light;
     }
 
-    /// <inheritdoc/>
     public PixelSurface Surface => PixelSurface.Sphere;
 
-    /// <inheritdoc/>
     public bool TryGet(int h, int v, out PixelRecord record)
     {
         Ray ray = _camera.RayThrough(h, v);

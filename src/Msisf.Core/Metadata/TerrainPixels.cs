@@ -28,10 +28,8 @@ internal sealed class TerrainPixels : IPixelView
         _namesParts = namesParts;
     }
 
-    /// <inheritdoc/>
     public PixelSurface Surface => PixelSurface.Terrain;
 
-    /// <inheritdoc/>
     public bool TryGet(int h, int v, out PixelRecord record)
     {
         if (!_truth.TryGet(h, v, out SurfaceHit hit, out PixelIllumination light))

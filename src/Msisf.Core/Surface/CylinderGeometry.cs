@@ -52,16 +52,12 @@ internal sealed class CylinderGeometry : MeshGeometry
         }
     }
 
-    /// <inheritdoc/>
     public override double StepsPerMetre { get; }
 
-    /// <inheritdoc/>
     public override double CellAngle { get; }
 
-    /// <inheritdoc/>
     public override double Sagitta { get; }
 
-    /// <inheritdoc/>
     public override int WidestColumns { get; }
 
     /// <summary>Latitude of a vertex line.</summary>
@@ -74,7 +70,6 @@ internal sealed class CylinderGeometry : MeshGeometry
     public SineCosine Longitude(int sample) =>
         new(_longitudeSines[sample - _firstSample], _longitudeCosines[sample - _firstSample]);
 
-    /// <inheritdoc/>
     public override Vector3D Vertex(int line, int sample, double radius)
     {
         (SineCosine latitude, SineCosine longitude) = (Latitude(line), Longitude(sample));
@@ -86,7 +81,6 @@ internal sealed class CylinderGeometry : MeshGeometry
             Math.Floor((steps * latitude.Sine) + 0.5) / StepsPerMetre);
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)

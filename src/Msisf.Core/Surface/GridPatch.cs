@@ -37,19 +37,14 @@ internal sealed class GridPatch : Patch
     /// <summary>The surface's bounds in the nodes of <see cref="SquareLayout"/>, computed at the first request.</summary>
     public BoundsTree Bounds { get; }
 
-    /// <inheritdoc/>
     public override string? ProductId => Grid.ProductId;
 
-    /// <inheritdoc/>
     public override BoundsLayout Layout => Bounds.Layout;
 
-    /// <inheritdoc/>
     public override CellMask? Kept { get; }
 
-    /// <inheritdoc/>
     public override double Sagitta => Geometry.Sagitta;
 
-    /// <inheritdoc/>
     public override double CellAngle => Geometry.CellAngle;
 
     /// <summary>The same model with some of its cells.</summary>
@@ -67,22 +62,17 @@ internal sealed class GridPatch : Patch
     /// <param name="radius">m.</param>
     public Vector3D Vertex(int line, int sample, double radius) => Geometry.Vertex(line, sample, radius);
 
-    /// <inheritdoc/>
     public override bool TryGetKnown(NodePlace node, out NodeBounds bounds) =>
         Bounds.TryGetKnown(node.Level, node.Row, node.Column, out bounds);
 
-    /// <inheritdoc/>
     public override NodeBounds BoundsOf(NodePlace node) => Bounds.Of(node.Level, node.Row, node.Column);
 
-    /// <inheritdoc/>
     public override NodeBox BoxOf(NodePlace node, double minRadius, double maxRadius) =>
         Bounds.BoxOf(node.Level, node.Row, node.Column, minRadius, maxRadius);
 
-    /// <inheritdoc/>
     public override TerrainNode NodeOf(NodePlace node, NodeBounds bounds) =>
         Bounds.NodeOf(Bounds.CapOf(node.Level, node.Row, node.Column), bounds);
 
-    /// <inheritdoc/>
     public override bool Has(FacetId facet)
     {
         CellRange cells = Mesh.Cells;
@@ -90,7 +80,6 @@ internal sealed class GridPatch : Patch
             && facet.Sample < cells.EndSample && Has(facet.Line, facet.Sample);
     }
 
-    /// <inheritdoc/>
     public override (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner)
     {
         bool isSouth = corner == 1 || (corner == 2 && facet.Half == FacetHalf.SouthWest);
@@ -98,7 +87,6 @@ internal sealed class GridPatch : Patch
         return (facet.Part, isSouth ? facet.Line + 1 : facet.Line, isEast ? Mesh.Next(facet.Sample) : facet.Sample);
     }
 
-    /// <inheritdoc/>
     public override (int Part, FacetSource Source) SourceOf(FacetId facet)
     {
         return (facet.Part, IsBlended(0) || IsBlended(1) || IsBlended(2) ? FacetSource.Blended : FacetSource.Measured);
@@ -110,13 +98,10 @@ internal sealed class GridPatch : Patch
         }
     }
 
-    /// <inheritdoc/>
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Corners(facet.Line, facet.Sample).Facet(facet.Half);
 
-    /// <inheritdoc/>
     public override long CountFacets(CellRange cells) => 2L * cells.Lines * cells.Samples;
 
-    /// <inheritdoc/>
     public override void Load(BlockVertices vertices, Vector3D originBodyFixed)
     {
         CellRange cells = CellsOf(vertices.Block);

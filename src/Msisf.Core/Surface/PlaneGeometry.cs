@@ -31,16 +31,12 @@ internal sealed class PlaneGeometry : MeshGeometry
         }
     }
 
-    /// <inheritdoc/>
     public override double StepsPerMetre { get; }
 
-    /// <inheritdoc/>
     public override double CellAngle { get; }
 
-    /// <inheritdoc/>
     public override double Sagitta { get; }
 
-    /// <inheritdoc/>
     public override int WidestColumns => int.MaxValue;
 
     /// <summary>Bounds of rectangles of cells.</summary>
@@ -52,7 +48,6 @@ internal sealed class PlaneGeometry : MeshGeometry
     /// </summary>
     public static int LatticeOf(double cell) => Math.Max(7, (int)Math.Ceiling(Math.Log2(2048.0 / cell)));
 
-    /// <inheritdoc/>
     public override Vector3D Vertex(int line, int sample, double radius)
     {
         double a = _a[sample];
@@ -65,7 +60,6 @@ internal sealed class PlaneGeometry : MeshGeometry
             Math.Floor((_projection.PoleSign * (f * (1.0 - s))) + 0.5) / StepsPerMetre));
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
@@ -100,7 +94,6 @@ internal sealed class PlaneGeometry : MeshGeometry
         }
     }
 
-    /// <inheritdoc/>
     public override bool TryGetColumnBorders(CellRange cells, out Vector3D west, out Vector3D east)
     {
         double v0 = 0.5 * _projection.B(cells.FirstLine);
@@ -112,7 +105,6 @@ internal sealed class PlaneGeometry : MeshGeometry
         return true;
     }
 
-    /// <inheritdoc/>
     public override (Vector3D North, Vector3D South) LineBorders(CellRange cells)
     {
         double u0 = 0.5 * _a[cells.FirstSample];

@@ -58,13 +58,10 @@ internal sealed class SeamPatch : Patch
     /// <summary>Bounds of each block.</summary>
     public IReadOnlyList<SeamBlock> Blocks { get; }
 
-    /// <inheritdoc/>
     public override double Sagitta { get; }
 
-    /// <inheritdoc/>
     public override string? ProductId => null;
 
-    /// <inheritdoc/>
     public override BoundsLayout Layout { get; }
 
     /// <summary>The cells of a line of a block that have facets, as bits.</summary>
@@ -80,48 +77,39 @@ internal sealed class SeamPatch : Patch
     /// <summary>Number of facets of a block.</summary>
     public int FacetsOf(int block) => Math.Min(BlockFacets, Count - (block * BlockFacets));
 
-    /// <inheritdoc/>
     public override bool TryGetKnown(NodePlace node, out NodeBounds bounds)
     {
         bounds = BoundsOf(node);
         return true;
     }
 
-    /// <inheritdoc/>
     public override NodeBounds BoundsOf(NodePlace node)
     {
         TerrainNode block = Blocks[node.Column].Node;
         return NodeBounds.Within((block.MinRadius, block.MaxRadius));
     }
 
-    /// <inheritdoc/>
     public override NodeBox BoxOf(NodePlace node, double minRadius, double maxRadius) => Blocks[node.Column].Box;
 
-    /// <inheritdoc/>
     public override TerrainNode NodeOf(NodePlace node, NodeBounds bounds) => Blocks[node.Column].Node;
 
-    /// <inheritdoc/>
     public override bool Has(FacetId facet) =>
         facet.Line == 0 && facet.Sample >= 0 && facet.Sample < Count && facet.Half == FacetHalf.SouthWest;
 
-    /// <inheritdoc/>
     public override (int Part, int Line, int Sample) VertexOf(FacetId facet, int corner)
     {
         SeamVertex vertex = VertexOf(facet.Sample, corner);
         return (vertex.Part, vertex.Line, vertex.Sample);
     }
 
-    /// <inheritdoc/>
     public override (int Part, FacetSource Source) SourceOf(FacetId facet)
     {
         int part = Math.Max(VertexOf(facet.Sample, 0).Part, Math.Max(VertexOf(facet.Sample, 1).Part, VertexOf(facet.Sample, 2).Part));
         return (part, FacetSource.Seam);
     }
 
-    /// <inheritdoc/>
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => CornersOf(facet.Sample);
 
-    /// <inheritdoc/>
     public override long CountFacets(CellRange cells) => FacetsOf(cells.FirstSample / CellBlock.Size);
 
     /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
@@ -135,7 +123,6 @@ internal sealed class SeamPatch : Patch
     /// <summary>Square of the sine of the angle between two directions, which is far below a right angle.</summary>
     private static double SineSquare(Vector3D u, Vector3D v) => Vector3D.Cross(u, v).LengthSquared / (u.LengthSquared * v.LengthSquared);
 
-    /// <inheritdoc/>
     public override void Load(BlockVertices vertices, Vector3D originBodyFixed)
     {
         int block = vertices.Block.Column;

@@ -26,10 +26,8 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     /// </summary>
     private const int MinColumns = 8;
 
-    /// <inheritdoc/>
     public override int Levels { get; } = LevelsFor(mesh.Samples);
 
-    /// <inheritdoc/>
     public override int CoarsestReadLevel => CellBlockLevel;
 
     /// <summary>Number of cells along an edge of a node; those at the lower and right end may have fewer.</summary>
@@ -38,13 +36,10 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     /// <summary>Base-2 logarithm of <see cref="Side"/>.</summary>
     public static int SideShift(int level) => 3 + (2 * level);
 
-    /// <inheritdoc/>
     public override int Rows(int level) => (mesh.Cells.Lines + Side(level) - 1) >> SideShift(level);
 
-    /// <inheritdoc/>
     public override int Columns(int level) => (mesh.Cells.Samples + Side(level) - 1) >> SideShift(level);
 
-    /// <inheritdoc/>
     public override int ChildrenPerEdge(int level) => Fan;
 
     /// <inheritdoc/>
@@ -52,7 +47,6 @@ internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, me
     public override (int Down, int Right) ChildAt(int child, int edge) =>
         (((child >> 2) & 2) + ((child >> 1) & 1), ((child >> 1) & 2) + (child & 1));
 
-    /// <inheritdoc/>
     public override CellRange Cells(int level, int row, int column) => new(
         mesh.Cells.FirstLine + (row << SideShift(level)),
         Math.Min(mesh.Cells.FirstLine + ((row + 1) << SideShift(level)), mesh.Cells.EndLine),

@@ -19,25 +19,19 @@ internal sealed class TileLayout(int pixelsPerDegree) : BoundsLayout(180 * pixel
     /// <summary>Number of cells along a tile's edge.</summary>
     public int TileCells { get; } = TileId.SizeDegrees * pixelsPerDegree;
 
-    /// <inheritdoc/>
     public override int Levels => _subdivisions.Length;
 
-    /// <inheritdoc/>
     public override int CoarsestReadLevel => 0;
 
     /// <summary>Nodes of a level along a tile's edge.</summary>
     public int Subdivisions(int level) => _subdivisions[level];
 
-    /// <inheritdoc/>
     public override int Rows(int level) => TileId.Rows * _subdivisions[level];
 
-    /// <inheritdoc/>
     public override int Columns(int level) => TileId.Columns * _subdivisions[level];
 
-    /// <inheritdoc/>
     public override int ChildrenPerEdge(int level) => _subdivisions[level - 1] / _subdivisions[level];
 
-    /// <inheritdoc/>
     public override CellRange Cells(int level, int row, int column) => new(
         row == 0 ? -1 : Start(level, row), Start(level, row + 1), Start(level, column), Start(level, column + 1));
 

@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Text;
 using Msisf.App.Host;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using NetMQ;
 using NetMQ.Sockets;
 

@@ -1,12 +1,9 @@
-using System.Globalization;
 using System.Text;
 using System.Text.Json;
 using Msisf.Adapters.Camera;
-using Msisf.Adapters.Input;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Errors;
 
 namespace Msisf.Server.Basilisk;
 

@@ -1,12 +1,9 @@
-using System.Globalization;
 using System.Text.Json;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -60,7 +57,6 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
     /// without waiting takes one place of the server's queue, not all. Updates and images are asked for by one thread.
     /// </summary>
     /// <param name="number">Its number; empty for the only camera.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <returns>A PNG; null if there is no image, which has been said.</returns>
     public Task<byte[]?> DrawAsync(string number, CancellationToken cancellation)
     {

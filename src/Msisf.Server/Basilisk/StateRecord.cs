@@ -1,7 +1,5 @@
-using System.Globalization;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
-using Msisf.Core.Errors;
 using Msisf.Core.Scene;
 
 namespace Msisf.Server.Basilisk;
@@ -27,7 +25,6 @@ internal sealed class StateRecord : IDisposable
     }
 
     /// <summary>Adds a state.</summary>
-    /// <param name="cameraId">Number of the camera.</param>
     /// <param name="arguments">The canonical arguments of its images.</param>
     /// <param name="state">The state, with its Sun.</param>
     public void Add(long cameraId, Func<string> arguments, SpacecraftState state)

@@ -1,6 +1,3 @@
-using System.Globalization;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -40,9 +37,7 @@ internal static class VizGeometry
     }
 
     /// <summary>The rotation in place of the message's, where both are nearly the same.</summary>
-    /// <param name="message">Of the message.</param>
     /// <param name="spice">By the kernels, at the time of the message.</param>
-    /// <param name="time">That time.</param>
     /// <exception cref="BadInputException">They differ by more than 0.01 degrees.</exception>
     public static UnitQuaternion Checked(UnitQuaternion message, UnitQuaternion spice, ModifiedJulianDate time)
     {
@@ -57,10 +52,6 @@ internal static class VizGeometry
     }
 
     /// <summary>The state.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="craft">Its spacecraft.</param>
-    /// <param name="moon">The Moon.</param>
-    /// <param name="sun">The Sun.</param>
     /// <param name="moonFromInertial">The Moon's attitude.</param>
     /// <param name="time">UTC.</param>
     /// <exception cref="BadInputException">A number is not finite, or the Sun too near.</exception>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Server.Basilisk;
 
 /// <summary>What Basilisk's vizInterface says of a moment: the fields of its VizMessage that an image depends on.</summary>
@@ -25,19 +23,16 @@ internal sealed record VizMessage
 internal sealed record VizEpoch(int Year, int Month, int Day, int Hours, int Minutes, double Seconds);
 
 /// <summary>A celestial body.</summary>
-/// <param name="Name">Its name.</param>
 /// <param name="Position">m, in the simulation's inertial axes N.</param>
 /// <param name="BodyFromInertial">The nine numbers of the matrix that turns components of N into the body's, row by row.</param>
 internal sealed record VizBody(string Name, Vector3D Position, IReadOnlyList<double> BodyFromInertial);
 
 /// <summary>A spacecraft.</summary>
-/// <param name="Name">Its name.</param>
 /// <param name="Position">m, N.</param>
 /// <param name="Attitude">Modified Rodrigues parameters of the craft's axes B relative to N.</param>
 internal sealed record VizSpacecraft(string Name, Vector3D Position, Vector3D Attitude);
 
 /// <summary>A camera.</summary>
-/// <param name="Id">Its number.</param>
 /// <param name="Parent">Name of its spacecraft; empty for the only one.</param>
 /// <param name="FieldOfViewDegrees">Vertical, from edge to edge.</param>
 /// <param name="Width">px.</param>

@@ -1,6 +1,4 @@
 using Google.Protobuf;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Server.Basilisk;
 
@@ -13,7 +11,6 @@ internal static class VizMessageReader
     private const double SecondsPerNanosecond = 1e-9;
 
     /// <summary>Reads a message.</summary>
-    /// <param name="bytes">The message.</param>
     /// <exception cref="BadInputException">The bytes are no such message.</exception>
     public static VizMessage Read(byte[] bytes)
     {

@@ -15,19 +15,14 @@ internal abstract record ChoiceSpec(string Name, OptionRole Role, IReadOnlyList<
     /// <summary>The default, one of the choices' values; null if there is none.</summary>
     public object? Default { get; init; }
 
-    /// <inheritdoc/>
     public override string ValueName => string.Join('|', Suggestions);
 
-    /// <inheritdoc/>
     public override IReadOnlyList<string> Suggestions => [.. Choices.Select(choice => choice.Word)];
 
-    /// <inheritdoc/>
     public override string? DefaultValue => Default is { } value ? TextOf(value) : null;
 
-    /// <inheritdoc/>
     public override string Canonical(string text) => ChoiceOf(text)?.Word ?? text;
 
-    /// <inheritdoc/>
     public override string TextOf(object value) => Choices.First(choice => choice.Value.Equals(value)).Word;
 
     /// <summary>Whether two words are the same, in capitals or small letters.</summary>

@@ -9,7 +9,6 @@ namespace Msisf.App.Settings.Specs;
 /// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record NumberSpec(string Name, OptionRole Role, string ValueName, string Help) : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;
 
     /// <summary>The default; null if there is none.</summary>
@@ -18,10 +17,8 @@ internal sealed record NumberSpec(string Name, OptionRole Role, string ValueName
     /// <summary>The accepted range; null if the code that uses the number checks it.</summary>
     public NumberRange? Limits { get; init; }
 
-    /// <inheritdoc/>
     public override string? Range => Limits?.ToString();
 
-    /// <inheritdoc/>
     public override string? DefaultValue => Default is { } number ? TextOf(number) : null;
 
     /// <summary>Reads the number, or the default, which must exist.</summary>
@@ -86,10 +83,8 @@ internal readonly record struct NumberRange(double Min, double Max)
 internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyList<string> Fields, string Help)
     : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string ValueName => Fields is [string only] ? $"{{{only},{only},...}}" : $"{{{string.Join(',', Fields)}}}";
 
-    /// <inheritdoc/>
     public override bool TakesSeveralWords => true;
 
     /// <summary>Reads the numbers in their order, in the units of the command line; null if the option is not given.</summary>

@@ -84,7 +84,6 @@ internal abstract record OptionSpec(string Name, OptionRole Role, string Help)
 /// <inheritdoc/>
 internal sealed record FlagSpec(string Name, OptionRole Role, string Help) : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string? ValueName => null;
 
     /// <summary>Reads whether the flag is set.</summary>

@@ -16,14 +16,12 @@ internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, str
     /// <summary>Whether several paths may be given; a configuration file has them as a list.</summary>
     public bool TakesSeveral { get; init; }
 
-    /// <inheritdoc/>
     public override bool MayBeRepeated => TakesSeveral;
 
     /// <inheritdoc/>
     /// <remarks>No path has a line feed.</remarks>
     public override string? ListSeparator => TakesSeveral ? Separator : null;
 
-    /// <inheritdoc/>
     public override string ValueName => Kind switch
     {
         PathKind.File => "FILE",
@@ -31,7 +29,6 @@ internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, str
         _ => "PATH",
     };
 
-    /// <inheritdoc/>
     public override string? DefaultValue => Default;
 
     /// <summary>Reads the path, or the default, which must exist.</summary>

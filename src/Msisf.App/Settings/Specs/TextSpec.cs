@@ -8,7 +8,6 @@ namespace Msisf.App.Settings.Specs;
 /// <inheritdoc/>
 internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, string Help) : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;
 
     /// <summary>The default; null if there is none.</summary>
@@ -28,13 +27,10 @@ internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, 
     /// </summary>
     public (Regex Pattern, string Needed)? Form { get; init; }
 
-    /// <inheritdoc/>
     public override IReadOnlyList<string> Suggestions => Words;
 
-    /// <inheritdoc/>
     public override string? ListSeparator => Separator;
 
-    /// <inheritdoc/>
     public override string? DefaultValue => Default;
 
     /// <summary>Reads the text, or the default, which must exist.</summary>
@@ -56,7 +52,6 @@ internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, 
 /// <inheritdoc/>
 internal sealed record TimeSpec(string Name, OptionRole Role, string Help) : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string ValueName => "TIME";
 
     /// <summary>Reads the time, which must be given.</summary>

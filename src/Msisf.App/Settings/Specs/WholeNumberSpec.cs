@@ -10,16 +10,13 @@ namespace Msisf.App.Settings.Specs;
 internal sealed record WholeNumberSpec(string Name, OptionRole Role, string ValueName, int Min, int Max, string Help)
     : OptionSpec(Name, Role, Help)
 {
-    /// <inheritdoc/>
     public override string ValueName { get; } = ValueName;
 
     /// <summary>The default; null if there is none.</summary>
     public int? Default { get; init; }
 
-    /// <inheritdoc/>
     public override string? Range => Max == int.MaxValue ? null : string.Create(CultureInfo.InvariantCulture, $"{Min} to {Max}");
 
-    /// <inheritdoc/>
     public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>Reads the number, or the default, which must exist.</summary>

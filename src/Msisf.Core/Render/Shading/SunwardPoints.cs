@@ -37,10 +37,8 @@ internal sealed class SunwardPoints : IReceiverRows
         _minCosine = minCosine;
     }
 
-    /// <inheritdoc/>
     public int Rows => _visible.Height;
 
-    /// <inheritdoc/>
     public int Width => _visible.Width;
 
     /// <summary>
@@ -57,7 +55,6 @@ internal sealed class SunwardPoints : IReceiverRows
         _idle.Add(scratch);
     }
 
-    /// <inheritdoc/>
     public int Read(int row, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
     {
         Scratch scratch = Take();
@@ -67,7 +64,6 @@ internal sealed class SunwardPoints : IReceiverRows
         return count;
     }
 
-    /// <inheritdoc/>
     public void ReadAgain(int row, ReadOnlySpan<int> columns, Span<double> x, Span<double> y, Span<double> z)
     {
         Scratch scratch = Take();

@@ -58,16 +58,12 @@ internal sealed class BlockReceivers : IReceiverBounds
         }
     }
 
-    /// <inheritdoc/>
     public LightFrame Frame { get; }
 
-    /// <inheritdoc/>
     public LightBox Box { get; }
 
-    /// <inheritdoc/>
     public double MaxDepth => _depths.Max();
 
-    /// <inheritdoc/>
     public double MaxDepthIn(in LightBox box) => _depths.Max(_depths.BinsOf(in box));
 
     private LightBox BoxOf(int column, int row) => new(

@@ -161,13 +161,10 @@ internal sealed record ReceiverJob(
 internal sealed class PlacedReceivers(
     ReceiverSort sort, ReceiverJob job, ReceiverGrid.Placed placed, LightFrame frame, LightBox box) : IReceiverBounds
 {
-    /// <inheritdoc/>
     public LightFrame Frame => frame;
 
-    /// <inheritdoc/>
     public LightBox Box => box;
 
-    /// <inheritdoc/>
     public double MaxDepth => Bins.Max();
 
     /// <summary>The bins.</summary>
@@ -176,7 +173,6 @@ internal sealed class PlacedReceivers(
     /// <summary>Number of receivers.</summary>
     public int Length { get; } = placed.Length;
 
-    /// <inheritdoc/>
     public double MaxDepthIn(in LightBox box) => Bins.Max(Bins.BinsOf(in box));
 
     /// <summary>Marks bins, so that their receivers are sorted. Several threads may call it.</summary>

@@ -159,13 +159,11 @@ internal interface ISampleKind
 /// <summary>The samples of a pinhole.</summary>
 internal readonly struct PixelCentres : ISampleKind
 {
-    /// <inheritdoc/>
     public static bool IsPixelCentre => true;
 }
 
 /// <summary>The samples of a lens, at <see cref="Band.SampleColumns"/> and <see cref="Band.SampleRows"/>.</summary>
 internal readonly struct AnySamples : ISampleKind
 {
-    /// <inheritdoc/>
     public static bool IsPixelCentre => false;
 }

@@ -8,13 +8,10 @@ internal sealed class PartRows : ISurfaceRows
     private readonly List<(PixelParts Parts, int First)> _rows = [];
     private RowResolver _resolver = null!;
 
-    /// <inheritdoc/>
     public int Width => RowLength;
 
-    /// <inheritdoc/>
     public int Height => _rows.Count;
 
-    /// <inheritdoc/>
     public ImageView View { get; private set; } = null!;
 
     /// <summary>Number of parts in a row; the last row of a band may have fewer.</summary>
@@ -40,20 +37,17 @@ internal sealed class PartRows : ISurfaceRows
         return row;
     }
 
-    /// <inheritdoc/>
     public void Read(int y, SurfaceRow row)
     {
         (PixelParts parts, int first) = _rows[y - 1];
         _resolver.Resolve(parts, first, Math.Min(RowLength, parts.Count - first), row);
     }
 
-    /// <inheritdoc/>
     public void ReadPoints(int y, ReadOnlySpan<int> columns, SurfaceRow row)
     {
         (PixelParts parts, int first) = _rows[y - 1];
         _resolver.Resolve(parts, first, columns, row);
     }
 
-    /// <inheritdoc/>
     public FacetId FacetOf(int y, int number) => _rows[y - 1].Parts.Records[number].Facet;
 }

@@ -15,13 +15,10 @@ internal sealed class VisibleSurface : ISurfaceRows
     private readonly List<Band> _bands = [];
     private RowResolver _resolver = null!;
 
-    /// <inheritdoc/>
     public int Width { get; private set; }
 
-    /// <inheritdoc/>
     public int Height { get; private set; }
 
-    /// <inheritdoc/>
     public ImageView View { get; private set; } = null!;
 
     /// <summary>Counts of the work for the frame.</summary>
@@ -48,21 +45,18 @@ internal sealed class VisibleSurface : ISurfaceRows
         return inverse > 0.0;
     }
 
-    /// <inheritdoc/>
     public void Read(int y, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
         _resolver.Resolve(band, index, row);
     }
 
-    /// <inheritdoc/>
     public void ReadPoints(int y, ReadOnlySpan<int> columns, SurfaceRow row)
     {
         Band band = BandOf(y, out int index);
         _resolver.Resolve(band, index, columns, row);
     }
 
-    /// <inheritdoc/>
     public FacetId FacetOf(int y, int number) => BandOf(y, out _).Records[number].Facet;
 
     /// <summary>The facets of a row that was read.</summary>
