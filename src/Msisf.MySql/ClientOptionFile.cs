@@ -52,8 +52,7 @@ internal static partial class ClientOptionFile
                     options[name] = Unquoted(option.Groups["value"].Value);
                     if (OfConnection().IsMatch(name) && !Tls.Contains(name))
                     {
-                        throw new BadInputException(string.Create(
-                            CultureInfo.InvariantCulture,
+                        throw new BadInputException(Invariant(
                             $"{path}, line {i + 1}: the option {name} is not supported here. "
                                 + $"Leave it out; {Supported} say how to connect."));
                     }
@@ -61,8 +60,7 @@ internal static partial class ClientOptionFile
             }
             else
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"{path}, line {i + 1}: neither [group] nor name=value. Keep the connection in a file of its own, without !include."));
             }
         }

@@ -55,7 +55,7 @@ public sealed partial class DatabaseSettings
     public TlsSettings Tls { get; }
 
     /// <summary>Name of the server for messages: its socket, or host and port.</summary>
-    public string Server => Socket ?? (Port is int port ? string.Create(CultureInfo.InvariantCulture, $"{Host}:{port}") : Host);
+    public string Server => Socket ?? (Port is int port ? Invariant($"{Host}:{port}") : Host);
 
     /// <summary>Whether the server is on another computer and no option says whether to verify it.</summary>
     public bool IsUnverified => Socket is null && Tls.Mode == TlsMode.Default && Host != LocalHost
@@ -111,8 +111,7 @@ public sealed partial class DatabaseSettings
 
         return Port is null
             ? DefaultSocket(DefaultSockets)
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"database port {Port}: localhost is the server's socket, which has no port. Give host=127.0.0.1, or leave the port out."));
     }
 

@@ -49,15 +49,13 @@ internal static partial class ImportedModel
         int all = Number(reader, 4);
         if (format != FormatVersion)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"table {table}: {product} was imported in format {format}, this is {FormatVersion}. Import it again."));
         }
 
         if (state != "complete" || done != all)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"table {table}: the import of {product} is not complete ({done} of {all} lines, state {state}). "
                     + $"Run scripts/ldem_mysql_insert.php again: it goes on where it stopped."));
         }

@@ -37,7 +37,7 @@ public sealed class LdemTableGrid : IGlobalGrid
     public static LdemTableGrid Open(Database database, int pixelsPerDegree)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(pixelsPerDegree, 1);
-        string table = string.Create(CultureInfo.InvariantCulture, $"ldem_{pixelsPerDegree}");
+        string table = Invariant($"ldem_{pixelsPerDegree}");
         string productId = ImportedModel.ReadProductId(database, table);
         return new LdemTableGrid(database, pixelsPerDegree, table, productId);
     }
@@ -71,8 +71,7 @@ public sealed class LdemTableGrid : IGlobalGrid
             }
 
             // The primary key is (row, column), so a complete count means that every sample was found.
-            return found == count ? radii : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            return found == count ? radii : throw new BadInputException(Invariant(
                 $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. "
                     + $"Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
         });

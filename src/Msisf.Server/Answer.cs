@@ -14,7 +14,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
     private readonly List<AnswerPart> _parts = [];
 
-    /// <summary>The parts.</summary>
     public IReadOnlyList<AnswerPart> Parts => _parts;
 
     /// <summary>What the names of the next parts and times begin with: "" of an answer with one image, else "camera.".</summary>
@@ -116,7 +115,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     protected void SetHeaders(HttpResponse response, bool isMultipart, AnswerPart first)
     {
         response.Headers["Server-Timing"] = string.Join(", ", Times.Select(
-            time => string.Create(CultureInfo.InvariantCulture, $"{time.Name};dur={time.Milliseconds:F3}")));
+            time => Invariant($"{time.Name};dur={time.Milliseconds:F3}")));
         if (isMultipart)
         {
             response.ContentType = $"multipart/mixed; boundary={Boundary}";
@@ -156,7 +155,6 @@ internal sealed record AnswerPart(string Name, string ContentType, MemoryStream 
     /// <summary>bytes: its length; null if that is not known before it is sent.</summary>
     public required long? Length { get; init; }
 
-    /// <summary>The bytes.</summary>
     public ReadOnlyMemory<byte> Bytes => Content.GetBuffer().AsMemory(0, (int)Content.Length);
 }
 
@@ -166,7 +164,6 @@ internal sealed class StreamPool
     /// <summary>bytes: larger streams are not kept.</summary>
     private const int LargestKept = 8 << 20;
 
-    /// <summary>Number of streams that are kept.</summary>
     private const int MostKept = 16;
 
     private readonly ConcurrentBag<MemoryStream> _idle = [];

@@ -73,8 +73,7 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
             string fewer = Layers is null ? string.Empty : "fewer 'layers', 'layers-precision' single or ";
             throw new RefusedException(
                 StatusCodes.Status413PayloadTooLarge,
-                string.Create(
-                    CultureInfo.InvariantCulture,
+                Invariant(
                     $"the answer has {Bytes / BytesOfAMegabyte} MB, more than the server's --max-megabytes of {maxMegabytes}. Ask for "
                         + $"{fewer}a smaller 'width' and 'height'."));
         }

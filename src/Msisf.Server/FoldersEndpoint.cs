@@ -42,7 +42,6 @@ internal sealed class FoldersEndpoint
         }),
     });
 
-    /// <summary>Lists the frames of one.</summary>
     public async Task ListFramesAsync(HttpContext context)
     {
         string name = NameOf(context);
@@ -65,7 +64,7 @@ internal sealed class FoldersEndpoint
         }).ConfigureAwait(false);
 
         string? UrlOf(ServedFrame frame, string kind) => frame.Files.ContainsKey(kind)
-            ? string.Create(CultureInfo.InvariantCulture, $"{url}/{frame.Number}/{kind}")
+            ? Invariant($"{url}/{frame.Number}/{kind}")
             : null;
     }
 

@@ -75,8 +75,7 @@ internal sealed class FrameService : IDisposable
             ? requested
             : throw new RefusedException(
                 StatusCodes.Status413PayloadTooLarge,
-                string.Create(
-                    CultureInfo.InvariantCulture,
+                Invariant(
                     $"an image of {requested.Settings.Width} x {requested.Settings.Height} px is larger than the server's --max-pixels of "
                         + $"{Settings.MaxPixels} px. Use a smaller --width and --height."));
     }

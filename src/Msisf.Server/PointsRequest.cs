@@ -41,8 +41,7 @@ internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[
             : null;
         return numbers is not null && numbers.Length >= needed && numbers.Length <= fields.Length
             ? numbers
-            : throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture, $"'{name}', entry {index + 1}: the numbers [{string.Join(", ", fields)}] are needed."));
+            : throw new UsageException(Invariant($"'{name}', entry {index + 1}: the numbers [{string.Join(", ", fields)}] are needed."));
     }
 
     private static bool IsNumber(JsonElement value) =>

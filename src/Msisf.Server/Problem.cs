@@ -16,7 +16,6 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
     /// <summary>Characters of a problem; more than the longest list of names in a message takes.</summary>
     private const int LongestDetail = 700;
 
-    /// <summary>The content type of problems.</summary>
     public const string ContentType = "application/problem+json";
 
     /// <summary>The problem of an exception; null if it is a bug of the server.</summary>
@@ -44,7 +43,6 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
         await response.Body.WriteAsync(ToJson()).ConfigureAwait(false);
     }
 
-    /// <summary>The problem as JSON.</summary>
     public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(
         new ProblemText("about:blank", ReasonPhrases.GetReasonPhrase(Status), Status, Shortened(Detail), [.. Options.Distinct()]),
         JsonBody.Names);

@@ -7,7 +7,6 @@ namespace Msisf.Server;
 /// <summary>Keeps what the instruments of a meter measure, and writes it in the text form of Prometheus. Thread-safe.</summary>
 internal sealed class PrometheusText : IDisposable
 {
-    /// <summary>Content type of the text.</summary>
     public const string ContentType = "text/plain; version=0.0.4; charset=utf-8";
 
     private readonly MeterListener _listener = new();

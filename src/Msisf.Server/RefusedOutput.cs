@@ -24,8 +24,7 @@ internal sealed class RefusedOutput(PipeWriter output) : PipeWriter
     public void Refuse(Problem problem)
     {
         byte[] body = problem.ToJson();
-        string head = string.Create(
-            CultureInfo.InvariantCulture,
+        string head = Invariant(
             $"HTTP/1.1 {problem.Status} {ReasonPhrases.GetReasonPhrase(problem.Status)}\r\nContent-Type: {Problem.ContentType}\r\n"
                 + $"Content-Length: {body.Length}\r\nCache-Control: no-cache\r\nX-Content-Type-Options: nosniff\r\n"
                 + $"Connection: close\r\n\r\n");

@@ -58,8 +58,7 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
         {
             throw new RefusedException(
                 StatusCodes.Status503ServiceUnavailable,
-                string.Create(
-                    CultureInfo.InvariantCulture,
+                Invariant(
                     $"the image took longer than the server's --max-seconds of {limit.TotalSeconds} s. Ask for a smaller one or for fewer "
                         + $"samples."));
         }

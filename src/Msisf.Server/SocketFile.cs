@@ -19,7 +19,7 @@ internal sealed class SocketFile(string path) : IDisposable
     private DateTime? _made;
 
     /// <summary>Where the server binds the socket; when it ends, .NET deletes what has this name.</summary>
-    public string BoundPath { get; } = string.Create(CultureInfo.InvariantCulture, $"{path}.{Environment.ProcessId}");
+    public string BoundPath { get; } = Invariant($"{path}.{Environment.ProcessId}");
 
     /// <summary>Refuses a path that is too long for a socket.</summary>
     /// <exception cref="ExternalPartException">It is.</exception>
@@ -28,9 +28,7 @@ internal sealed class SocketFile(string path) : IDisposable
         int length = Encoding.UTF8.GetByteCount(path);
         if (length > LongestPath)
         {
-            throw Problem(string.Create(
-                CultureInfo.InvariantCulture,
-                $"the path has {length} bytes, of {LongestPath} that a Unix socket may have. Use a shorter one."));
+            throw Problem(Invariant($"the path has {length} bytes, of {LongestPath} that a Unix socket may have. Use a shorter one."));
         }
     }
 

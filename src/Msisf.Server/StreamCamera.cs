@@ -9,7 +9,6 @@ namespace Msisf.Server;
 /// <param name="Rig">How it and the others sit on the body whose states come; null for cameras that are all where the state is.</param>
 internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Options, RigCamera? Rig)
 {
-    /// <summary>Key of the list of cameras.</summary>
     public const string ListKey = "cameras";
 
     /// <summary>Key of the options of all cameras.</summary>
@@ -18,7 +17,6 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
     /// <summary>More than a spacecraft carries.</summary>
     private const int Most = 16;
 
-    /// <summary>Key of a camera's name.</summary>
     public const string NameKey = "name";
 
     private const string QuaternionKey = "quaternion";

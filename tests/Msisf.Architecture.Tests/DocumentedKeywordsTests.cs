@@ -93,7 +93,7 @@ public sealed partial class DocumentedKeywordsTests
 
     private static string Page(string name) => File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", name));
 
-    [GeneratedRegex("""Put[A-Z]?[a-z]*\((?:unit, )?(?:string\.Create\(CultureInfo\.InvariantCulture, )?\$?"([A-Z][A-Z-]+)""")]
+    [GeneratedRegex("""Put[A-Z]?[a-z]*\((?:unit, )?(?:Invariant\()?\$?"([A-Z][A-Z-]+)""")]
     private static partial Regex FitsKeyword();
 
     [GeneratedRegex("<!ELEMENT (\\w+)")]

@@ -10,7 +10,6 @@ internal static class DarkCurrentKeys
     private const double HottestDetector = 200.0; // degrees Celsius: beyond, no detector works
     private const double MaxNonuniformity = 10.0;
 
-    /// <summary>The keys.</summary>
     public static string[] Keys { get; } =
     [
         "dark-current", "dark-temperature", "temperature", "dark-doubling", "dsnu", "hot-pixels", "hot-fraction", "hot-rate",

@@ -35,8 +35,7 @@ internal sealed class InstrumentField(KernelPool pool, string prefix)
         }
 
         (double focalX, double focalY) = (width / (right - left), height / (bottom - top));
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $"focal-length-px: [{focalX:R}, {focalY:R}]\nprincipal-point: [{0.5 - (left * focalX):R}, {0.5 - (top * focalY):R}]\n");
     }
 

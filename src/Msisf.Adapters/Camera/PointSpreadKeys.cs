@@ -24,7 +24,6 @@ internal sealed class PointSpreadKeys
     public PointSpreadKeys(SettingsSection section, DetectorGeometry geometry, double? fNumber) =>
         (_section, _geometry, _fNumber) = (section, geometry, fNumber);
 
-    /// <summary>The keys.</summary>
     public static string[] Keys { get; } =
     [
         "psf", "psf-sigma", "psf-scale", "psf-wavelength", "psf-kernel", "psf-radius", "wing-radius", "wing-exponent", "wing-fraction",
@@ -63,8 +62,7 @@ internal sealed class PointSpreadKeys
         }
 
         double radius = Math.Max(DefaultRadius, Math.Ceiling(GaussianSigmas * sigma));
-        return radius <= PointSpreadKernel.MaxRadius ? radius : throw _section.Wrong("psf-sigma", string.Create(
-            CultureInfo.InvariantCulture,
+        return radius <= PointSpreadKernel.MaxRadius ? radius : throw _section.Wrong("psf-sigma", Invariant(
             $"'psf-sigma' is {sigma} px; {GaussianSigmas} of them, {radius} px, pass {PointSpreadKernel.MaxRadius}. "
                 + $"Give 'psf-radius' to cut it off"));
     }

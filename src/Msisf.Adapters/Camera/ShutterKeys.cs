@@ -13,7 +13,6 @@ internal static class ShutterKeys
     private const double MinStep = 0.01; // px
     private const double MaxStep = 1.0; // px
 
-    /// <summary>The keys.</summary>
     public static string[] Keys { get; } = [Kind, LineTime, Step];
 
     /// <summary>Reads the shutter; null if there is none, so that frames are exposed at an instant.</summary>

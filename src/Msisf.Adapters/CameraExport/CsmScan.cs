@@ -45,13 +45,10 @@ internal sealed record CsmScan(CsmSensor Sensor, ScanNodes Nodes, double Misfit)
     /// <summary>How exact it is, one line for the user.</summary>
     /// <param name="name">Name of the image.</param>
     /// <param name="period">s from one exposure to the next.</param>
-    public string Describe(string name, double period) => string.Create(
-        CultureInfo.InvariantCulture,
+    public string Describe(string name, double period) => Invariant(
         $"Camera model of {name}: {Nodes.Poses.Count} nodes of its motion, {Nodes.Spacing * period:G4} s apart")
-        + (Nodes.Error == 0.0 ? ", exact in each row." : string.Create(
-            CultureInfo.InvariantCulture, $"; off by {Nodes.Error:G1} px at most between them."))
-        + (Misfit <= Promised ? string.Empty : string.Create(
-            CultureInfo.InvariantCulture,
+        + (Nodes.Error == 0.0 ? ", exact in each row." : Invariant($"; off by {Nodes.Error:G1} px at most between them."))
+        + (Misfit <= Promised ? string.Empty : Invariant(
             $" As a line-scan has one focal length for all rows, a rolling shutter is off by up to {Misfit:G2} px too; the narrower its "
                 + $"view the less."));
 

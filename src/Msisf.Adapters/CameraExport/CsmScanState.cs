@@ -12,7 +12,6 @@ internal static class CsmScanState
     /// <summary>Numbers by which these models can be adjusted.</summary>
     private const int Parameters = 16;
 
-    /// <summary>Writes a state.</summary>
     public static void Write(TextWriter writer, ExportedFrame frame)
     {
         (ExportedScan scan, CsmScan csm) = (frame.Scan!, frame.Csm!);

@@ -6,7 +6,6 @@ namespace Msisf.Adapters.CameraExport;
 /// <summary>Writes the state of USGSCSM's camera: the model's name, then JSON; m, s, and pixels along a row in place of mm.</summary>
 internal static class CsmState
 {
-    /// <summary>Writes a state.</summary>
     public static void Write(TextWriter writer, ExportedFrame frame)
     {
         if (frame.Scan is not null)

@@ -83,7 +83,7 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
         int head = file.Length < 10 ? 0 : 10 + file[8] + (file[9] << 8);
         Match form = NpyHead().Match(Encoding.Latin1.GetString(file, 0, Math.Min(head, file.Length)));
         int size = form.Groups["size"].Value == "8" ? sizeof(double) : sizeof(float);
-        string shape = string.Create(CultureInfo.InvariantCulture, $"{height}, {width}");
+        string shape = Invariant($"{height}, {width}");
         if (!form.Success || form.Groups["shape"].Value != shape || file.LongLength != head + ((long)size * width * height))
         {
             throw new BadInputException($"{path}: is no array of {height} x {width} real numbers as msis writes it. Draw the image again.");

@@ -8,7 +8,6 @@ namespace Msisf.Adapters.CameraExport;
 /// </summary>
 internal static class ExportedNumber
 {
-    /// <summary>A number.</summary>
     public static string Real(double value)
     {
         string text = value.ToString("R", CultureInfo.InvariantCulture);
@@ -18,7 +17,6 @@ internal static class ExportedNumber
             : text.Insert(exponent, ".0");
     }
 
-    /// <summary>Numbers.</summary>
     public static string Reals(string separator, params IEnumerable<double> values) => string.Join(separator, values.Select(Real));
 
     /// <summary>A JSON object.</summary>

@@ -114,7 +114,7 @@ public static class MetaFileFrame
         double[] numbers =
             [.. element.Value.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries).Select(Number)];
         return numbers.Length == count ? numbers : throw new FormatException(
-            string.Create(CultureInfo.InvariantCulture, $"{element.Name} has {numbers.Length} numbers, not {count}."));
+            Invariant($"{element.Name} has {numbers.Length} numbers, not {count}."));
     }
 
     internal static double Number(string text) =>

@@ -18,16 +18,15 @@ internal static class OpenCvCamera
         writer.WriteLine("---");
         writer.WriteLine($"# A point X ({frame.Globe.Body.Frame}, m from the body's centre) is at R X + t in camera axes");
         writer.WriteLine("# (x right, y down, z forward); projectPoints gives its pixel, counted from 0 at the centre of the first one.");
-        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"image_width: {camera.Width}"));
-        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"image_height: {camera.Height}"));
+        writer.WriteLine(Invariant($"image_width: {camera.Width}"));
+        writer.WriteLine(Invariant($"image_height: {camera.Height}"));
         writer.WriteLine($"distortion_model: {(isFisheye ? "fisheye" : "opencv")}");
         WriteMatrix("camera_matrix", 3, [.. camera.IntrinsicRows.SelectMany(Of)]);
         WriteMatrix("distortion_coefficients", 1, [.. camera.Distortion?.Coefficients ?? new double[12]]);
         WriteMatrix("R", 3, [.. camera.RotationRows.SelectMany(Of)]);
         WriteMatrix("t", 3, Of(camera.Translation));
 
-        void WriteMatrix(string name, int rows, double[] numbers) => writer.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
+        void WriteMatrix(string name, int rows, double[] numbers) => writer.WriteLine(Invariant(
             $"{name}: !!opencv-matrix\n   rows: {rows}\n   cols: {numbers.Length / rows}\n   dt: d\n   data: [{Reals(", ", numbers)}]"));
     }
 }

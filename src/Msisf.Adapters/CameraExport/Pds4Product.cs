@@ -17,10 +17,8 @@ internal static class Pds4Product
     /// <summary>Stands for pixels without a number.</summary>
     private const float Missing = -32768.0f;
 
-    /// <summary>Writes the array.</summary>
     public static void WriteArray(Stream stream, ExportedFrame frame) => frame.Image!.WritePixels(stream, Missing);
 
-    /// <summary>Writes the label.</summary>
     public static void WriteLabel(TextWriter writer, ExportedFrame frame)
     {
         ExportedImage image = frame.Image!;
@@ -29,7 +27,7 @@ internal static class Pds4Product
         string end = frame.Scan is { } scan ? frame.Time.After(scan.States[^1].Seconds).ToIsoUtc() : time;
         string name = XmlText.Escape(frame.Name);
         string kind = body.NaifNumber % 100 == 99 ? "Planet" : "Satellite";
-        writer.Write(string.Create(CultureInfo.InvariantCulture, $"""
+        writer.Write(Invariant($"""
             <?xml version="1.0" encoding="UTF-8"?>
             <?xml-model href="https://pds.nasa.gov/pds4/pds/v1/PDS4_PDS_1K00.sch" schematypens="http://purl.oclc.org/dsdl/schematron"?>
             <Product_Observational xmlns="http://pds.nasa.gov/pds4/pds/v1" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"

@@ -70,7 +70,7 @@ internal static partial class RowStateFiles
             long count = axes == 0 ? 0 : 1;
             for (int axis = 1; axis <= axes; axis++)
             {
-                count = checked(count * Key(string.Create(CultureInfo.InvariantCulture, $"NAXIS{axis}"), 0));
+                count = checked(count * Key(Invariant($"NAXIS{axis}"), 0));
             }
 
             long bytes = checked(Math.Abs(Key("BITPIX", 8)) / 8 * Key("GCOUNT", 1) * (Key("PCOUNT", 0) + count));

@@ -31,7 +31,7 @@ internal sealed record ScanRows(
         int count = int.Parse(Text(scan, "exposures"), NumberStyles.None, CultureInfo.InvariantCulture);
         if (count < 1 || count > height || height % count != 0)
         {
-            throw new FormatException(string.Create(CultureInfo.InvariantCulture, $"{count} exposures can't make {height} rows."));
+            throw new FormatException(Invariant($"{count} exposures can't make {height} rows."));
         }
 
         bool flips = kind == ScanKind.PushFrame && (scan.Attribute("flip")?.Value ?? throw new BadInputException(
@@ -59,8 +59,7 @@ internal sealed record ScanRows(
             : rowStates()?.Select(number => Number(LongE.ToText(number))).ToArray();
         if (numbers is null)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{path}: it has the states of {rows.Length} rows of {height}, and all are needed; layers have them too, but none of their "
                     + $"files is beside it ({RowStateFiles.NamesFor(path)}). Make the image with --camera-model, --layers or --gridV 1."));
         }

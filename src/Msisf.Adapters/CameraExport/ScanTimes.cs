@@ -13,7 +13,6 @@ internal sealed record ScanTimes(
     double Start, double Center, double FirstLine, double OfLine, double FirstNode, double OfNode,
     (Vector3D Position, Vector3D Velocity) Sun)
 {
-    /// <summary>The times of a scan.</summary>
     public static ScanTimes Of(ExportedFrame frame)
     {
         (ExportedScan scan, ScanNodes nodes) = (frame.Scan!, frame.Csm!.Nodes);

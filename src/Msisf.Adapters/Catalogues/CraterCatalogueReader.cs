@@ -67,16 +67,14 @@ public static class CraterCatalogueReader
         {
             if (!lines.TryAdd(crater.Identity, line))
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"{fileName}, line {line}: the crater '{crater.Identity}' is already in line {lines[crater.Identity]}. Remove one."));
             }
 
             craters.Add(crater);
             if (craters.Count > MostCratersOfRun)
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"{fileName}: more than {MostCratersOfRun} craters, which would take more than {MostCratersOfRun / 1e6 * 0.3:F1} GB of "
                         + $"memory. Leave out small ones, or those of other regions."));
             }

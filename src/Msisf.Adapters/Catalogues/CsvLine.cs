@@ -39,7 +39,6 @@ internal static class CsvLine
         return fields;
     }
 
-    /// <summary>A text as a field.</summary>
     public static string Field(string text) => text.AsSpan().IndexOfAny(",\"\r\n") < 0
         ? text
         : $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"";

@@ -53,8 +53,7 @@ public static class LandmarkReader
             Landmark landmark = Of(row, columns, landmarks.Count + 1, referenceRadius);
             if (!lines.TryAdd(landmark.Identity, row.Line))
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"{fileName}, line {row.Line}: the landmark '{landmark.Identity}' is already in line {lines[landmark.Identity]}. "
                         + $"Remove one."));
             }
@@ -62,8 +61,7 @@ public static class LandmarkReader
             landmarks.Add(landmark);
             if (landmarks.Count > MostLandmarks)
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture, $"{fileName}: more than {MostLandmarks} landmarks. Leave some out."));
+                throw new BadInputException(Invariant($"{fileName}: more than {MostLandmarks} landmarks. Leave some out."));
             }
         }
 
@@ -83,8 +81,8 @@ public static class LandmarkReader
                 row.Number(columns.X, -limit, limit), row.Number(columns.Y, -limit, limit), row.Number(columns.Z, -limit, limit));
             return position.Length > 0.0
                 ? new Landmark(number, identity, name, position.Normalized(), position.Length - referenceRadius)
-                : throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture, $"{row.FileName}, line {row.Line}: the landmark lies in the Moon's centre. Remove it."));
+                : throw new BadInputException(Invariant(
+                    $"{row.FileName}, line {row.Line}: the landmark lies in the Moon's centre. Remove it."));
         }
 
         SelenographicPoint place = new(

@@ -111,8 +111,7 @@ internal sealed record AemColumns(string Type)
     {
         if (numbers.Length != Count)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"{numbers.Length} numbers behind the time; {Type} has {Count}."));
+            throw new BadInputException(Invariant($"{numbers.Length} numbers behind the time; {Type} has {Count}."));
         }
 
         UnitQuaternion given = Sequence is { } sequence
@@ -165,8 +164,7 @@ internal sealed record AemColumns(string Type)
         double limit = isRounded ? Tolerances.RoundedRotation : Tolerances.PrintedQuaternionLength;
         return Math.Abs(length - 1.0) <= limit
             ? UnitQuaternion.FromComponents(q.X / length, q.Y / length, q.Z / length, q.W / length)
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"the quaternion has length {length:G5}; 1 within {limit:R} is needed. "
                     + $"{(isRounded ? "Check its numbers." : "Check its numbers, or give --normalize if they are rounded.")}"));
     }

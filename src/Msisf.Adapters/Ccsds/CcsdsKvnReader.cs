@@ -167,7 +167,7 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
             end = EndOfWord(rest);
             if (count == MostNumbers)
             {
-                throw _place.Error(string.Create(CultureInfo.InvariantCulture, $"more than {MostNumbers} numbers behind the time."));
+                throw _place.Error(Invariant($"more than {MostNumbers} numbers behind the time."));
             }
 
             numbers[count++] = CcsdsNumber.Parse(rest[..end], _place);

@@ -70,7 +70,6 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     /// <summary>Whether a word is a keyword of blocks.</summary>
     public bool IsKeyword(string word) => Keywords.Contains(word, StringComparer.OrdinalIgnoreCase);
 
-    /// <summary>Begins a block.</summary>
     public void BeginBlock()
     {
         if (Version is null)
@@ -104,7 +103,6 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed) =>
         Add(TdbSecondsOf(epoch), numbers, areNamed);
 
-    /// <summary>The block ends.</summary>
     public abstract void EndBlock();
 
     /// <summary>Where a value of the XML form stands in the line of the other form.</summary>
@@ -177,14 +175,14 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
         const int Highest = SampleWeights.MaxSamples - 1;
         if (Metadata.Find("INTERPOLATION_DEGREE") is not { } text)
         {
-            place.Note(string.Create(CultureInfo.InvariantCulture, $"INTERPOLATION_DEGREE is missing; {defaultDegree} is used."));
+            place.Note(Invariant($"INTERPOLATION_DEGREE is missing; {defaultDegree} is used."));
             return defaultDegree;
         }
 
         return int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int degree) && degree is >= 1 and <= Highest
             ? degree
             : throw Metadata.Error(
-                "INTERPOLATION_DEGREE", string.Create(CultureInfo.InvariantCulture, $"a whole number from 1 to {Highest} is needed."));
+                "INTERPOLATION_DEGREE", Invariant($"a whole number from 1 to {Highest} is needed."));
     }
 
     private double? TimeOf(string key) => Metadata.Find(key) is not { } text ? null

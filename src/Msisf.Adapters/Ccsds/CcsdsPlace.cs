@@ -5,15 +5,13 @@ internal sealed class CcsdsPlace(string fileName)
 {
     private readonly Dictionary<string, (int Line, int Count)> _notes = [];
 
-    /// <summary>The file's name.</summary>
     public string FileName => fileName;
 
     /// <summary>The line that is read, from 1.</summary>
     public int Line { get; set; }
 
     /// <summary>What was put right while reading, each once.</summary>
-    public IEnumerable<string> Notes => _notes.Select(note => string.Create(
-        CultureInfo.InvariantCulture,
+    public IEnumerable<string> Notes => _notes.Select(note => Invariant(
         $"{fileName}, line {note.Value.Line}: {note.Key}{(note.Value.Count > 1 ? $" So {note.Value.Count} times." : string.Empty)}"));
 
     /// <summary>Notes something that is wrong, but can be meant in one way only.</summary>
@@ -26,7 +24,7 @@ internal sealed class CcsdsPlace(string fileName)
     /// <param name="problem">What is wrong, and what to do.</param>
     /// <param name="inner">The exception behind it, if there is one.</param>
     public BadInputException Error(string problem, Exception? inner = null) =>
-        new(string.Create(CultureInfo.InvariantCulture, $"{fileName}, line {Line}: {problem}"), inner);
+        new(Invariant($"{fileName}, line {Line}: {problem}"), inner);
 
     /// <summary>Does something whose errors do not say where they are.</summary>
     /// <typeparam name="T">Type of the result.</typeparam>

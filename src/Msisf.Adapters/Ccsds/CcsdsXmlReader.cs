@@ -203,7 +203,7 @@ internal sealed class CcsdsXmlReader(CcsdsMessage message)
         {
             text += xml.NodeType is XmlNodeType.Text or XmlNodeType.CDATA
                 ? xml.Value
-                : throw _place.Error(string.Create(CultureInfo.InvariantCulture, $"<{xml.LocalName}> does not belong here."));
+                : throw _place.Error(Invariant($"<{xml.LocalName}> does not belong here."));
         }
 
         return text.Trim();

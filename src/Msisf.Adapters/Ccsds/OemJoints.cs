@@ -27,8 +27,7 @@ internal sealed class OemJoints
     private int _greatestLine;
 
     /// <summary>What is to be said, behind the file's name; null if no lines contradict each other.</summary>
-    public string? Warning => _count == 0 ? null : string.Create(
-        CultureInfo.InvariantCulture,
+    public string? Warning => _count == 0 ? null : Invariant(
         $", line {_firstLine}: position and velocity contradict those of the line before, and so {_count} times, most in line "
             + $"{_greatestLine} by {_greatest / 1000.0:0.0##} km. Either parts were joined without a new block, and states within some "
             + $"lines of such a place may be that far off; or the velocities are of another unit or frame.");

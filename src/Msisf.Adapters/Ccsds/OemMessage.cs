@@ -61,8 +61,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
 
         if (_samples.Count < wanted.Samples && _said is not null)
         {
-            Place.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            Place.Note(Invariant(
                 $"{wanted} needs {wanted.Samples} states, a block has {_samples.Count}: they are used with a lower degree."));
         }
 
@@ -102,7 +101,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _said = ReadInterpolation(DefaultDegree);
         if (_said is { Method: InterpolationMethod.Hermite } said && said.Degree % 2 == 0)
         {
-            Place.Note(string.Create(CultureInfo.InvariantCulture, $"{said} needs an odd degree; {said.Degree + 1} is used."));
+            Place.Note(Invariant($"{said} needs an odd degree; {said.Degree + 1} is used."));
             _said = said with { Degree = said.Degree + 1 };
         }
 
@@ -114,8 +113,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     {
         if (numbers.Length is not (6 or 9))
         {
-            throw Place.Error(string.Create(
-                CultureInfo.InvariantCulture,
+            throw Place.Error(Invariant(
                 $"{numbers.Length} numbers behind the time; 6 are needed (X Y Z X_DOT Y_DOT Z_DOT), or 9 with accelerations."));
         }
 

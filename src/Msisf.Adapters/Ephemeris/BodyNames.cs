@@ -70,7 +70,7 @@ public sealed class BodyNames
 
     /// <summary>"LRO (-85)", or "-123456" where there is no name.</summary>
     public string Describe(int number) => NameOf(number) is { } name
-        ? string.Create(CultureInfo.InvariantCulture, $"{name} ({number})")
+        ? Invariant($"{name} ({number})")
         : number.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>In SPICE names differ neither by case nor by the number of blanks.</summary>

@@ -11,7 +11,6 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
 
     private static readonly int[] PacketWords = [8, 4, 14, 7];
 
-    /// <summary>Numbers of a packet.</summary>
     public int Packet => PacketWords[Subtype];
 
     /// <summary>Reads rate, subtype and window, which stand one after another.</summary>

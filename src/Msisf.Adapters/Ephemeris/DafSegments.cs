@@ -18,7 +18,6 @@ internal static class DafSegments
     /// <summary>The segments of a CK, in the order of the file.</summary>
     public static IEnumerable<CkSegment> OfCk(DafFile file) => file.Summaries.Select(summary => OfCk(file, summary));
 
-    /// <summary>A segment of a CK.</summary>
     public static CkSegment OfCk(DafFile file, DafSummary summary) =>
         summary.Integers[2] switch
         {

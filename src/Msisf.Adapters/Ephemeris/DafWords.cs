@@ -32,8 +32,7 @@ internal sealed class DafWords(DafFile file, DafSummary summary)
         double value = Read(Count - fromEnd, 1)[0];
         return value == Math.Truncate(value) && value >= min && value <= Math.Min(max, int.MaxValue)
             ? (int)value
-            : throw Damaged(string.Create(
-                CultureInfo.InvariantCulture, $"number {fromEnd} from its end is {value:R}, which does not fit its size"));
+            : throw Damaged(Invariant($"number {fromEnd} from its end is {value:R}, which does not fit its size"));
     }
 
     /// <summary>Reads times that must rise.</summary>
@@ -46,8 +45,7 @@ internal sealed class DafWords(DafFile file, DafSummary summary)
         {
             if (!(times[i] > times[i - 1]))
             {
-                throw Damaged(string.Create(
-                    CultureInfo.InvariantCulture, $"its times do not rise: {times[i]:R} follows {times[i - 1]:R}"));
+                throw Damaged(Invariant($"its times do not rise: {times[i]:R} follows {times[i - 1]:R}"));
             }
         }
 
@@ -56,6 +54,5 @@ internal sealed class DafWords(DafFile file, DafSummary summary)
 
     /// <summary>The error for a segment that contradicts itself.</summary>
     /// <param name="what">What was found.</param>
-    public BadInputException Damaged(string what) => file.Damaged(string.Create(
-        CultureInfo.InvariantCulture, $"in the segment of {summary.Integers[0]}, {what}"));
+    public BadInputException Damaged(string what) => file.Damaged(Invariant($"in the segment of {summary.Integers[0]}, {what}"));
 }

@@ -68,7 +68,7 @@ internal sealed class FrameSystem : ISpaceFrames
 
     /// <summary>The name of a frame's number with the number, or that alone.</summary>
     public string Describe(int frame) => NameIfKnown(frame) is { } name
-        ? string.Create(CultureInfo.InvariantCulture, $"{name} ({frame})")
+        ? Invariant($"{name} ({frame})")
         : frame.ToString(CultureInfo.InvariantCulture);
 
     private RotationMatrix FromJ2000(string frame, double tdbSeconds, int links)
@@ -120,13 +120,12 @@ internal sealed class FrameSystem : ISpaceFrames
 
     private int ClassIdOf(string frame, int id) => _pool.WholeNumber(FrameKernel.Variable(_pool, "FRAME", id, frame, "CLASS_ID"));
 
-    private string NameOf(int frame) => NameIfKnown(frame) ?? throw new BadInputException(string.Create(
-        CultureInfo.InvariantCulture,
+    private string NameOf(int frame) => NameIfKnown(frame) ?? throw new BadInputException(Invariant(
         $"A kernel gives data in frame {frame}, which no frame kernel names. Add its FK with --kernels, or use --ephemeris cspice."));
 
     private string? NameIfKnown(int frame)
     {
-        string variable = string.Create(CultureInfo.InvariantCulture, $"FRAME_{frame}_NAME");
+        string variable = Invariant($"FRAME_{frame}_NAME");
         return BuiltIn.FirstOrDefault(known => known.Value == frame).Key
             ?? (_pool.Find(variable) is not null ? _pool.Text(variable) : null);
     }

@@ -74,8 +74,7 @@ public sealed class KernelCatalogue : IDisposable
             select summary.Interval);
         return bodies.Contains(number)
             ? number
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"No kernel has positions of {Names.Describe(number)}. {known} Add its SPK with --spk, or choose another object."));
     }
 

@@ -62,8 +62,7 @@ public sealed record KernelContent(
         CkSegment segment = DafSegments.OfCk(file, summary);
         return attitudes.HasClockOf(segment.Instrument)
             ? (attitudes.CoverOf(segment), null)
-            : (null, string.Create(
-                CultureInfo.InvariantCulture,
+            : (null, Invariant(
                 $"ticks {summary.Interval.Start:R} to {summary.Interval.End:R}: the clock of spacecraft "
                     + $"{attitudes.NumberOfClock(segment.Instrument)} (SCLK) is missing"));
     }
@@ -90,7 +89,7 @@ public sealed record KernelContent(
             .Select(name => name.Split('_')[0]).Distinct().Count();
         string[] parts =
         [
-            string.Create(CultureInfo.InvariantCulture, $"{pool.Names.Count} variables"),
+            Invariant($"{pool.Names.Count} variables"),
             .. Counted(frames, "frame"), .. Counted(instruments, "instrument"), .. Counted(clocks, "clock"),
         ];
         return new KernelContent(
@@ -99,5 +98,5 @@ public sealed record KernelContent(
 
     private static string[] Counted(int count, string what) => count == 0
         ? []
-        : [string.Create(CultureInfo.InvariantCulture, $"{count} {what}{(count == 1 ? string.Empty : "s")}")];
+        : [Invariant($"{count} {what}{(count == 1 ? string.Empty : "s")}")];
 }

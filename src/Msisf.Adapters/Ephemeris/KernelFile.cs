@@ -33,7 +33,6 @@ internal static class KernelFile
                     + $"Get the file anew, or convert it with NAIF's tobin.");
     }
 
-    /// <summary>Opens a text kernel.</summary>
     public static StreamReader OpenText(string path) => new(OpenBinary(path), Encoding.UTF8);
 
     /// <summary>Opens a binary kernel. The stream has no buffer, because each read takes a whole record.</summary>

@@ -71,9 +71,7 @@ public sealed class KernelPool
         KernelVariable variable = Existing(name);
         return variable.Numbers.Count == count
             ? variable.Numbers
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{variable.Source}: {name} has {variable.Numbers.Count} numbers, {count} expected."));
+            : throw new BadInputException(Invariant($"{variable.Source}: {name} has {variable.Numbers.Count} numbers, {count} expected."));
     }
 
     /// <summary>The whole number of a variable that must exist.</summary>
@@ -83,9 +81,7 @@ public sealed class KernelPool
         double value = Numbers(name, 1)[0];
         return value == Math.Truncate(value) && Math.Abs(value) <= int.MaxValue
             ? (int)value
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{Existing(name).Source}: {name} is {value:R}, a whole number expected."));
+            : throw new BadInputException(Invariant($"{Existing(name).Source}: {name} is {value:R}, a whole number expected."));
     }
 
     /// <summary>The single text of a variable that must exist.</summary>

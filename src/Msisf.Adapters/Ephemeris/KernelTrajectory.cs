@@ -34,8 +34,7 @@ public sealed class KernelTrajectory : ITrajectory
     {
         if (!Cover.Contains(tdbSeconds))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{_engine.TimeScale.ToUtc(tdbSeconds).ToIsoUtc()} is outside what the kernels have of {_name}: "
                     + $"{new KernelCover(_engine.TimeScale, Cover).Describe()}. Choose a time inside, or other kernels."));
         }

@@ -36,8 +36,7 @@ public static class LunarOrientation
         ];
         if (segments.FirstOrDefault(segment => segment.Summary.Integers[0] != frame.OrientationBody) is { File: { } other } second)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{other.FileName} has a second orientation of the Moon ({second.Summary.Integers[0]}); {CelestialBody.Moon.Frame} is "
                     + $"defined by {frame.OrientationBody}. Leave out the kernel that is not meant, with its frame kernel."));
         }
@@ -45,9 +44,7 @@ public static class LunarOrientation
         RefuseDifferent(segments);
         string[] binary = [.. segments.Select(segment => Path.GetFileName(segment.File.FileName)).Distinct()];
         string[] text = [.. variables.Select(name => FileOf(catalogue.Pool.Existing(name).Source)).Distinct()];
-        return string.Create(
-            CultureInfo.InvariantCulture,
-            $"orientation {frame.OrientationBody} of {string.Join(", ", binary)}, by {string.Join(", ", text)}");
+        return Invariant($"orientation {frame.OrientationBody} of {string.Join(", ", binary)}, by {string.Join(", ", text)}");
     }
 
     /// <summary>Two files may have the same orientation, as slices of one kernel do; where both hold, they must agree.</summary>

@@ -32,15 +32,13 @@ public static class PoleKernel
         };
         PoleSeries[] all = [orientation.RightAscension, orientation.Declination, orientation.Meridian];
         int terms = all.Max(series => series.Amplitudes.Count);
-        return terms <= orientation.Angles.Count ? orientation : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        return terms <= orientation.Angles.Count ? orientation : throw new BadInputException(Invariant(
             $"{pool.Existing(Name(body.NaifNumber, PoleItem)).Source}: {body.Name} has {terms} periodic terms, but its system has only "
                 + $"{orientation.Angles.Count} angles for them. Get the kernel anew."));
     }
 
     /// <summary>The error for a body without a text kernel.</summary>
-    public static BadInputException Missing(CelestialBody body) => new(string.Create(
-        CultureInfo.InvariantCulture,
+    public static BadInputException Missing(CelestialBody body) => new(Invariant(
         $"No text kernel gives the orientation of {body.Name} ({Name(body.NaifNumber, PoleItem)} and others), from which {body.Frame} is "
             + $"made. Name a meta-kernel that lists one, such as NAIF's pck00011.tpc, with --kernels."));
 
@@ -65,8 +63,7 @@ public static class PoleKernel
         int coefficients = 1 + (pool.Find(degree) is null ? 1 : pool.WholeNumber(degree));
         return coefficients > 1 && variable.Numbers.Count % coefficients == 0
             ? [.. variable.Numbers.Chunk(coefficients)]
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"{variable.Source}: {Name(system, "NUT_PREC_ANGLES")} has {variable.Numbers.Count} numbers; a multiple of {coefficients} "
                     + $"is needed."));
     }
@@ -86,5 +83,5 @@ public static class PoleKernel
         }
     }
 
-    private static string Name(int number, string item) => string.Create(CultureInfo.InvariantCulture, $"BODY{number}_{item}");
+    private static string Name(int number, string item) => Invariant($"BODY{number}_{item}");
 }

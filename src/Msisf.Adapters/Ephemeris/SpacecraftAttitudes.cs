@@ -35,8 +35,7 @@ internal sealed class SpacecraftAttitudes
     {
         if (!_segments.Value.Contains(instrument))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"No CK has the attitude of frame {frame} ({instrument}). Add its CK with --ck."));
+            throw new BadInputException(Invariant($"No CK has the attitude of frame {frame} ({instrument}). Add its CK with --ck."));
         }
 
         double ticks = ClockOf(instrument).TicksAt(tdbSeconds);
@@ -91,7 +90,7 @@ internal sealed class SpacecraftAttitudes
     /// <summary>The clock's number as a frame kernel says it, or as in SPICE that of the spacecraft whose instrument it is.</summary>
     public int NumberOfClock(int instrument)
     {
-        string variable = string.Create(CultureInfo.InvariantCulture, $"CK_{instrument}_SCLK");
+        string variable = Invariant($"CK_{instrument}_SCLK");
         return _pool.Find(variable) is not null ? _pool.WholeNumber(variable) : instrument / 1000;
     }
 }

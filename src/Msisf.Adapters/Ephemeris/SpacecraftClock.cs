@@ -48,8 +48,7 @@ public sealed class SpacecraftClock
         int wrong = Array.FindIndex(_rates, rate => !(rate > 0.0));
         if (wrong >= 0)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"{table.Source}: triple {wrong + 1} of the clock has a rate that is not above 0."));
+            throw new BadInputException(Invariant($"{table.Source}: triple {wrong + 1} of the clock has a rate that is not above 0."));
         }
     }
 
@@ -63,8 +62,7 @@ public sealed class SpacecraftClock
     /// <exception cref="BadInputException">There is none, or it can't be read.</exception>
     public static SpacecraftClock Read(KernelPool pool, int clock, TdbScale scale) => IsIn(pool, clock)
         ? new SpacecraftClock(pool, clock, scale)
-        : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        : throw new BadInputException(Invariant(
             $"No kernel has the clock of spacecraft {clock}, in whose ticks the CK counts. Add its SCLK kernel with --kernels."));
 
     /// <summary>Ticks at a time, with a fraction.</summary>

@@ -126,10 +126,8 @@ internal enum TextKernelTokenKind
     /// <summary>A text in quotes, without them.</summary>
     Text,
 
-    /// <summary>=</summary>
     Assign,
 
-    /// <summary>+=</summary>
     Append,
 
     /// <summary>(</summary>

@@ -48,7 +48,7 @@ public static class AtomicFile
 
     /// <summary>A name beside <paramref name="path"/> that no other process or thread uses, with the same extension.</summary>
     public static string TemporaryNameFor(string path) =>
-        PartialNameFor(path, string.Create(CultureInfo.InvariantCulture, $".{Environment.ProcessId}-{Guid.NewGuid():N}"));
+        PartialNameFor(path, Invariant($".{Environment.ProcessId}-{Guid.NewGuid():N}"));
 
     /// <summary>The name of an unfinished file beside <paramref name="path"/>, with the same extension.</summary>
     /// <param name="path">The final name.</param>

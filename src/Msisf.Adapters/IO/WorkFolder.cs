@@ -28,7 +28,7 @@ public sealed class WorkFolder : IDisposable
         for (int left = Tries; ; left--)
         {
             string path = System.IO.Path.Combine(
-                parent, string.Create(CultureInfo.InvariantCulture, $"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}"));
+                parent, Invariant($"{Prefix}{Environment.ProcessId}-{Guid.NewGuid():N}"));
             Directory.CreateDirectory(path);
             if (TryLock(path, isLast: left == 0) is FileStream heldLock)
             {

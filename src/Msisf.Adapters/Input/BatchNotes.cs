@@ -27,8 +27,7 @@ internal static class BatchNotes
 
         if (columns.Has(BatchNames.Altitude))
         {
-            note?.Invoke(string.Create(
-                CultureInfo.InvariantCulture,
+            note?.Invoke(Invariant(
                 $"{fileName}: column {BatchNames.Altitude} is taken as m over the sphere of {scene.ReferenceRadius:R} m; height takes "
                     + $"terrain+m, height_km kilometres."));
         }
@@ -42,8 +41,7 @@ internal static class BatchNotes
 
         if (states.GreatestEulerAngle is > 0.0 and <= FullTurn)
         {
-            warn?.Invoke(string.Create(
-                CultureInfo.InvariantCulture,
+            warn?.Invoke(Invariant(
                 $"{fileName}: Euler angles are in degrees; none is above {states.GreatestEulerAngle:G3}. If they are radians, "
                     + $"convert them."));
         }

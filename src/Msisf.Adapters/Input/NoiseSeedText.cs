@@ -20,7 +20,7 @@ public static class NoiseSeedText
     }
 
     /// <summary>The text of a seed with its step.</summary>
-    public static string Of(NoiseSeed seed) => string.Create(CultureInfo.InvariantCulture, $"{seed.Number}:{seed.Step}");
+    public static string Of(NoiseSeed seed) => Invariant($"{seed.Number}:{seed.Step}");
 
     private static bool TryParse(string text, out ulong number) =>
         ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);

@@ -149,5 +149,5 @@ public static class StateText
         return values;
     }
 
-    private static string CountOf(int count) => count == 1 ? "1 number" : string.Create(CultureInfo.InvariantCulture, $"{count} numbers");
+    private static string CountOf(int count) => count == 1 ? "1 number" : Invariant($"{count} numbers");
 }

@@ -51,8 +51,7 @@ public static partial class TimeText
         }
 
         return mjd is >= JulianDateOfMjdZero and < EndOfJulianDates
-            ? string.Create(
-                CultureInfo.InvariantCulture,
+            ? Invariant(
                 $"{NumberText.Shown(text)} looks like a Julian Date; its MJD is {mjd - JulianDateOfMjdZero:R} (MJD = JD - 2400000.5)")
             : null;
     }

@@ -35,8 +35,7 @@ internal static unsafe class CFitsio
     {
         if (status != 0)
         {
-            throw new ExternalPartException(string.Create(
-                CultureInfo.InvariantCulture, $"CFITSIO, {function}: {StatusText(status)} (status {status}){TakeMessages()}."));
+            throw new ExternalPartException(Invariant($"CFITSIO, {function}: {StatusText(status)} (status {status}){TakeMessages()}."));
         }
     }
 

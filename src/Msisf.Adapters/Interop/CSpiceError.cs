@@ -16,7 +16,7 @@ internal static class CSpiceError
     {
         if (CSpiceNative.failed_c() != 0)
         {
-            throw Take(function, string.Create(CultureInfo.InvariantCulture, $"{time.ToIsoUtc()}, MJD {time.Days:R}"));
+            throw Take(function, Invariant($"{time.ToIsoUtc()}, MJD {time.Days:R}"));
         }
     }
 
@@ -27,7 +27,7 @@ internal static class CSpiceError
     {
         if (CSpiceNative.failed_c() != 0)
         {
-            throw Take(function, string.Create(CultureInfo.InvariantCulture, $"{ephemerisSeconds:R} s past J2000"));
+            throw Take(function, Invariant($"{ephemerisSeconds:R} s past J2000"));
         }
     }
 

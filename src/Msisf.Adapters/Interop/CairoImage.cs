@@ -98,7 +98,6 @@ internal sealed unsafe class CairoImage : IDisposable
     public void SetColor(double red, double green, double blue, double alpha) =>
         CairoNative.cairo_set_source_rgba(_context, red, green, blue, alpha);
 
-    /// <summary>Draws a line.</summary>
     public void DrawLine(double x1, double y1, double x2, double y2, double width)
     {
         CairoNative.cairo_set_line_width(_context, width);

@@ -58,8 +58,7 @@ internal sealed class FurnishedKernels
         int bytes = Encoding.UTF8.GetByteCount(path);
         if (bytes > MaximumPathBytes)
         {
-            throw new SpiceException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new SpiceException(Invariant(
                 $"{path}: the path has {bytes} bytes; CSPICE takes {MaximumPathBytes} at most. "
                     + $"Move the kernels to a shorter path, or use --ephemeris builtin."));
         }

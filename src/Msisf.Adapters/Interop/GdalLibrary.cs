@@ -103,7 +103,7 @@ internal static unsafe class GdalLibrary
         yield return "libgdal.so";
         for (int version = NewestVersion; version >= OldestVersion; version--)
         {
-            yield return string.Create(CultureInfo.InvariantCulture, $"libgdal.so.{version}");
+            yield return Invariant($"libgdal.so.{version}");
         }
 
         yield return "libgdal.dylib";

@@ -26,8 +26,7 @@ internal static unsafe class GdalMapWriter
         {
             // A raster in memory that GDAL opens by its address, so that it needs no copy; from version 3.10 on only where that is allowed.
             gdal.CPLSetConfigOption(opensMemory, yes);
-            nint memory = Open(gdal, string.Create(
-                CultureInfo.InvariantCulture,
+            nint memory = Open(gdal, Invariant(
                 $"MEM:::DATAPOINTER={(nint)start},PIXELS={map.Samples},LINES={map.Lines},BANDS={map.Bands},DATATYPE={map.Type},"
                     + $"GEOTRANSFORM={map.Corner.Left:R}/{map.Corner.Cell:R}/0/{map.Corner.Top:R}/0/{-map.Corner.Cell:R}"));
             if (memory != 0)

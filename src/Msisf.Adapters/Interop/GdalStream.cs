@@ -53,8 +53,7 @@ internal sealed unsafe class GdalStream : Stream
             int read = (int)_gdal.VSIFReadL(start, 1, (nuint)count, _file);
             if (read == 0 && count > 0 && _position < Length)
             {
-                throw new IOException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new IOException(Invariant(
                     $"the remote file broke off after {_position} of {Length} bytes. Try again, or get the whole file and name it here"));
             }
 

@@ -118,7 +118,7 @@ public static class FitsLayerWriter
         image.Put("EXTNAME", "ROWSTATES", "time and state of each row");
         for (int column = 0; column < RowStates.Names.Count; column++)
         {
-            image.Put(string.Create(CultureInfo.InvariantCulture, $"COLUMN{column + 1}"), RowStates.Names[column], "what NAXIS1 counts");
+            image.Put(Invariant($"COLUMN{column + 1}"), RowStates.Names[column], "what NAXIS1 counts");
         }
 
         foreach (string line in FitsText.Wrap(frame.Globe.Describe(
@@ -151,7 +151,7 @@ public static class FitsLayerWriter
 
         for (int plane = 0; plane < layer.PlaneNames.Count; plane++)
         {
-            image.Put(string.Create(CultureInfo.InvariantCulture, $"PLANE{plane + 1}"), layer.PlaneNames[plane], "what NAXIS3 counts");
+            image.Put(Invariant($"PLANE{plane + 1}"), layer.PlaneNames[plane], "what NAXIS3 counts");
         }
 
         image.Put("ROWORDER", "TOP-DOWN", "first row of the file is the image's top");

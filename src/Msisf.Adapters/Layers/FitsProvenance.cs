@@ -90,7 +90,7 @@ internal static class FitsProvenance
         unit.Put("CAMDIST", distortion.Name, "distortion, before K; docs/cameras.md");
         for (int i = 0; i < distortion.Coefficients.Count; i++)
         {
-            unit.Put(string.Create(CultureInfo.InvariantCulture, $"CAMD{i + 1}"), distortion.Coefficients[i], string.Empty);
+            unit.Put(Invariant($"CAMD{i + 1}"), distortion.Coefficients[i], string.Empty);
         }
     }
 
@@ -98,9 +98,9 @@ internal static class FitsProvenance
     {
         for (int row = 0; row < rows.Count; row++)
         {
-            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_1"), rows[row].X, what);
-            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_2"), rows[row].Y, string.Empty);
-            unit.Put(string.Create(CultureInfo.InvariantCulture, $"{key}{row + 1}_3"), rows[row].Z, string.Empty);
+            unit.Put(Invariant($"{key}{row + 1}_1"), rows[row].X, what);
+            unit.Put(Invariant($"{key}{row + 1}_2"), rows[row].Y, string.Empty);
+            unit.Put(Invariant($"{key}{row + 1}_3"), rows[row].Z, string.Empty);
         }
     }
 

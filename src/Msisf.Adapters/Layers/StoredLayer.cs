@@ -33,7 +33,6 @@ internal sealed class StoredLayer : IDisposable
         _bytes = ArrayPool<byte>.Shared.Rent(_length);
     }
 
-    /// <summary>The layer.</summary>
     public Layer Layer { get; }
 
     /// <summary>Of the stored numbers.</summary>

@@ -81,7 +81,7 @@ public sealed class FrameChecker
 
         if (file.Length != made.Bytes)
         {
-            return string.Create(CultureInfo.InvariantCulture, $"{file.Length} bytes long, {made.Bytes} were written");
+            return Invariant($"{file.Length} bytes long, {made.Bytes} were written");
         }
 
         bool isSame = _depth == CheckDepth.Lengths || FileHash.Sha256Of(file.FullName) == made.Sha256;

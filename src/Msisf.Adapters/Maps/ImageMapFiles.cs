@@ -70,7 +70,7 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
         [
             $"DESCRIPTION={globe.Describe(layer.Layer.Description)}",
             .. layer.Layer.Unit.Length > 0 ? [$"UNIT={layer.Layer.Unit}"] : (string[])[],
-            .. layer.Layer.PlaneNames.Select((name, plane) => string.Create(CultureInfo.InvariantCulture, $"BAND{plane + 1}={name}")),
+            .. layer.Layer.PlaneNames.Select((name, plane) => Invariant($"BAND{plane + 1}={name}")),
         ];
         return layer.Type switch
         {
@@ -105,7 +105,7 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
                 Bands = planes,
                 MoreOptions =
                 [
-                    "-a_nodata", string.Create(CultureInfo.InvariantCulture, $"{none}"), "-co", "OVERVIEW_RESAMPLING=NEAREST",
+                    "-a_nodata", Invariant($"{none}"), "-co", "OVERVIEW_RESAMPLING=NEAREST",
                     .. about.SelectMany(text => (string[])["-mo", text]),
                 ],
             },

@@ -20,8 +20,7 @@ internal static class MapReference
                     $"PARAMETER[\"latitude_of_origin\",{latitude}],PARAMETER[\"scale_factor\",1]"),
             _ => ("orthographic", "Orthographic", $"PARAMETER[\"latitude_of_origin\",{latitude}]"),
         };
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $"PROJCS[\"{globe.Body.Name} {name}\",GEOGCS[\"GCS_{body}\",DATUM[\"D_{body}\","
                 + $"SPHEROID[\"{body}\",{globe.ReferenceRadius:R},0]],PRIMEM[\"Reference_Meridian\",0],"
                 + $"UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"{method}\"],{parameters},"

@@ -21,7 +21,6 @@ internal ref struct ByteText
     /// <summary>Bytes written.</summary>
     public int Length { get; private set; }
 
-    /// <summary>Appends bytes as they are.</summary>
     public void Append(scoped ReadOnlySpan<byte> text)
     {
         text.CopyTo(_destination[Length..]);

@@ -5,10 +5,8 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>The numbers of a crater in an image, by their names in CSV; degrees, m and px, round-trip.</summary>
 internal static class CraterFields
 {
-    /// <summary>Words of the rims.</summary>
     public static string WordOf(CraterRim rim) => rim == CraterRim.Terrain ? "terrain" : "disc";
 
-    /// <summary>Words of the reasons.</summary>
     public static string WordOf(CraterLeftOutReason reason) => reason == CraterLeftOutReason.Hyperbola ? "hyperbola" : "no-ellipse";
 
     /// <summary>The numbers; null where one is not defined.</summary>

@@ -44,7 +44,5 @@ internal static class LandmarkFields
 
     /// <summary>Part, line, sample and half of the cell.</summary>
     private static string Text(FacetId facet) =>
-        string.Create(
-            CultureInfo.InvariantCulture,
-            $"{facet.Part} {facet.Line} {facet.Sample} {(facet.Half == FacetHalf.SouthWest ? "SW" : "NE")}");
+        Invariant($"{facet.Part} {facet.Line} {facet.Sample} {(facet.Half == FacetHalf.SouthWest ? "SW" : "NE")}");
 }

@@ -81,7 +81,7 @@ public static class MetadataXmlWriter
 
     private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
     {
-        return string.Create(CultureInfo.InvariantCulture, $"""
+        return Invariant($"""
             <MSISRendering>
               <GeneralInformation>
                 <SimulationTime>
@@ -112,9 +112,7 @@ public static class MetadataXmlWriter
     }
 
     private static string SurfaceLine(PixelSurface surface, FrameMetadata frame) => surface == PixelSurface.Terrain
-        ? string.Create(
-            CultureInfo.InvariantCulture,
-            $"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")
+        ? Invariant($"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")
         : string.Empty;
 
     /// <summary>The memory of one worker: a row's records and their text.</summary>

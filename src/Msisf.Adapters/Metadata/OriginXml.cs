@@ -56,33 +56,29 @@ internal static class OriginXml
                 + $"referenceRadius=\"{LongE.ToText(globe.ReferenceRadius, digits)}\" unit=\"m\" />",
         ];
 
-    private static string Model(DrawnElevation model) => string.Create(
-        CultureInfo.InvariantCulture,
+    private static string Model(DrawnElevation model) => Invariant(
         $"    <ElevationModel product=\"{XmlText.EscapeAttribute(model.ProductId)}\" synthetic=\"{(model.IsSynthetic ? "yes" : "no")}\""
             + $" drawnFinest=\"{model.FinestDrawn.NumberText}\" drawnCoarsest=\"{model.CoarsestDrawn.NumberText}\" "
             + $"unit=\"{model.FinestDrawn.Unit}\" />");
 
-    private static string Part(ElevationPart part, int number) => string.Create(
-        CultureInfo.InvariantCulture,
+    private static string Part(ElevationPart part, int number) => Invariant(
         $"    <ElevationPart part=\"{number}\" product=\"{XmlText.EscapeAttribute(part.ProductId)}\" "
             + $"synthetic=\"{(part.IsSynthetic ? "yes" : "no")}\" resolution=\"{part.Resolution.NumberText}\" "
             + $"drawn=\"{part.Drawn?.NumberText ?? "no"}\" "
             + $"unit=\"{part.Resolution.Unit}\"{Moved(part.Moved)}{Misfit(part.Misfit)} />");
 
-    private static string Moved(PartMove? moved) => moved is not { } by ? string.Empty : string.Create(
-        CultureInfo.InvariantCulture,
+    private static string Moved(PartMove? moved) => moved is not { } by ? string.Empty : Invariant(
         $" offset=\"{by.Offset:R}\" shiftEast=\"{by.East:R}\" shiftNorth=\"{by.North:R}\" movedUnit=\"m\"");
 
     /// <summary>The misfit at the border, rounded to what it can tell.</summary>
-    private static string Misfit(PartMisfit? misfit) => misfit is null ? string.Empty : string.Create(
-        CultureInfo.InvariantCulture,
+    private static string Misfit(PartMisfit? misfit) => misfit is null ? string.Empty : Invariant(
         $" misfitMean=\"{misfit.HeightMean:F2}\" misfitRms=\"{misfit.HeightRms:F2}\" misfitGreatest=\"{misfit.HeightGreatest:F2}\" "
             + $"misfitUnit=\"m\" slopeMisfitMean=\"{misfit.SlopeMean:F3}\" slopeMisfitRms=\"{misfit.SlopeRms:F3}\" "
             + $"slopeMisfitGreatest=\"{misfit.SlopeGreatest:F3}\" slopeMisfitUnit=\"deg\"");
 
     private static IEnumerable<string> Camera(CameraMatrix camera, LongEDigits digits) =>
     [
-        string.Create(CultureInfo.InvariantCulture, $"    <Camera width=\"{camera.Width}\" height=\"{camera.Height}\">"),
+        Invariant($"    <Camera width=\"{camera.Width}\" height=\"{camera.Height}\">"),
         "      <K unit=\"px\">",
         .. camera.IntrinsicRows.Select(row => Row(row, digits)),
         "      </K>",
@@ -105,8 +101,7 @@ internal static class OriginXml
     private static string Row(Vector3D row, LongEDigits digits) =>
         $"        {LongE.ToText(row.X, digits)} {LongE.ToText(row.Y, digits)} {LongE.ToText(row.Z, digits)}";
 
-    private static string Input(InputFile file) => string.Create(
-        CultureInfo.InvariantCulture,
+    private static string Input(InputFile file) => Invariant(
         $"    <{InputElement} kind=\"{WordOf(file.Kind)}\" name=\"{XmlText.EscapeAttribute(file.Name)}\" bytes=\"{file.Bytes}\""
             + $" {(file.IsOfPieces ? PiecesChecksum : Checksum)}=\"{file.Sha256}\" />");
 }

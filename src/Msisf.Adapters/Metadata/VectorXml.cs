@@ -3,7 +3,6 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>The elements of a meta file that hold a vector or a rotation.</summary>
 internal static class VectorXml
 {
-    /// <summary>A vector.</summary>
     public static string Of(Vector3D v, LongEDigits digits) =>
         $"""<Vector3D x="{LongE.ToText(v.X, digits)}" y="{LongE.ToText(v.Y, digits)}" z="{LongE.ToText(v.Z, digits)}" />""";
 

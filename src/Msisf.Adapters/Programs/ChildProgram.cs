@@ -43,8 +43,7 @@ public sealed record ChildProgram(string Program, IReadOnlyList<string> Argument
             await Task.WhenAny(
                 process.WaitForExitAsync(CancellationToken.None), Task.Delay(LongestKill, CancellationToken.None)).ConfigureAwait(false);
             cancellation.ThrowIfCancellationRequested();
-            throw new TimeoutException(
-                string.Create(CultureInfo.InvariantCulture, $"{Program} was ended after {TimeLimit!.Value.TotalSeconds:R} s"));
+            throw new TimeoutException(Invariant($"{Program} was ended after {TimeLimit!.Value.TotalSeconds:R} s"));
         }
     }
 

@@ -27,7 +27,6 @@ internal static class FileNames
         ? FindIgnoringCase(Path.ChangeExtension(path, ".LBL")) ?? path
         : path;
 
-    /// <summary>The folder of a file.</summary>
     public static string FolderOf(string path) => Path.GetDirectoryName(path) is { Length: > 0 } folder ? folder : ".";
 
     /// <summary>Names for a message: all of a few, the first of many.</summary>

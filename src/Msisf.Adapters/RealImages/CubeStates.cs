@@ -68,8 +68,7 @@ public sealed class CubeStates
 
     private double Within(SampleTimes times, double tdbSeconds, string name) => Covers(times, tdbSeconds)
         ? Math.Clamp(tdbSeconds, times.First, times.Last)
-        : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        : throw new BadInputException(Invariant(
             $"{_path}: table {name} reaches from {times.First:F3} to {times.Last:F3} (TDB seconds past J2000), and the image needs "
                 + $"{tdbSeconds:F3}. The cube's tables are not of these times: run ISIS's spiceinit on it again."));
 

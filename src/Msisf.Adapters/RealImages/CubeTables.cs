@@ -60,8 +60,7 @@ public sealed class CubeTables
         });
         if (!isWhole)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{file}: table {table.RequiredText("Name")} needs {bytes.Length} bytes from byte {start + 1} on: the file is cut off. Get "
                     + $"it again."));
         }

@@ -68,8 +68,7 @@ public sealed record PixelLayout(
         long length = File.Exists(Path) ? new FileInfo(Path).Length : 0;
         return length >= End || (length <= Offset
             ? false
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"{Path}: {length} bytes, and its label says {End}: the pixels are cut off. Get the file again.")));
     }
 

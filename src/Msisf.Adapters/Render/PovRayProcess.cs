@@ -72,13 +72,12 @@ public sealed class PovRayProcess
         string[] own =
         [
             $"+I{SceneName}", $"+O{ImageName}", $"+L{PatternLink}", "+FN8", "-D",
-            string.Create(CultureInfo.InvariantCulture, $"+W{job.Width}"),
-            string.Create(CultureInfo.InvariantCulture, $"+H{job.Height}"),
-            string.Create(CultureInfo.InvariantCulture, $"+WT{job.Threads}"),
+            Invariant($"+W{job.Width}"),
+            Invariant($"+H{job.Height}"),
+            Invariant($"+WT{job.Threads}"),
         ];
         string[] rows = job.Rows is PixelRows some
-            ? [string.Create(
-                CultureInfo.InvariantCulture, $"+SR{some.First + 1}"), string.Create(CultureInfo.InvariantCulture, $"+ER{some.End}")]
+            ? [Invariant($"+SR{some.First + 1}"), Invariant($"+ER{some.End}")]
             : [];
         return [.. own, .. rows, .. DefaultOptions, .. job.Options];
     }
@@ -111,7 +110,7 @@ public sealed class PovRayProcess
         string said = LastLines(output) is { Length: > 0 } lines ? lines : "it printed nothing";
         throw new PovRayException(result.ExitCode == 0
             ? $"{command}: ended without an image: {said}"
-            : string.Create(CultureInfo.InvariantCulture, $"{command}: exit code {result.ExitCode}: {said}"));
+            : Invariant($"{command}: exit code {result.ExitCode}: {said}"));
     }
 
     private static string LastLines(string output) =>

@@ -37,8 +37,7 @@ public static class VideoEncoder
         ProcessResult result = await new ChildProgram(program, arguments).RunAsync(cancellation).ConfigureAwait(false);
         if (result.ExitCode != 0)
         {
-            throw new ExternalPartException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new ExternalPartException(Invariant(
                 $"{program} failed with exit code {result.ExitCode}: {result.Error.Trim().ReplaceLineEndings(" ")}"));
         }
     }

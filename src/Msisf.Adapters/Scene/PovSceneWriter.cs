@@ -68,8 +68,7 @@ public static class PovSceneWriter
     /// <param name="scene">What.</param>
     public static void Write(TextWriter writer, RenderScene scene)
     {
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"// povray +W{scene.Camera.Width} +H{scene.Camera.Height} +L<pattern-repository>/{scene.PatternFolder} <this file>\n"));
         writer.Write("#version 3.7;\n\n");
         if (scene.Light.IsSun)
@@ -81,8 +80,7 @@ public static class PovSceneWriter
         if (isMoved)
         {
             writer.Write($"// km, MOON_ME: the origin of this scene\n#declare Origin = {Vector(scene.Axes.OriginBodyFixed / 1000.0)};\n");
-            writer.Write(string.Create(
-                CultureInfo.InvariantCulture, $"#declare UnitsPerKilometre = {scene.Axes.UnitsPerKilometre:R};\n"));
+            writer.Write(Invariant($"#declare UnitsPerKilometre = {scene.Axes.UnitsPerKilometre:R};\n"));
         }
 
         WriteTexture(writer, scene.Albedo, isMoved);
@@ -115,15 +113,13 @@ public static class PovSceneWriter
     private static void WriteTexture(TextWriter writer, SceneAlbedo? albedo, bool isMoved)
     {
         writer.Write("#declare moon = texture\n{\n");
-        writer.Write(albedo is null ? EvenGrey : string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(albedo is null ? EvenGrey : Invariant(
             $"    pigment\n    {{\n        image_map {{ png \"{albedo.ImageName}\" gamma 1.0 map_type 0 interpolate 2 }}\n"
                 + $"        scale <1, {(albedo.Rows + 2.0) / albedo.Rows:R}, 1>\n        translate <0, {-1.0 / albedo.Rows:R}, 0>\n"
                 + $"        warp {{ spherical }}\n"
                 + $"        matrix <1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0>\n        rotate <0, 0, {albedo.WestDegrees:R}>\n"
                 + $"{(isMoved ? "        translate -Origin\n        scale UnitsPerKilometre\n" : string.Empty)}    }}\n"));
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"    finish\n    {{\n        ambient 0.0\n        diffuse {albedo?.Diffuse ?? EvenDiffuse:R}\n    }}\n}}\n\n"));
     }
 
@@ -131,5 +127,5 @@ public static class PovSceneWriter
         writer.Write(block.ReplaceLineEndings("\n") + "\n");
 
     private static string Vector(Vector3D v) =>
-        string.Create(CultureInfo.InvariantCulture, $"<{v.X:R}, {v.Y:R}, {v.Z:R}>");
+        Invariant($"<{v.X:R}, {v.Y:R}, {v.Z:R}>");
 }

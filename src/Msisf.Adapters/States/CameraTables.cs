@@ -58,7 +58,7 @@ public static class CameraTables
         writer.WriteLine("# The camera is the body: x right, y down, z along the line of sight. Pixel centres are whole numbers from 0.");
         writer.WriteLine("sensor_type: camera");
         writer.WriteLine($"T_BS:\n  cols: 4\n  rows: 4\n  data: [{StateTables.Identity}]");
-        writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"resolution: [{camera.Width}, {camera.Height}]"));
+        writer.WriteLine(Invariant($"resolution: [{camera.Width}, {camera.Height}]"));
         writer.WriteLine("camera_model: pinhole");
         writer.WriteLine(
             "intrinsics: [" + Listed(

@@ -25,8 +25,7 @@ public static class CcsdsWriter
         if (states.Count > 1)
         {
             writer.WriteLine("INTERPOLATION = LAGRANGE");
-            writer.WriteLine(string.Create(
-                CultureInfo.InvariantCulture, $"INTERPOLATION_DEGREE = {Math.Min(HighestDegree, states.Count - 1)}"));
+            writer.WriteLine(Invariant($"INTERPOLATION_DEGREE = {Math.Min(HighestDegree, states.Count - 1)}"));
         }
 
         writer.WriteLine("META_STOP");

@@ -106,7 +106,7 @@ public static class StateTables
         decimal seconds = Math.Round((decimal)time.SecondsOfDay, 9);
         DateTime minute = MjdZero.AddDays(time.DayNumber).AddMinutes((double)Math.Floor(seconds / 60m));
         decimal second = seconds - (60m * Math.Floor(seconds / 60m));
-        return string.Create(CultureInfo.InvariantCulture, $"{minute:yyyy-MM-dd'T'HH:mm}:{second:00.000000000}");
+        return Invariant($"{minute:yyyy-MM-dd'T'HH:mm}:{second:00.000000000}");
     }
 
     private static string UnixSeconds(ModifiedJulianDate time) => UnixTime(time).ToString("F9", CultureInfo.InvariantCulture);

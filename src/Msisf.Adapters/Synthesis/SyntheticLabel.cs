@@ -18,10 +18,8 @@ internal sealed record SyntheticLabel
     /// <summary>Lines of the image.</summary>
     public required int Lines { get; init; }
 
-    /// <summary>Samples of a line.</summary>
     public required int LineSamples { get; init; }
 
-    /// <summary>The body.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>How samples are stored.</summary>
@@ -37,7 +35,7 @@ internal sealed record SyntheticLabel
     /// <param name="writer">Receives the text, lines ended by LF.</param>
     /// <param name="minimum">Minimum sample in the image.</param>
     /// <param name="maximum">Maximum sample in the image.</param>
-    public void Write(TextWriter writer, double minimum, double maximum) => writer.Write(string.Create(CultureInfo.InvariantCulture, $$"""
+    public void Write(TextWriter writer, double minimum, double maximum) => writer.Write(Invariant($$"""
         PDS_VERSION_ID            = "PDS3"
 
         /*** GENERAL DATA DESCRIPTION PARAMETERS ***/

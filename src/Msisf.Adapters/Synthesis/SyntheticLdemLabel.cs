@@ -48,7 +48,7 @@ internal static class SyntheticLdemLabel
             ? "nothing (a made-up global shape)"
             : $"{options.Base.ProductId} ({options.Base.PixelsPerDegree.ToString(CultureInfo.InvariantCulture)} pix/deg), "
                 + $"whose pixel means it keeps";
-        return string.Create(CultureInfo.InvariantCulture, $"""
+        return Invariant($"""
                A shape map (radius) of {product.BodyInText} at a resolution of {scale} m/pix by
                {scale} m/pix, computed from the seed
                {options.Seed}, continuing
@@ -87,8 +87,7 @@ internal static class SyntheticLdemLabel
         }
 
         MoonRegion region = product.Region;
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $",\n   in latitudes {region.SouthDegrees} to {region.NorthDegrees} and longitudes {region.WestDegrees} to "
                 + $"{region.EastLongitude} only; the rest\n   is {(product.Rest == SyntheticRest.Base ? "interpolated" : "flat")}");
     }

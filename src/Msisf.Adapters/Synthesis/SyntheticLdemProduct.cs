@@ -25,7 +25,7 @@ public sealed record SyntheticLdemProduct(int PixelsPerDegree, MoonRegion Region
         get
         {
             string kind = Body.IsMoon ? "LDEM" : $"{Body.CapitalName}_DEM";
-            string whole = string.Create(CultureInfo.InvariantCulture, $"{kind}_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
+            string whole = Invariant($"{kind}_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
             return Region == MoonRegion.WholeMoon ? whole : $"{whole}_{LdemPartName.BordersOf(Region)}";
         }
     }

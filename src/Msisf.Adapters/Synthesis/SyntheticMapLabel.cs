@@ -17,7 +17,7 @@ internal static class SyntheticMapLabel
         return new SyntheticLabel
         {
             ProductId = options.ProductId,
-            Description = string.Create(CultureInfo.InvariantCulture, $"""
+            Description = Invariant($"""
                    A shape map (radius) of a Moon at a scale of {scale} m/pix,
                    computed from the seed
                    {options.Seed}, continuing

@@ -31,8 +31,7 @@ public sealed record SyntheticMapOptions(bool IsSouth, double MetresPerPixel, do
     public PolarStereographic Projection => new(IsSouth, MetresPerPixel, 0.5 * (Side - 1), 0.5 * (Side - 1));
 
     /// <summary>E.g. "LDEM_80S_20M_SYNTHETIC", "LDEM_875N_5M_SYNTHETIC", named as in the LOLA archive.</summary>
-    public string ProductId => string.Create(
-        CultureInfo.InvariantCulture,
+    public string ProductId => Invariant(
         $"LDEM_{LatitudeDegrees:R}{(IsSouth ? 'S' : 'N')}_").Replace(".", string.Empty, StringComparison.Ordinal)
-        + string.Create(CultureInfo.InvariantCulture, $"{MetresPerPixel:R}M_{LdemLabel.SyntheticMark}");
+        + Invariant($"{MetresPerPixel:R}M_{LdemLabel.SyntheticMark}");
 }

@@ -80,8 +80,7 @@ internal static class SyntheticProductFiles
         const long ForTheLabel = 65536;
         if (free < needed + ForTheLabel)
         {
-            throw new ExternalPartException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new ExternalPartException(Invariant(
                 $"{folder}: the model needs {needed / Megabyte:0.0} MB and the disk has {free / Megabyte:0.0} MB free. "
                     + $"Make room, take another folder, or a --region with --rest flat."));
         }

@@ -36,8 +36,8 @@ public sealed record SyntheticSampleFormat(LdemSampleType Type)
     /// <summary>OFFSET of the label.</summary>
     /// <param name="referenceRadius">m.</param>
     public string OffsetOf(double referenceRadius) => IsInteger
-        ? string.Create(CultureInfo.InvariantCulture, $"{referenceRadius:0}.")
-        : string.Create(CultureInfo.InvariantCulture, $"{referenceRadius / MetresPerKilometre}");
+        ? Invariant($"{referenceRadius:0}.")
+        : Invariant($"{referenceRadius / MetresPerKilometre}");
 
     /// <summary>Writes a row of heights.</summary>
     /// <param name="line">Line in the whole Moon's grid, for messages.</param>
@@ -77,8 +77,7 @@ public sealed record SyntheticSampleFormat(LdemSampleType Type)
         double units = Math.Round(height / IntegerStep);
         return units is >= short.MinValue and <= short.MaxValue
             ? units
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"Line {line}, sample {sample}: the height {height} m does not fit 16 bits of 0.5 m. "
                     + $"Take --sample-type float32, another seed or another base."));
     }

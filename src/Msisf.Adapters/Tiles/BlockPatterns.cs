@@ -39,9 +39,8 @@ public sealed class BlockPatterns
 
     /// <summary>File name of a block's pattern, without folder.</summary>
     public string FileNameOf(SceneBlock block) => _blocks.ProductIdOf(block) is { } product
-        ? string.Create(
-            CultureInfo.InvariantCulture, $"pattern_{block.Part}_{NameOf(product)}{_levels}_block_{block.Row}_{block.Column}.inc")
-        : string.Create(CultureInfo.InvariantCulture, $"pattern_{block.Part}{_levels}_seams_{block.Column}.inc");
+        ? Invariant($"pattern_{block.Part}_{NameOf(product)}{_levels}_block_{block.Row}_{block.Column}.inc")
+        : Invariant($"pattern_{block.Part}{_levels}_seams_{block.Column}.inc");
 
     /// <summary>Name of the folder of a surface, which has the patterns of all its levels.</summary>
     public static string FolderNameOf(ITerrain terrain) => NameOf(terrain.ProductId);

@@ -36,11 +36,10 @@ internal static class PatternHeader
         SurfacePart part = layout.Part;
         string place = layout.Part == SurfacePart.Whole(part.Tile)
             ? string.Empty
-            : string.Create(CultureInfo.InvariantCulture, $" level={part.Level} part={part.Row}_{part.Column}_of_{part.Subdivisions}");
-        string skirt = layout.HasSkirt ? string.Create(CultureInfo.InvariantCulture, $" wall-foot={skirtFootRadius:R}") : string.Empty;
+            : Invariant($" level={part.Level} part={part.Row}_{part.Column}_of_{part.Subdivisions}");
+        string skirt = layout.HasSkirt ? Invariant($" wall-foot={skirtFootRadius:R}") : string.Empty;
         (int vertices, int faces) = TileMesh.CountsOf(layout);
-        return Encoding.ASCII.GetBytes(string.Create(
-            CultureInfo.InvariantCulture,
+        return Encoding.ASCII.GetBytes(Invariant(
             $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} "
                 + $"tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{skirt} samples-sha256={Hash(radii)} "
                 + $"vertices={vertices} faces={faces} bytes="));
@@ -50,12 +49,9 @@ internal static class PatternHeader
     public static byte[] WithoutLength(SceneBlocks blocks, SceneBlock block, IReadOnlyList<BlockMesh> meshes)
     {
         string place = blocks.ProductIdOf(block) is { } product
-            ? string.Create(
-                CultureInfo.InvariantCulture,
-                $"product={BlockPatterns.NameOf(product)} model={block.Part} block={block.Row}_{block.Column}")
-            : string.Create(CultureInfo.InvariantCulture, $"seams={block.Column}");
-        return Encoding.ASCII.GetBytes(string.Create(
-            CultureInfo.InvariantCulture,
+            ? Invariant($"product={BlockPatterns.NameOf(product)} model={block.Part} block={block.Row}_{block.Column}")
+            : Invariant($"seams={block.Column}");
+        return Encoding.ASCII.GetBytes(Invariant(
             $"{Mark}{BlockFormatVersion} format=mesh2 {place} sides={(blocks.IsClosed ? "both" : "outside")} meshes={meshes.Count} "
                 + $"facets-sha256={Hash(meshes)} vertices={meshes.Sum(mesh => mesh.VertexCount)} "
                 + $"faces={meshes.Sum(mesh => mesh.FaceCount)} bytes="));

@@ -16,8 +16,7 @@ public readonly record struct PatternOptions
     {
         if (!(marginDegrees >= 0.0 && marginDegrees <= MaxMarginDegrees))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The margin is {marginDegrees:R} degrees; 0 (tiles meet without one) to {MaxMarginDegrees:R} degrees are possible."));
         }
 

@@ -48,7 +48,7 @@ public sealed class PatternRepository : IDisposable
     /// <param name="pixelsPerDegree">Samples a degree of the model itself, whatever the part's level.</param>
     public string PathOf(SurfacePart part, int pixelsPerDegree) => Path.Combine(
         FolderOf(pixelsPerDegree),
-        string.Create(CultureInfo.InvariantCulture, $"pattern_LDEM_{pixelsPerDegree}_{part.NameText}.inc"));
+        Invariant($"pattern_LDEM_{pixelsPerDegree}_{part.NameText}.inc"));
 
     /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
     /// <param name="tiles">The tiles; double ones count once.</param>

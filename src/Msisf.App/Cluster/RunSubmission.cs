@@ -42,7 +42,7 @@ internal sealed class RunSubmission
 
         ConvertedRun run = new RunConversion(host).Convert(
             values, call, ScriptFormat.Slurm, settings => Path.Combine(settings.OutputFolder, ScriptOptions.SlurmScriptName), cancellation);
-        host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{run.FrameCount} frames in {run.PieceCount} pieces, {run.Script}."));
+        host.Log.Note(Invariant($"{run.FrameCount} frames in {run.PieceCount} pieces, {run.Script}."));
         ProcessResult answer = await slurm.CallAsync("sh", [run.Script], cancellation).ConfigureAwait(false);
         host.Results.Write(answer.Output);
         return answer.ExitCode == 0

@@ -32,8 +32,7 @@ internal static class ScriptText
     {
         if (script.Pieces.Count > MaxSlurmPieces)
         {
-            throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new UsageException(Invariant(
                 $"{script.Pieces.Count} pieces; a Slurm array has {MaxSlurmPieces} at most on a cluster with the usual MaxArraySize. "
                     + $"Use --pieces {MaxSlurmPieces}: a piece may have any number of frames."));
         }

@@ -95,11 +95,9 @@ internal sealed class SlurmWatch
         _lastDone = done;
         double rate = (done - before) / time.TotalSeconds;
         string left = rate > 0.0
-            ? string.Create(
-                CultureInfo.InvariantCulture,
-                $", {rate:0.##} a second, {TimeSpan.FromSeconds(Math.Round((_run.FrameCount - done) / rate)):c} left")
+            ? Invariant($", {rate:0.##} a second, {TimeSpan.FromSeconds(Math.Round((_run.FrameCount - done) / rate)):c} left")
             : string.Empty;
-        _host.Log.Note(string.Create(CultureInfo.InvariantCulture, $"{done} of {_run.FrameCount} frames{left}"));
+        _host.Log.Note(Invariant($"{done} of {_run.FrameCount} frames{left}"));
     }
 
     private int? Result()

@@ -13,7 +13,6 @@ internal sealed record DataSetCard
     /// <summary>Name of the card for programs.</summary>
     public const string JsonName = "card.json";
 
-    /// <summary>Name of the card's plots.</summary>
     public const string PlotsName = "card.svg";
 
     private static readonly JsonSerializerOptions Indented = new()
@@ -129,8 +128,7 @@ internal sealed record DataSetCard
         }
 
         string pairs = Spec.HasPairs ? ", two and two of which are a pair" : string.Empty;
-        writer.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.WriteLine(Invariant(
             $"{Spec.Images} images of {Camera.Width} x {Camera.Height} px{pairs}, made by msis {Version} from "
                 + $"{Path.GetFileName(Spec.Path)} (SHA-256 {Spec.Sha256}). States at {(Spec.IsSobol ? "Sobol's" : "random")} points, "
                 + $"seed {Spec.Seed}."));
@@ -151,10 +149,9 @@ internal sealed record DataSetCard
             ]));
         writer.WriteLine("## Distributions\n");
         string elevation = Spec.Accept.SunElevation is { } range
-            ? string.Create(CultureInfo.InvariantCulture, $", Sun from {range.Min:R} to {range.Max:R} degrees high")
+            ? Invariant($", Sun from {range.Min:R} to {range.Max:R} degrees high")
             : string.Empty;
-        writer.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.WriteLine(Invariant(
             $"Conditions: at least {Spec.Accept.Ground:R} of the image is ground, {Spec.Accept.Lit:R} of that is lit{elevation}. "
                 + $"Bars: obtained; lines: asked for, before the conditions.\n"));
         writer.WriteLine($"![Histograms]({PlotsName})\n");

@@ -174,8 +174,7 @@ internal sealed class DataSetFile
                 text => quantity == Quantity.Time ? TimeText.Parse(text).Days : NumberOf(text));
             return distribution.Min >= quantity.Least && distribution.Max <= quantity.Greatest
                 ? distribution
-                : throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                : throw new BadInputException(Invariant(
                     $"{distribution} goes beyond what is possible: {quantity.Least:R} to {quantity.Greatest:R} {quantity.Unit}")
                     .TrimEnd());
         }

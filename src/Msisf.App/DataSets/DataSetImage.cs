@@ -7,7 +7,6 @@ namespace Msisf.App.DataSets;
 /// <param name="Files">Its files, the image first.</param>
 internal sealed record DataSetImage(int Number, DrawnState Drawn, IReadOnlyList<OutputFile> Files)
 {
-    /// <summary>Name of the image file.</summary>
     public string FileName => Files[0].Name;
 
     /// <summary>The path of one of its files by its ending; null if there is none.</summary>

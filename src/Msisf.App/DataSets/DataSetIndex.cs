@@ -11,7 +11,6 @@ namespace Msisf.App.DataSets;
 /// <summary>Writes the index of a data set: all images in CSV, and each split in the formats that are wished.</summary>
 internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraModel camera)
 {
-    /// <summary>Name of the index in CSV.</summary>
     public const string CsvName = "index.csv";
 
     private static readonly Quantity[] Drawn =

@@ -102,9 +102,7 @@ internal sealed class DataSetRun
         DrawnStates drawn = new StateDraw(_spec, _settings, geometry, ephemeris.Engine, probe).Run(progress, cancellation);
         foreach (SplitDraw draw in drawn.Splits)
         {
-            _host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{draw.Split.Name}: {draw.Split.Count} of {draw.Candidates} states meet the conditions."));
+            _host.Log.Note(Invariant($"{draw.Split.Name}: {draw.Split.Count} of {draw.Candidates} states meet the conditions."));
         }
 
         return drawn;
@@ -141,9 +139,7 @@ internal sealed class DataSetRun
             .CountOf(FrameState.Complete);
         if (there < drawn.States.Count)
         {
-            _host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{there} of {drawn.States.Count} images are there; index and card are written when all are."));
+            _host.Log.Note(Invariant($"{there} of {drawn.States.Count} images are there; index and card are written when all are."));
             return;
         }
 

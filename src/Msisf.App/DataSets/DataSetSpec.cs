@@ -11,7 +11,6 @@ internal sealed record DataSetSpec
     /// <summary>SHA-256 of the file, hexadecimal.</summary>
     public required string Sha256 { get; init; }
 
-    /// <summary>Name of the data set.</summary>
     public required string Name { get; init; }
 
     /// <summary>What it is for; null if the file does not say it.</summary>
@@ -50,7 +49,6 @@ internal sealed record DataSetSpec
     /// <summary>The options of the run.</summary>
     public required OptionValues Options { get; init; }
 
-    /// <summary>Number of images.</summary>
     public int Images => Splits.Sum(split => split.Count) * (HasPairs ? 2 : 1);
 }
 

@@ -17,15 +17,13 @@ internal static class HistogramPlots
     public static void Write(TextWriter writer, IReadOnlyList<Histogram> histograms)
     {
         int rows = (histograms.Count + Columns - 1) / Columns;
-        writer.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.WriteLine(Invariant(
             $"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{Columns * PlotWidth}\" height=\"{rows * PlotHeight}\" "
                 + $"font-family=\"sans-serif\" font-size=\"12\">"));
         writer.WriteLine("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>");
         for (int index = 0; index < histograms.Count; index++)
         {
-            writer.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
+            writer.WriteLine(Invariant(
                 $"<g transform=\"translate({(index % Columns * PlotWidth) + Left},{(index / Columns * PlotHeight) + Top})\">"));
             writer.Write(Plot(histograms[index]));
             writer.WriteLine("</g>");
@@ -50,8 +48,8 @@ internal static class HistogramPlots
 
         if (histogram.Expected.Count > 0)
         {
-            string points = string.Join(' ', histogram.Expected.Select((count, bin) => string.Create(
-                CultureInfo.InvariantCulture, $"{(bin + 0.5) * step:0.##},{BarsHeight * (1.0 - (count / highest)):0.##}")));
+            string points = string.Join(' ', histogram.Expected.Select((count, bin) => Invariant(
+                $"{(bin + 0.5) * step:0.##},{BarsHeight * (1.0 - (count / highest)):0.##}")));
             Line($"<polyline points=\"{points}\" fill=\"none\" stroke=\"#c8501e\" stroke-width=\"2\"/>");
         }
 

@@ -113,8 +113,7 @@ internal static partial class SplitSection
         double sum = shares.Sum();
         if (Math.Abs(sum - 1.0) > 1e-6)
         {
-            throw section.Wrong(names[0], string.Create(
-                CultureInfo.InvariantCulture, $"the shares of the splits add up to {sum:R}, not to 1"));
+            throw section.Wrong(names[0], Invariant($"the shares of the splits add up to {sum:R}, not to 1"));
         }
 
         double width = section.Positive(Width) ?? DefaultWidth;
@@ -123,8 +122,7 @@ internal static partial class SplitSection
         width = (whole.East - whole.West) / lunes;
         if (gap >= width)
         {
-            throw section.Wrong(section.Has(Gap) ? Gap : names[0], string.Create(
-                CultureInfo.InvariantCulture,
+            throw section.Wrong(section.Has(Gap) ? Gap : names[0], Invariant(
                 $"the regions of the splits are {width:G4} degrees of longitude wide, and the gap between them is {gap:R}. Make that "
                     + $"smaller, or the region wider"));
         }

@@ -98,7 +98,7 @@ internal sealed class StateDraw
         : drawn with { State = drawn.State with { Noise = new NoiseSeed(_spec.NoiseSeed, (ulong)index + 1) } };
 
     private static string Listed(SortedDictionary<string, int> rejected) =>
-        string.Join(", ", rejected.Select(entry => string.Create(CultureInfo.InvariantCulture, $"'{entry.Key}' {entry.Value}")));
+        string.Join(", ", rejected.Select(entry => Invariant($"'{entry.Key}' {entry.Value}")));
 
     /// <summary>The states of the next points, each with the condition that it does not meet.</summary>
     private (DrawnState[] States, string? Failed)[] Looked(

@@ -127,9 +127,7 @@ internal static class AlbedoSource
         log.Note($"Albedo: {map.Name}, {map.Map.Levels[0].Width} x {map.Map.Levels[0].Height} px.");
         if (map.Factor is { } factor)
         {
-            log.Note(string.Create(
-                CultureInfo.InvariantCulture,
-                $"Its values times {factor:G6} count as reflectances in the geometry of the map around it."));
+            log.Note(Invariant($"Its values times {factor:G6} count as reflectances in the geometry of the map around it."));
         }
     }
 }

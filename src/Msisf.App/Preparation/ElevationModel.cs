@@ -161,8 +161,7 @@ internal sealed class ElevationModel : IDisposable
             {
                 IGroundDetail ground = InventedGround.Of(detail.Seed, RefinedTerrain.RequireWhole(Grid).Grounds);
                 RefinedTerrain terrain = new(Grid, ground, detail.FinestLevel);
-                host.Log.Note(string.Create(
-                    CultureInfo.InvariantCulture,
+                host.Log.Note(Invariant(
                     $"Detail: INVENTED below the resolution of {Grid.ProductId}, from seed {detail.Seed}, in cells of {detail.Cell:R} m "
                         + $"and wider; it is not on the real Moon."));
                 return new ElevationModel(terrain, this, isClosedWithIt ? [this] : []);

@@ -75,8 +75,7 @@ internal static class FrameSetup
 
         if (renderer == RendererKind.PovRay && distance > PovSceneWriter.MaxDistance)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"the camera of step {step} is {distance:E3} m from the Moon's centre; "
                     + $"POV-Ray draws nothing beyond {PovSceneWriter.MaxDistance:E0} m. "
                     + $"Use --renderer native, or move it closer on the same line, with a field of view that is larger by as much."));

@@ -68,8 +68,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         double count = Path.Cover.Intervals.Sum(interval => Math.Floor((interval.End - interval.Start) / step) + 1.0);
         return count <= MaxImages
             ? Path.Cover.Intervals.SelectMany(interval => Steps(interval, step))
-            : throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new UsageException(Invariant(
                 $"{MissionOptions.Every.Name} {step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
                     + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."))
                 .About(MissionOptions.Every);

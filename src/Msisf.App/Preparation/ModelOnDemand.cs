@@ -10,10 +10,8 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host) :
 {
     private ElevationModel? _model;
 
-    /// <summary>Whether the model is open.</summary>
     public bool IsOpen => _model is not null;
 
-    /// <summary>The model.</summary>
     public ElevationModel Opened => _model ??= host.Times.Measure(
         Phase.Model, () => settings.Native.Refine is { } refine ? Open().Refined(refine, host) : Open());
 

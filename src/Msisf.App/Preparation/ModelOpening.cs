@@ -50,8 +50,7 @@ internal static class ModelOpening
         {
             LdemMapImage band = SurfaceOptions.Ldem.NamedInErrors(() => LdemMapImage.Open(set));
             Tell(set, host.Log);
-            host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            host.Log.Note(Invariant(
                 $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
                     + $"degrees; beyond them there is no ground."));
             return new ElevationModel(band, set, band);
@@ -164,8 +163,7 @@ internal static class ModelOpening
             : $"Elevation: {set.ProductId} ({set.Description}).");
         if (set.Parts[0].Offset != set.ReferenceRadius)
         {
-            log.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            log.Note(Invariant(
                 $"Its heights are over a sphere of {set.Parts[0].Offset / 1000.0:R} km; they are turned into heights over "
                     + $"{MoonConstants.ReferenceRadius / 1000.0:R} km."));
         }
@@ -177,24 +175,20 @@ internal static class ModelOpening
         foreach (BorderMisfit misfit in misfits)
         {
             (MisfitNumbers height, MisfitNumbers slope) = (misfit.Height, misfit.Slope);
-            string numbers = string.Create(
-                CultureInfo.InvariantCulture,
+            string numbers = Invariant(
                 $"along its border it lies {Off(height.Mean)} it in the mean ({height.Rms:F1} m rms), at most {Off(height.Greatest)}, and "
                     + $"rises inwards {Degrees(slope.Mean):F1} degrees more steeply ({Degrees(slope.Rms):F1} rms, at most "
                     + $"{Degrees(slope.Greatest):F1}).");
             string remedy = nested.Blend == NestBlend.Outward
-                ? string.Create(
-                    CultureInfo.InvariantCulture,
-                    $"The difference is carried into that ground over {misfit.BlendedMetres / 1000.0:F1} km and more.")
-                : string.Create(
-                    CultureInfo.InvariantCulture, $"Over its outermost {misfit.BlendedMetres:F0} m it is bent to meet that ground.");
+                ? Invariant($"The difference is carried into that ground over {misfit.BlendedMetres / 1000.0:F1} km and more.")
+                : Invariant($"Over its outermost {misfit.BlendedMetres:F0} m it is bent to meet that ground.");
             log.Note(height.Rms <= MisfitWorthANote
                 ? $"{misfit.ProductId} meets the ground of the models around it: {numbers}"
                 : $"{misfit.ProductId} does not meet the ground of the models around it: {numbers} {remedy}");
         }
 
         static string Off(double metres) =>
-            string.Create(CultureInfo.InvariantCulture, $"{Math.Abs(metres):F1} m {(metres < 0.0 ? "below" : "above")}");
+            Invariant($"{Math.Abs(metres):F1} m {(metres < 0.0 ? "below" : "above")}");
 
         static double Degrees(double tangent) => double.RadiansToDegrees(Math.Atan(tangent));
     }

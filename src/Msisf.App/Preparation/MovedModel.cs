@@ -67,8 +67,7 @@ internal static class MovedModel
                 PartMove moved = model.Moved ?? default;
                 models[i] = model.At(
                     new OffsetGrid((ITerrainGrid)model.Grid, offsets[i]), moved with { Offset = moved.Offset + offsets[i] });
-                log.Note(string.Create(
-                    CultureInfo.InvariantCulture,
+                log.Note(Invariant(
                     $"{model.Grid.ProductId} is raised by {offsets[i]:F2} m (offset=auto), so that it meets the ground along its border "
                         + $"in the mean."));
             }
@@ -95,16 +94,14 @@ internal static class MovedModel
 
         if (!hasOffset && Math.Abs(path.Heights.Offset ?? 0.0) > MoonConstants.MaxRelief)
         {
-            throw Wrong(path, string.Create(
-                CultureInfo.InvariantCulture,
+            throw Wrong(path, Invariant(
                 $"offset={path.Heights.Offset:R} is more than {MoonConstants.MaxRelief:R} m, by which the Moon's ground is off its sphere. "
                     + $"Give a smaller one."));
         }
 
         if (double.Hypot(path.Placement.East, path.Placement.North) > MaxShift)
         {
-            throw Wrong(path, string.Create(
-                CultureInfo.InvariantCulture, $"shift= is at most {MaxShift / 1000.0:R} km: farther off is another place."));
+            throw Wrong(path, Invariant($"shift= is at most {MaxShift / 1000.0:R} km: farther off is another place."));
         }
     }
 

@@ -35,13 +35,11 @@ internal static class OrbitNotes
     {
         double angle = MoonConstants.RotationRate * seconds;
         string time = seconds < LongestInHours
-            ? string.Create(CultureInfo.InvariantCulture, $"{seconds / 3600.0:G3} h")
-            : string.Create(CultureInfo.InvariantCulture, $"{seconds / 86400.0:G4} days");
+            ? Invariant($"{seconds / 3600.0:G3} h")
+            : Invariant($"{seconds / 86400.0:G4} days");
         string distance = angle < Math.PI
-            ? string.Create(
-                CultureInfo.InvariantCulture,
-                $"{double.RadiansToDegrees(angle):G3} degrees, up to {MoonConstants.ReferenceRadius * angle / 1000.0:G3} km")
-            : string.Create(CultureInfo.InvariantCulture, $"{angle / (2.0 * Math.PI):G3} turns of the Moon");
+            ? Invariant($"{double.RadiansToDegrees(angle):G3} degrees, up to {MoonConstants.ReferenceRadius * angle / 1000.0:G3} km")
+            : Invariant($"{angle / (2.0 * Math.PI):G3} turns of the Moon");
         return $"{time} from the epoch its ground track is off by {distance}";
     }
 }

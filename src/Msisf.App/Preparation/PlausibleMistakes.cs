@@ -59,8 +59,7 @@ internal static class PlausibleMistakes
         double fastest = motions.Max(motion => motion?.VelocityBodyFixed.Length) ?? 0.0;
         return fastest <= FastestSpacecraft ? [] :
         [
-            string.Create(
-                CultureInfo.InvariantCulture,
+            Invariant(
                 $"the camera moves at {fastest / 1000.0:#,0.#} km/s: velocities are in m/s. If {fastest:R} is mm/s, or km/s that were "
                     + $"multiplied twice, write {fastest / 1000.0:R}."),
         ];
@@ -76,15 +75,13 @@ internal static class PlausibleMistakes
         double asRadians = double.RadiansToDegrees(degrees);
         if (degrees < NarrowFieldOfView)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"--fov {text} is {degrees * 3600.0:G3} seconds of arc: the images are {Length(widestImage)} wide on the ground at the "
                     + $"nearest. --fov is in degrees.");
         }
         else if (degrees < Math.PI && (IsRadiansOfWholeDegrees(text, asRadians) || widestImage < cell))
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"--fov {text} is in degrees: the images are {Length(widestImage)} wide on the ground at the nearest, a cell of "
                     + $"the elevation model is {Length(cell)}. {text} rad would be --fov {asRadians:G4}.");
         }
@@ -96,8 +93,7 @@ internal static class PlausibleMistakes
     {
         if (band is not null && (band.Shortest < UsualBand.Min || band.Longest > UsualBand.Max))
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"The detector's band is {band.Shortest:R} to {band.Longest:R} nm; what lies outside {UsualBand.Min} to "
                     + $"{UsualBand.Max:#,0} nm is less certain: the Sun is a black body there, and the Moon's own heat is left out.");
         }
@@ -130,10 +126,10 @@ internal static class PlausibleMistakes
         }
 
         string kilometres = place.Height is > 0.0 and < LeastHeightInMetres
-            ? string.Create(CultureInfo.InvariantCulture, $" If {place.Height:R} is kilometres, write {1000.0 * place.Height:R}.")
+            ? Invariant($" If {place.Height:R} is kilometres, write {1000.0 * place.Height:R}.")
             : string.Empty;
         string sphere = body.IsMoon
-            ? string.Create(CultureInfo.InvariantCulture, $"the sphere of {MoonConstants.ReferenceRadius:R} m")
+            ? Invariant($"the sphere of {MoonConstants.ReferenceRadius:R} m")
             : "the model's sphere";
         return $" The height is in metres over {sphere}; terrain+METRES counts from the terrain.{kilometres}";
     }
@@ -142,16 +138,12 @@ internal static class PlausibleMistakes
     {
         double kilometres = positionBodyFixed.Length;
         return kilometres > (body.IsMoon ? 1700.0 : body.MeanRadius / 1000.0) && kilometres < 100_000.0
-            ? string.Create(
-                CultureInfo.InvariantCulture,
-                $" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
+            ? Invariant($" Positions are in metres: {kilometres:G5} from the centre looks like kilometres; multiply by 1000.")
             : $" Positions are in metres from {(body.IsMoon ? "the Moon's" : $"{body.Name}'s")} centre{IfHeight(kilometres, body)}.";
     }
 
     private static string IfHeight(double metres, CelestialBody body) => body.IsMoon && metres is > LeastHeight and < LowOrbit
-        ? string.Create(
-            CultureInfo.InvariantCulture,
-            $"; if {metres:G10} m is a height, {MoonConstants.ReferenceRadius + metres:G10} m from the centre is meant")
+        ? Invariant($"; if {metres:G10} m is a height, {MoonConstants.ReferenceRadius + metres:G10} m from the centre is meant")
         : string.Empty;
 
     private static IEnumerable<string> Elements(KeplerElements elements)
@@ -161,8 +153,7 @@ internal static class PlausibleMistakes
             ("omega", elements.ArgumentOfPeriapsis), ("Omega", elements.LongitudeOfAscendingNode), ("i", elements.Inclination),
             ("M0", elements.MeanAnomalyAtEpoch),
         ];
-        string[] large = [.. angles.Where(angle => Math.Abs(angle.Angle) > FullTurn + RoundedTurn).Select(angle => string.Create(
-            CultureInfo.InvariantCulture,
+        string[] large = [.. angles.Where(angle => Math.Abs(angle.Angle) > FullTurn + RoundedTurn).Select(angle => Invariant(
             $"{angle.Name} {angle.Angle:R} rad (if it is degrees: {double.DegreesToRadians(angle.Angle):G7} rad)"))];
         return large.Length == 0 ? [] : [$"--kepler-set: more than a full turn: {string.Join(", ", large)}. Angles are in radians."];
     }
@@ -171,8 +162,7 @@ internal static class PlausibleMistakes
     {
         if (1.0 - elements.Eccentricity < StraightFall)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"the orbit is a fall straight to the Moon's centre (e = {elements.Eccentricity:G10}): the velocity of --state-vectors is "
                     + $"in m/s. One in km/s is to be multiplied by 1000.");
         }
@@ -183,8 +173,7 @@ internal static class PlausibleMistakes
         double height = place.Height - body.MeanRadius;
         if (!place.IsOverTerrain && height is >= 0.0 and <= LowOrbit)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"--position: heights are over the surface, not from the Moon's centre. If {place.Height:R} m is from the centre, write "
                     + $"{height:R}.");
         }
@@ -194,8 +183,7 @@ internal static class PlausibleMistakes
     {
         if (orbit.Attitude?.AngularVelocityCamera is { } rate && rate.Length > FullTurn)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"--attitude-transition: {rate.Length:G4} rad/s is more than a full turn a second; if it is degrees a second, write "
                     + $"{double.DegreesToRadians(rate.Length):G4} rad/s.");
         }
@@ -206,16 +194,15 @@ internal static class PlausibleMistakes
         if (times is TimeInterval interval && Math.Abs(interval.StepDays) > Math.Abs(interval.LengthDays) && interval.LengthDays != 0.0
             && interval.Count > 0)
         {
-            yield return string.Create(
-                CultureInfo.InvariantCulture,
+            yield return Invariant(
                 $"--time-interval: the step of {interval.StepDays:R} days is longer than the interval of {interval.LengthDays:G6} days, "
                     + $"so there is one image. If the step is seconds, write {interval.StepDays / 86400.0:G10}.");
         }
     }
 
     private static string Length(double metres) => metres < 1000.0
-        ? string.Create(CultureInfo.InvariantCulture, $"{metres:G3} m")
-        : string.Create(CultureInfo.InvariantCulture, $"{metres / 1000.0:#,0.#} km");
+        ? Invariant($"{metres:G3} m")
+        : Invariant($"{metres / 1000.0:#,0.#} km");
 
     /// <summary>Whether a number with some digits is the radians of a whole number of degrees, such as 0.7854.</summary>
     private static bool IsRadiansOfWholeDegrees(string text, double asRadians) =>

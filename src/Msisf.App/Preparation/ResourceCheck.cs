@@ -120,8 +120,7 @@ internal static class ResourceCheck
         int all = cameras.Sum(camera => camera.Frames);
         if (all > 1 && series > diskThere)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{all} frames will take about {Size((long)series)} in {cameras[0].Settings.OutputFolder}, {Size(diskThere)} are free. "
                     + $"Make room, use another --output-dir, or make a part with --frames."));
         }
@@ -136,8 +135,7 @@ internal static class ResourceCheck
         long needed = BytesOfExposure * (settings.Scan?.Count ?? 0);
         if (needed > memoryThere)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"the states of {settings.Scan!.Count} exposures of a scan need {Size(needed)} of memory, {Size(memoryThere)} are there. "
                     + $"Make the scan in parts of fewer exposures, each from its own --time on."));
         }
@@ -182,14 +180,13 @@ internal static class ResourceCheck
     {
         if (needed > there)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"an image of {settings.Width} x {settings.Height} px with its meta file needs {Size(needed)} of {what}, "
                     + $"{Size(there)} are there. {remedy}"));
         }
     }
 
     private static string Size(long bytes) => bytes >= 1 << 20
-        ? string.Create(CultureInfo.InvariantCulture, $"{bytes >> 20} MiB")
-        : string.Create(CultureInfo.InvariantCulture, $"{bytes} bytes");
+        ? Invariant($"{bytes >> 20} MiB")
+        : Invariant($"{bytes} bytes");
 }

@@ -59,7 +59,6 @@ internal sealed class RunInputs : IDisposable
         .. camera is null ? (InputFile[])[] : [Of(camera)],
     ];
 
-    /// <summary>A camera file as one of the files.</summary>
     public static InputFile Of(CameraFile camera) =>
         new(InputKind.Camera, Path.GetFileName(camera.Path), camera.Bytes, camera.Sha256);
 
@@ -79,8 +78,7 @@ internal sealed class RunInputs : IDisposable
         LdemChecksums checksums = LdemChecksums.Open(model, _cacheFolder);
         if (checksums.BytesToRead > WorthANote)
         {
-            _log.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            _log.Note(Invariant(
                 $"The checksum of {model.ProductId} is computed once, from all of its {checksums.BytesToRead / 1e9:F1} GB."));
         }
 

@@ -130,10 +130,10 @@ internal sealed class RunNotes
 
         if (_widestCell > WidestCell && !_isRefined)
         {
-            string step = _count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $" at step {_widestStep}");
+            string step = _count == 1 ? string.Empty : Invariant($" at step {_widestStep}");
             string width = _widestCell < LargestTold
-                ? string.Create(CultureInfo.InvariantCulture, $"{_widestCell:F0}")
-                : string.Create(CultureInfo.InvariantCulture, $"more than {LargestTold:F0}");
+                ? Invariant($"{_widestCell:F0}")
+                : Invariant($"more than {LargestTold:F0}");
             string option = _hasSeveral || _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
             Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
@@ -152,11 +152,11 @@ internal sealed class RunNotes
         : null;
 
     private static string Duration(double days) => days < 2.0 * DaysPerYear
-        ? string.Create(CultureInfo.InvariantCulture, $"{days:F0} days")
-        : string.Create(CultureInfo.InvariantCulture, $"{days / DaysPerYear:F0} years");
+        ? Invariant($"{days:F0} days")
+        : Invariant($"{days / DaysPerYear:F0} years");
 
-    private string Frames(List<int> steps, string verbOfOne, string verbOfMany) => string.Create(
-        CultureInfo.InvariantCulture, $"{steps.Count} of {_count} frames {(steps.Count == 1 ? verbOfOne : verbOfMany)}");
+    private string Frames(List<int> steps, string verbOfOne, string verbOfMany) => Invariant(
+        $"{steps.Count} of {_count} frames {(steps.Count == 1 ? verbOfOne : verbOfMany)}");
 
     /// <summary>The steps as <c>--frames</c> takes them; empty if they are all.</summary>
     private string Steps(List<int> steps)

@@ -25,8 +25,7 @@ internal static class ScanCheck
         int rows = scan.HeightOf(model) / scan.Count;
         if (Math.Abs(down) > rows + MaxSlip)
         {
-            log.Warning(string.Create(
-                CultureInfo.InvariantCulture,
+            log.Warning(Invariant(
                 $"the {(rows == 1 ? "lines" : "framelets")} do not overlap: the ground moves by {Math.Abs(down):G4} rows from one to the "
                     + $"next, which have {rows}. They would touch with --scan-period {scan.Period * rows / Math.Abs(down):G6}."));
         }
@@ -34,8 +33,7 @@ internal static class ScanCheck
         double step = scan.ChargeMovesDown ? 1.0 : -1.0;
         if (scan.Stages > 1 && double.Hypot(right, down - step) > MaxSlip)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"TDI along the wrong axis or at the wrong speed: from line to line the image moves by {right:F2} px to the right and "
                     + $"{down:F2} px down, the charge by {step:F0} px down. Turn the camera, or change 'tdi-direction' or --scan-period."));
         }

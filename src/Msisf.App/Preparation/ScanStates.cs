@@ -99,8 +99,7 @@ internal static class ScanStates
             double at = start + seconds;
             return at >= -OfRounding && at <= motion.End + OfRounding
                 ? motion.At(Math.Clamp(at, 0.0, motion.End))
-                : throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                : throw new BadInputException(Invariant(
                     $"{ScanOptions.Trajectory.Name} {file}: its states reach from {motion.Start.ToIsoUtc()} over {motion.End:R} s, and the "
                         + $"state {at:R} s after the first one is needed. Add states, or choose another {CameraOptions.Time.Name} or fewer "
                         + $"lines."));
@@ -135,8 +134,7 @@ internal static class ScanStates
     {
         if (file is not null && file.Jitter.Cover is var (first, last) && (start < first || end > last))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{ScanOptions.Jitter.Name} {file.Path}: it is known from {first:R} s to {last:R} s after the first image's time, and the "
                     + $"images need it from {start:R} s to {end:R} s. Add lines, or make the image shorter."));
         }

@@ -63,8 +63,7 @@ internal static class StateMotions
         double rate = orbit.Attitude?.AngularVelocityCamera.Length ?? 0.0;
         if (rate * 2.0 * HalfStep > MaxTurn)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"--attitude-transition turns the camera by {rate:G3} rad/s; with a shutter {MaxTurn / (2.0 * HalfStep):G3} rad/s is the "
                     + $"most. Check it, or remove 'shutter' from the camera file."));
         }

@@ -174,8 +174,7 @@ internal sealed class StateReader
             settings.Elements, settings.Epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : _ephemeris());
         if (orbit.PeriapsisRadius < MoonConstants.ReferenceRadius)
         {
-            _host.Log.Warning(string.Create(
-                CultureInfo.InvariantCulture,
+            _host.Log.Warning(Invariant(
                 $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's "
                     + $"reference radius; times on that part are refused."));
         }

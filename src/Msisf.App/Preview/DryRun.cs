@@ -90,8 +90,7 @@ internal static class DryRun
             return model.Opened;
         }
 
-        host.Log.Note(string.Create(
-            CultureInfo.InvariantCulture,
+        host.Log.Note(Invariant(
             $"No elevation model of {settings.Resolution} is there: heights are over the sphere of "
                 + $"{MoonConstants.ReferenceRadius:F0} m. Drawing needs the model."));
         return null;

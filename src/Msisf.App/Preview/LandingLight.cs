@@ -39,8 +39,7 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
 
         PlaceHorizons horizons = survey.Find([direction], 0.0, threads: 1, advanced: null, cancellation);
         LocalFrame frame = LocalFrame.At(horizons.Radii[0] * direction);
-        string site = string.Create(
-            CultureInfo.InvariantCulture,
+        string site = Invariant(
             $"The target below the last frame, {double.RadiansToDegrees(point.Latitude):F5}, "
                 + $"{double.RadiansToDegrees(point.Longitude):F5},");
         bool? isLit = null;
@@ -72,15 +71,14 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
             last = new ModifiedJulianDate(start.Days + ((suns.Count - 1) / 24.0));
         }
 
-        log.Note(string.Create(
-            CultureInfo.InvariantCulture,
+        log.Note(Invariant(
             $"{site} {(isLit == false ? "lies in shadow, and no Sun is seen there" : "is lit, and stays so")} for the "
                 + $"{last.Days - time.Days:F1} days that were looked at."));
     }
 
     private static string Text(string site, bool isLit, ModifiedJulianDate time, ModifiedJulianDate change)
     {
-        string hours = string.Create(CultureInfo.InvariantCulture, $"{24.0 * (change.Days - time.Days):F1} h");
+        string hours = Invariant($"{24.0 * (change.Days - time.Days):F1} h");
         return isLit
             ? $"{site} stays lit for {hours} after it: the Sun sets behind the models' horizon at {change.ToIsoUtc()}."
             : $"{site} lies in shadow: the Sun rises over the models' horizon at {change.ToIsoUtc()}, {hours} after it.";

@@ -47,8 +47,7 @@ internal sealed class BlockSurface : ISceneSurface
             _detail.For(frame.Camera, _subsamplesPerAxis), drawn => new BlockLevel(_terrain, drawn, _repository));
         Meshes meshes = new(this, level, frame, BlocksOf(level, frame, null, threads, cancellation));
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        return meshes.Faces * PovRayBytesPerFace <= memory ? meshes : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        return meshes.Faces * PovRayBytesPerFace <= memory ? meshes : throw new BadInputException(Invariant(
             $"{frame.Name}: the scene has some {meshes.Faces / 1_000_000} million triangles, for which POV-Ray needs about "
                 + $"{meshes.Faces * PovRayBytesPerFace >> 30} GiB of memory; {memory >> 30} are there. Take --renderer native, or models "
                 + $"with wider cells."));

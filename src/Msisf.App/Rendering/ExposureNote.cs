@@ -76,9 +76,8 @@ internal sealed class ExposureNote(DetectorSettings settings, bool isNoiseChosen
 
         int first = _frames.First(frame => shareOf(frame.Value) > much).Key;
         (int worst, ExposureShares most) = _frames.MaxBy(frame => shareOf(frame.Value));
-        return string.Create(
-            CultureInfo.InvariantCulture, $"{share} (first step {first}; worst step {worst}, {Percent(shareOf(most))})");
+        return Invariant($"{share} (first step {first}; worst step {worst}, {Percent(shareOf(most))})");
     }
 
-    private static string Percent(double share) => string.Create(CultureInfo.InvariantCulture, $"{100.0 * share:0.#} %");
+    private static string Percent(double share) => Invariant($"{100.0 * share:0.#} %");
 }

@@ -35,12 +35,11 @@ internal static class ExposureSearch
         ResourceCheck.Check(
             [(settings, 1)], atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
         RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
-        string[] names = [.. states.Select((_, index) => string.Create(CultureInfo.InvariantCulture, $"step {index + 1}"))];
+        string[] names = [.. states.Select((_, index) => Invariant($"step {index + 1}"))];
         Frame[] looked = FrameSetup.Of(states, names, sampled, new SunPositions(sun, settings.Aberration), cancellation);
         GroundCheck.Refuse(looked, model, span: 0.0, cancellation, settings.Body);
         double seconds = Find(settings, looked, model, maps, host, cancellation);
-        host.Log.Note(string.Create(
-            CultureInfo.InvariantCulture,
+        host.Log.Note(Invariant(
             $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}: {seconds:R} s, from {looked.Length} of {states.Count} "
                 + $"{(states.Count == 1 ? "frame" : "frames")} of the run."));
         RenderSettings found = settings with { Native = settings.Native.WithExposureTime(seconds) };

@@ -12,7 +12,6 @@ namespace Msisf.App.Rendering;
 /// <param name="inputs">What it is made from.</param>
 internal sealed class FrameNavigation(NavigationInputs inputs)
 {
-    /// <summary>The truth of a frame.</summary>
     public NavigationTruth Of(RenderedFrame rendered)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);

@@ -25,7 +25,7 @@ internal sealed class FrameTimes : IDisposable
         {
             Checked(() =>
             {
-                _file?.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{frame.Step}\t{frame.Name}\t{time.TotalSeconds:F6}"));
+                _file?.WriteLine(Invariant($"{frame.Step}\t{frame.Name}\t{time.TotalSeconds:F6}"));
                 return true;
             });
         }

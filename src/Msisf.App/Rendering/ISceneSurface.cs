@@ -40,7 +40,6 @@ internal interface ISceneMeshes
     /// <summary>Of several models the resolution at which each is drawn; empty for one model.</summary>
     IReadOnlyList<GridResolution?> PartResolutions { get; }
 
-    /// <summary>The axes of the scene.</summary>
     SceneAxes Axes { get; }
 
     /// <summary>Resolution of the grid whose cells <see cref="Tracer"/> names; of several models of the finest.</summary>

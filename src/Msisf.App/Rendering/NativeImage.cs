@@ -58,7 +58,6 @@ internal sealed class NativeImage : IDisposable
     /// <summary>What the image shows, also after it is disposed if it was drawn in memory of its own.</summary>
     public IGroundTruth Truth => _truth;
 
-    /// <summary>Writes the image as PNG.</summary>
     public void WritePng(Stream png)
     {
         using PngImage image = BeginPng(png, Height);

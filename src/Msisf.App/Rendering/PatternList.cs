@@ -23,8 +23,7 @@ internal static class PatternList
             cancellation.ThrowIfCancellationRequested();
             foreach (TileChoice choice in run.Model.Select(frame).All)
             {
-                host.Results.WriteLine(string.Create(
-                    CultureInfo.InvariantCulture,
+                host.Results.WriteLine(Invariant(
                     $"{frame.Step}\t{choice.Tile.RangeText}\t{(choice.IsKept ? "taken" : "left out")}\t{choice.ReasonText}"));
             }
         }

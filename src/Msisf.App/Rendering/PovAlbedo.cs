@@ -26,8 +26,7 @@ internal sealed class PovAlbedo
         double mapPixel = MoonConstants.ReferenceRadius * map.Extent.Height / map.Levels[0].Height;
         double ratio = camera.PixelTangent * distance / mapPixel;
         int level = ratio > 1.0 ? Math.Min(Math.ILogB(ratio), map.Levels.Count - 1) : 0;
-        string meaning = string.Create(
-            CultureInfo.InvariantCulture, $"{_map.Sha256[..16]}-{map.Offset:R}-{map.Step:R}-{level}").Replace('+', 'p');
+        string meaning = Invariant($"{_map.Sha256[..16]}-{map.Offset:R}-{map.Step:R}-{level}").Replace('+', 'p');
         string name = $"albedo-poles-{meaning}.png";
         string path = Path.Combine(_folder, name);
         lock (_gate)

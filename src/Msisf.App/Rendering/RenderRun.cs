@@ -188,8 +188,7 @@ internal sealed class RenderRun
         int complete = Count(FrameState.Complete);
         if (complete + Count(FrameState.Damaged) + Count(FrameState.OtherSettings) > 0)
         {
-            _host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            _host.Log.Note(Invariant(
                 $"Frames: {frames.Count}, of which {complete} there and complete (--overwrite makes them again); to make: "
                     + $"{Count(FrameState.Missing) + Count(FrameState.Failed)} missing, {Count(FrameState.Damaged)} damaged, "
                     + $"{Count(FrameState.OtherSettings)} of other settings."));

@@ -52,7 +52,6 @@ internal sealed class FrameLedger : IDisposable
     /// <summary>Folder of files that are not yet complete.</summary>
     public string Staging => _staging.Path;
 
-    /// <summary>The run.</summary>
     public RunPlan Plan => _plan;
 
     /// <summary>The current state of a frame, including work of other processes since the last call.</summary>

@@ -36,7 +36,7 @@ internal static class ReplacedFrames
             .Where(pair => pair.Item1.Files.Any(file => File.Exists(Path.Combine(folder, file.Name))))];
         string reasons = string.Join("; and ", replaced
             .GroupBy(pair => SettingsDifference.Reason(known.Settings.GetValueOrDefault(pair.Made.Settings), pair.Wanted))
-            .Select(group => string.Create(CultureInfo.InvariantCulture, $"{Frames(group.Count())} {group.Key}")));
+            .Select(group => Invariant($"{Frames(group.Count())} {group.Key}")));
         if (replaced.Length == 0)
         {
             return;
@@ -76,7 +76,7 @@ internal static class ReplacedFrames
     }
 
     private static string Frames(int count) =>
-        count == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{count} frames");
+        count == 1 ? "1 frame" : Invariant($"{count} frames");
 
     /// <summary>Whether the run that has the frame has no other.</summary>
     private static bool IsOfSingleImage(FrameRecord made, ManifestContent known) =>

@@ -13,7 +13,6 @@ internal static class SeriesMerge
     /// <summary>Name of the contact sheet.</summary>
     public const string SheetName = "contact-sheet.png";
 
-    /// <summary>Name of the video.</summary>
     public const string VideoName = "video.mp4";
 
     /// <summary>

@@ -58,8 +58,8 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
     {
         if (Math.Abs(height ?? 0.0) > MaxHeight)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"the height {height} m of a point is beyond {MaxHeight} m. Give metres over the sphere."));
+            throw new BadInputException(Invariant(
+                $"the height {height} m of a point is beyond {MaxHeight} m. Give metres over the sphere."));
         }
 
         Vector3D point = new SurfacePlace(latitudeDegrees, longitudeDegrees, height ?? 0.0, isOverTerrain: false)
@@ -113,8 +113,7 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
     {
         if (!IsInside(camera, x, y))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"the pixel ({x}, {y}) lies outside the image of {camera.Width} x {camera.Height} px, whose first pixel is (1, 1)."));
         }
     }

@@ -45,7 +45,6 @@ internal sealed class RenderSession : IDisposable
     /// <summary>What the meta files tell beside the image.</summary>
     public FrameDescription Description { get; }
 
-    /// <summary>The elevation model.</summary>
     public ElevationModel Model => _model.Opened;
 
     /// <summary>The canonical arguments of its frames, without their states.</summary>

@@ -33,7 +33,7 @@ internal static class RequestStates
         List<(ModifiedJulianDate Time, StateVector State)> states = [];
         foreach (JsonElement row in rows.EnumerateArray())
         {
-            string where = string.Create(CultureInfo.InvariantCulture, $"'{Key}', state {states.Count + 1}");
+            string where = Invariant($"'{Key}', state {states.Count + 1}");
             double[] numbers = Numbers(row, where);
             ModifiedJulianDate time = TimeOf(numbers[0], where);
             if (states.Count > 0 && time.Days <= states[^1].Time.Days)

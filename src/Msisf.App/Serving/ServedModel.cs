@@ -51,7 +51,6 @@ internal sealed class ServedModel : IDisposable
     /// <summary>Whether this is a synthetic model, or one of several is.</summary>
     public bool IsSynthetic { get; }
 
-    /// <summary>Whether it is of the whole Moon.</summary>
     public bool IsWholeMoon { get; private init; } = true;
 
     /// <summary>Its label, or the file itself; empty for several.</summary>
@@ -63,10 +62,8 @@ internal sealed class ServedModel : IDisposable
     /// <summary>The models of which it is one surface; empty for one.</summary>
     public IReadOnlyList<ServedModel> Parts { get; private init; } = [];
 
-    /// <summary>Whether it is several models.</summary>
     public bool IsSeveral => Ldem.Count > 1;
 
-    /// <summary>The model.</summary>
     public ElevationModel Opened => _model.Value;
 
     /// <summary>Several models as one surface.</summary>

@@ -101,7 +101,6 @@ internal sealed class SharedCache<T>(int capacity) : IDisposable
 
         internal Lease(SharedCache<T> cache, Entry entry, T value) => (_cache, _entry, Value) = (cache, entry, value);
 
-        /// <summary>The value.</summary>
         public T Value { get; }
 
         /// <summary>Says that the value is no longer used.</summary>

@@ -12,7 +12,6 @@ internal static partial class AlbedoOptions
     /// <summary>The word in place of a map for none.</summary>
     public const string NoMap = "none";
 
-    /// <summary>The map.</summary>
     public static PathSpec Map { get; } = new(
         "--albedo-map", DecidesBytes.As(
             frame => frame.Settings.Albedo.NamesOfSeveral ?? (object?)frame.Map?.Name ?? (frame.MayHaveMap ? NoMap : null)),
@@ -26,7 +25,6 @@ internal static partial class AlbedoOptions
         DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; else none",
     };
 
-    /// <summary>What the map's values mean.</summary>
     public static TextSpec Properties { get; } = new(
         "--albedo-map-properties", DecidesBytes.As(frame => frame.Map is null ? null : frame.Settings.Albedo.Properties.ToString()), "LIST",
         "What the values of the one map mean, as in scale=3.16e-4,west=-180; also offset, incidence, emission, phase (degrees) and band "
@@ -35,7 +33,6 @@ internal static partial class AlbedoOptions
         DefaultNote = "those of the known map, or of its label",
     };
 
-    /// <summary>Checksum of the map.</summary>
     public static TextSpec Checksum { get; } = new(
         "--albedo-map-checksum", DecidesBytes.As(frame => frame.Map?.Sha256),
         "HEX", "SHA-256 that the map's file must have (of several tiles or maps that of all: docs/photometry.md)")
@@ -43,7 +40,6 @@ internal static partial class AlbedoOptions
         Form = (HexDigits(), "64 hexadecimal digits are needed"),
     };
 
-    /// <summary>Spectral band.</summary>
     public static ChoiceSpec<int> Band { get; } = new(
         "--band", DecidesBytes.As(frame => frame.HasBand ? frame.Settings.Albedo.Band.Nanometres : null),
         [.. SpectralBand.All.Select(band => (NumberSpec.TextOf(band.Nanometres), band.Nanometres))],

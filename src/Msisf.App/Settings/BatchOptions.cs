@@ -8,7 +8,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options that say how the numbers of a batch file are meant; a line <c># msis:</c> of the file can say the same.</summary>
 internal static class BatchOptions
 {
-    /// <summary>Frame of positions and attitudes.</summary>
     public static ChoiceSpec<OrbitFrame> Frame { get; } = new(
         "--batch-frame", DecidesBytes.ByStatesOfRun, BatchConventions.Frames,
         "With --batch-file: frame of its x, y, z and of its quaternions, matrices or Euler angles; its line '# msis: frame=...' says "
@@ -17,7 +16,6 @@ internal static class BatchOptions
         DefaultNote = "moon-me",
     };
 
-    /// <summary>Axes of the camera.</summary>
     public static ChoiceSpec<CameraAxes> Axes { get; } = new(
         "--batch-axes", DecidesBytes.ByStatesOfRun, BatchConventions.CameraAxesWords,
         "With --batch-file: camera axes of its attitudes: looks along -x, y right, z up; or OpenCV's, x right, y down, looks along z")
@@ -25,7 +23,6 @@ internal static class BatchOptions
         DefaultNote = "camera",
     };
 
-    /// <summary>Which way rotations turn vectors.</summary>
     public static ChoiceSpec<RotationDirection> Rotation { get; } = new(
         "--batch-rotation", DecidesBytes.ByStatesOfRun, BatchConventions.Rotations,
         "With --batch-file: its quaternions or matrices turn vectors from camera axes into the frame's, or to camera axes, as SPICE's "
@@ -34,17 +31,14 @@ internal static class BatchOptions
         DefaultNote = "from-camera",
     };
 
-    /// <summary>Sequence of Euler angles.</summary>
     public static TextSpec Euler { get; } = new(
         "--batch-euler", DecidesBytes.ByStatesOfRun, "SEQUENCE",
         "With --batch-file: axes of the turns euler1, euler2, euler3 (degrees) that lead from the frame's axes to the camera's, each about "
             + "a turned axis, e.g. ZYX or 321");
 
-    /// <summary>Whether unknown columns are left out.</summary>
     public static FlagSpec IgnoreColumns { get; } = new(
         "--ignore-columns", DecidesBytes.ByStatesOfRun, "With --batch-file: leave out columns that are not known, instead of an error");
 
-    /// <summary>All of these options.</summary>
     public static OptionSpec[] All { get; } = [Frame, Axes, Rotation, Euler, IgnoreColumns];
 
     /// <summary>Reads how the numbers are meant.</summary>

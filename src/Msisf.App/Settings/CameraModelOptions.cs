@@ -11,7 +11,6 @@ internal static class CameraModelOptions
     private const string Formats = "opencv, colmap, tsai (Ames Stereo Pipeline), csm (USGSCSM state), isd (ALE, J2000), isd-body, "
         + "isis (cube with the image), pds4 (the image with a label)";
 
-    /// <summary>Camera models beside each image of a run.</summary>
     public static TextSpec OfRun { get; } = new(
         "--camera-model", DecidesBytes.UnlessDefault(frame => frame.Settings.CameraFormats.Select(format => format.Word)), "LIST",
         $"Write the camera of each image for other programs, in formats separated by commas: {Formats}")

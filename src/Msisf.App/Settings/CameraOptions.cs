@@ -8,18 +8,15 @@ namespace Msisf.App.Settings;
 /// <summary>The options of thesis table 6.1: where the camera is, when, and how it points.</summary>
 internal static class CameraOptions
 {
-    /// <summary>One state.</summary>
     public static NumberListSpec FixedState { get; } = new(
         "--fixed-state", DecidesBytes.ByStates, ["MJD", "rx", "ry", "rz", "qx", "qy", "qz", "q0"],
         "One image: time (MJD or ISO 8601, UTC), position (m, ME/PA) and orientation (quaternion)");
 
-    /// <summary>States in a file.</summary>
     public static PathSpec BatchFile { get; } = new(
         "--batch-file", DecidesBytes.ByStatesOfRun, PathKind.File,
         "One image a line of the file: MJD rx ry rz qx qy qz q0, or the columns that its first line names (time,lat,lon,height,...); "
             + "# begins a comment; - reads standard input");
 
-    /// <summary>An orbit by its elements.</summary>
     public static NumberListSpec KeplerSet { get; } = new(
         "--kepler-set", DecidesBytes.ByStates,
         ["a", "e", "omega", "Omega", "i", "M0"],
@@ -29,7 +26,6 @@ internal static class CameraOptions
         Aliases = ["-k"],
     };
 
-    /// <summary>An orbit by position and velocity.</summary>
     public static NumberListSpec StateVectors { get; } = new(
         "--state-vectors", DecidesBytes.ByStates,
         ["rx", "ry", "rz", "drx", "dry", "drz"], "Orbit by position (m) and velocity (m/s) at the epoch")
@@ -37,7 +33,6 @@ internal static class CameraOptions
         Aliases = ["-s"],
     };
 
-    /// <summary>Time of the orbit.</summary>
     public static TimeSpec Epoch { get; } = new(
         "--epoch", DecidesBytes.ByStates,
         "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
@@ -45,20 +40,16 @@ internal static class CameraOptions
         Aliases = ["-e"],
     };
 
-    /// <summary>One time.</summary>
     public static TimeSpec Time { get; } = new("--time", DecidesBytes.ByStates, "Time of one image (UTC)") { Aliases = ["-t"] };
 
-    /// <summary>Several times.</summary>
     public static NumberListSpec Times { get; } = new(
         "--times", DecidesBytes.ByStatesOfRun, ["MJD"], "Times of several images (UTC)")
     { Aliases = ["-tt"] };
 
-    /// <summary>Equidistant times.</summary>
     public static TextSpec TimeInterval { get; } = new(
         "--time-interval", DecidesBytes.ByStatesOfRun, "[start:step:end]",
         "Times of a series of images: from start to end (UTC) in steps of days, or as in 10s, 5min, 2h; the brackets may be left out");
 
-    /// <summary>Orientation at the epoch.</summary>
     public static NumberListSpec Attitude { get; } = new(
         "--attitude", DecidesBytes.ByStates, ["qx", "qy", "qz", "q0"], "Orientation at the epoch (quaternion)")
     {
@@ -66,7 +57,6 @@ internal static class CameraOptions
         DefaultNote = "the nadir, north up",
     };
 
-    /// <summary>Rotation of the spacecraft.</summary>
     public static NumberListSpec AttitudeTransition { get; } = new(
         "--attitude-transition", DecidesBytes.ByStates,
         ["wx", "wy", "wz"], "Angular velocity about the spacecraft's own axes (rad/s), from the epoch on")
@@ -75,7 +65,6 @@ internal static class CameraOptions
         DefaultNote = "{0,0,0}",
     };
 
-    /// <summary>Frame of the orbit.</summary>
     public static ChoiceSpec<OrbitFrame> OrbitFrame { get; } = new(
         "--orbit-frame", DecidesBytes.ByStates,
         [
@@ -88,7 +77,6 @@ internal static class CameraOptions
         Default = Core.Orbit.OrbitFrame.MoonMe,
     };
 
-    /// <summary>Frame of the attitude.</summary>
     public static ChoiceSpec<AttitudeFrame> AttitudeFrame { get; } = new(
         "--attitude-frame", DecidesBytes.ByStates,
         [
@@ -101,13 +89,11 @@ internal static class CameraOptions
         Default = Core.Attitude.AttitudeFrame.MoonMe,
     };
 
-    /// <summary>Whether quaternions may be rounded.</summary>
     public static FlagSpec Normalize { get; } = new(
         "--normalize", DecidesBytes.ByStates,
         "Take quaternions and matrices of few decimals (2 or more), and make them rotations; their length must else be 1 "
             + "within 1e-6");
 
-    /// <summary>Motion of the camera.</summary>
     public static NumberListSpec Motion { get; } = new(
         "--motion", DecidesBytes.ByStates,
         CameraMotion.NumberNames,

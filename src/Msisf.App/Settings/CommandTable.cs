@@ -17,7 +17,6 @@ internal static class CommandTable
         RendererOptions.Group, NativeOptions.Group, NavigationOptions.Group, PovOptions.Group, RunOptions.Group,
     ];
 
-    /// <summary>All options of a run.</summary>
     public static IEnumerable<OptionSpec> OptionsOfRun => OfRender.SelectMany(group => group.Options);
 
     /// <summary>The options that a request to the server may have. It names no file, only the server's maps by their names.</summary>

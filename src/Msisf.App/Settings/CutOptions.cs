@@ -5,14 +5,12 @@ namespace Msisf.App.Settings;
 /// <summary>The options that define how a run is cut into pieces.</summary>
 internal static class CutOptions
 {
-    /// <summary>Number of pieces.</summary>
     public static WholeNumberSpec Pieces { get; } = new(
         "--pieces", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into so many pieces")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Number of frames per piece.</summary>
     public static WholeNumberSpec FramesPerPiece { get; } = new(
         "--frames-per-piece", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into pieces of so many images")
     {

@@ -5,7 +5,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options that tell what the images of a run would show, and draw nothing.</summary>
 internal static class DryRunOptions
 {
-    /// <summary>Whether to print what the images would show.</summary>
     public static FlagSpec DryRun { get; } = new(
         "--dry-run", OptionRole.WhatIsPrinted,
         "Draw nothing; print what each image would show: where the camera is, where it looks, the Sun there, how much is lit")
@@ -13,7 +12,6 @@ internal static class DryRunOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>Form of the output.</summary>
     public static ChoiceSpec<PreviewFormat> Format { get; } = new(
         "--format", OptionRole.WhatIsPrinted,
         [("table", PreviewFormat.Table), ("csv", PreviewFormat.Csv), ("json", PreviewFormat.Json)],

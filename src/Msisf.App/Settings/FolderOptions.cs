@@ -11,7 +11,6 @@ internal static class FolderOptions
     /// <summary>The folder of the outputs.</summary>
     public static ArgumentSpec Folder { get; } = new("DIR", "The --output-dir of the runs");
 
-    /// <summary>Whether to print step numbers instead of lines.</summary>
     public static FlagSpec PrintFrames { get; } = new(
         "--print-frames", OptionRole.WhatIsPrinted,
         "Print only the steps that have to be made again, as --frames takes them; an empty line if none")
@@ -19,15 +18,12 @@ internal static class FolderOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>Whether to make a contact sheet: one image of many small images.</summary>
     public static FlagSpec ContactSheet { get; } = new(
         "--contact-sheet", DecidesBytes.OfNoFrame,
-        string.Create(
-            CultureInfo.InvariantCulture,
+        Invariant(
             $"When all images are there, make contact-sheet.png: small images of up to {Adapters.Metadata.ContactSheet.MaxImages} frames "
                 + $"of the last run"));
 
-    /// <summary>Frame rate of a video, frames per second.</summary>
     public static NumberSpec Video { get; } = new(
         "--video", DecidesBytes.OfNoFrame,
         "FPS", "When all images are there, make video.mp4 of the last run with so many frames a second, by ffmpeg")

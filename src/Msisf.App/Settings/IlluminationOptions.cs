@@ -14,28 +14,22 @@ internal static class IlluminationOptions
 
     private static readonly DecidesBytes Role = DecidesBytes.OfNoFrame;
 
-    /// <summary>Middle of the region.</summary>
     public static TextSpec Centre { get; } = new("--center", Role, "LAT,LON", "Middle of the region (degrees north, degrees east)");
 
-    /// <summary>Size of the region.</summary>
     public static TextSpec Size { get; } = new("--size", Role, "KM[,KM]", "Width of the region, and its height if that is another one");
 
-    /// <summary>Corners of the region.</summary>
     public static TextSpec Corners { get; } = new(
         "--corners", Role, "LAT,LON,LAT,LON", "Two opposite corners of the region, in place of its middle and size");
 
-    /// <summary>Width of a cell.</summary>
     public static NumberSpec Cell { get; } = new("--cell", Role, "METRES", "Width of a cell")
     {
         Limits = new NumberRange(0.1, 100_000.0),
         DefaultNote = "that of the finest model's cells",
     };
 
-    /// <summary>Points in place of a region.</summary>
     public static PathSpec Points { get; } = new(
         "--points", Role, PathKind.File, "Points in place of a region, or beside it: a CSV with columns lat and lon, and perhaps id, name");
 
-    /// <summary>Times.</summary>
     public static TextSpec TimeInterval { get; } = CameraOptions.TimeInterval with
     {
         Role = Role,
@@ -43,13 +37,11 @@ internal static class IlluminationOptions
         IsRequired = true,
     };
 
-    /// <summary>Heights.</summary>
     public static TextSpec Heights { get; } = new("--above-ground", Role, "METRES,...", "Heights over the ground, such as panels on masts")
     {
         Default = "0",
     };
 
-    /// <summary>Model of the Sun.</summary>
     public static ChoiceSpec<SunModel> Sun { get; } = NativeOptions.Sun with
     {
         Role = Role,
@@ -57,25 +49,21 @@ internal static class IlluminationOptions
         Default = SunModel.Disc,
     };
 
-    /// <summary>A plane of panels.</summary>
     public static TextSpec Plane { get; } = new(
         "--plane", Role, "TILT,AZIMUTH", "A fixed plane whose light is wanted too: degrees from horizontal, degrees from north over east")
     {
         DefaultNote = "none",
     };
 
-    /// <summary>Nights that count.</summary>
     public static NumberSpec NightLimit { get; } = new("--night-limit", Role, "HOURS", "Times without Sun that are longer are counted")
     {
         Default = 100.0,
         Limits = new NumberRange(0.0, 1e6),
     };
 
-    /// <summary>Rays where the horizon is not enough.</summary>
     public static FlagSpec Exact { get; } = new(
         "--exact", Role, "Decide by rays whether the Sun is in view wherever the error of the horizon, 0.005 degrees, leaves it open");
 
-    /// <summary>Form of maps.</summary>
     public static ChoiceSpec<MapFormat> Format { get; } = new(
         "--format", Role,
         [new Choice("npy", MapFormat.Npy), new Choice("fits", MapFormat.Fits), new Choice("geotiff", MapFormat.GeoTiff)],
@@ -84,7 +72,6 @@ internal static class IlluminationOptions
         Default = MapFormat.Npy,
     };
 
-    /// <summary>Maps of Mazarico et al.</summary>
     public static PathSpec Compare { get; } = new(
         "--compare", Role, PathKind.File,
         "Compare the maps with LOLA's: a label LPSR_*.LBL (permanent shadow) or AVGVISIB_*.LBL (mean light) with its image; several times "
@@ -94,7 +81,6 @@ internal static class IlluminationOptions
         DefaultNote = "none",
     };
 
-    /// <summary>Which pieces are made.</summary>
     public static TextSpec Piece { get; } = new(
         "--piece", OptionRole.HowItRuns, "K/N",
         "Only a K-th of N parts of the work, and no maps; a last call without it takes what is there and writes them")
@@ -102,7 +88,6 @@ internal static class IlluminationOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>Folder of the results.</summary>
     public static PathSpec Folder { get; } = OutputOptions.Folder with
     {
         Default = "output/illumination",

@@ -8,7 +8,6 @@ internal static class ImageOptions
     /// <summary>Maximum width and height of an image, px.</summary>
     private const int MaxSide = 16384;
 
-    /// <summary>Horizontal field of view, degrees.</summary>
     public static NumberSpec FieldOfView { get; } = new(
         "--fov", DecidesBytes.As(frame => frame.Settings.Camera is null ? frame.Settings.FieldOfViewDegrees : null).AndTiles(),
         "DEGREES", "Horizontal field of view")
@@ -18,19 +17,16 @@ internal static class ImageOptions
         Default = 40.0,
     };
 
-    /// <summary>Width, px.</summary>
     public static WholeNumberSpec Width { get; } = new(
         "--width", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedWidth : frame.Settings.Width).AndTiles(),
         "PX", 1, MaxSide, "Image width")
     { Aliases = ["-w"], Default = 1024 };
 
-    /// <summary>Height, px.</summary>
     public static WholeNumberSpec Height { get; } = new(
         "--height", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? camera.AddedHeight : frame.Settings.Height).AndTiles(),
         "PX", 1, MaxSide, "Image height")
     { Aliases = ["-h"], Default = 1024 };
 
-    /// <summary>A camera file, or a preset.</summary>
     public static TextSpec Camera { get; } = new(
         "--camera", DecidesBytes.As(frame => frame.Settings.Camera is { } camera ? CameraChoice.TextOf(camera) : null).AndTiles(),
         "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "

@@ -7,7 +7,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the light that ground throws on ground.</summary>
 internal static class IndirectOptions
 {
-    /// <summary>Number of reflections.</summary>
     public static TextSpec Bounces { get; } = new(
         "--indirect", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Bounces), "BOUNCES",
         $"Ground also gets light from the ground around, reflected up to so many times before, 1 to {IndirectLight.MaxBounces}; 1 if no "
@@ -17,7 +16,6 @@ internal static class IndirectOptions
         DefaultNote = "the Sun's light alone",
     };
 
-    /// <summary>Error of that light.</summary>
     public static NumberSpec Error { get; } = new(
         "--indirect-error", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Error), "PART",
         "Rms error aimed at for the light of --indirect, over its rms in the image (at 0.01 rough ground keeps some 0.1 to 0.2); with a "
@@ -44,8 +42,7 @@ internal static class IndirectOptions
         if (!int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int bounces)
             || bounces is < 1 or > IndirectLight.MaxBounces)
         {
-            throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new UsageException(Invariant(
                 $"{Bounces.Name} is '{text}'; a whole number from 1 to {IndirectLight.MaxBounces} is needed.")).About(Bounces);
         }
 

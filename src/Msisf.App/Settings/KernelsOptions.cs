@@ -5,7 +5,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options of msis kernels.</summary>
 internal static class KernelsOptions
 {
-    /// <summary>Form of the output.</summary>
     public static ChoiceSpec<bool> Format { get; } = new(
         "--format", OptionRole.WhatIsPrinted, [("table", false), ("json", true)],
         "A table for people, or an array of objects with all digits")

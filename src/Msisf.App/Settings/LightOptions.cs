@@ -7,12 +7,10 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the light and the ephemeris.</summary>
 internal static class LightOptions
 {
-    /// <summary>Whether the light comes from the camera instead of the Sun.</summary>
     public static FlagSpec IgnoreSun { get; } = new(
         "--ignore-sun", DecidesBytes.As(frame => frame.Settings.IgnoreSun).AndTiles(),
         "Light the scene from the camera instead of the Sun");
 
-    /// <summary>Where the Sun is, whatever the time.</summary>
     public static NumberListSpec SunPosition { get; } = new(
         "--sun-position", DecidesBytes.ByStates, ["x", "y", "z"],
         "Where the Sun is (m, ME/PA), whatever the time: of a simulator with a Sun of its own. A batch file has columns for it")
@@ -20,7 +18,6 @@ internal static class LightOptions
         DefaultNote = "where the ephemeris has it",
     };
 
-    /// <summary>Engine for the Sun's position.</summary>
     public static ChoiceSpec<EphemerisChoice> Ephemeris { get; } = new(
         "--ephemeris", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Engine ?? EphemerisChoice.BuiltIn),
         [
@@ -34,7 +31,6 @@ internal static class LightOptions
         DefaultNote = "auto: CSPICE if its library loads, else built-in",
     };
 
-    /// <summary>Corrections of the Sun's position for light time and aberration.</summary>
     public static ChoiceSpec<Aberration> Aberration { get; } = new(
         "--aberration", DecidesBytes.As(frame => frame.Settings.IgnoreSun ? null : frame.Settings.Aberration).AndTiles(),
         [
@@ -47,7 +43,6 @@ internal static class LightOptions
         Default = Core.Ephemeris.Aberration.None,
     };
 
-    /// <summary>SPICE meta-kernel to load.</summary>
     public static PathSpec Kernels { get; } = new(
         "--kernels", DecidesBytes.ByFiles.AndTiles(), PathKind.File,
         "SPICE meta-kernel in place of the installed one, or another kernel on top of it (FK, IK, SCLK, ...); may be given several times")

@@ -17,7 +17,6 @@ internal static class MapOptions
         ("orthographic", MapKind.Orthographic),
     ];
 
-    /// <summary>The option.</summary>
     public static TextSpec Map { get; } = new(
         "--map", DecidesBytes.UnlessDefault(frame => frame.Settings.Map is { } map ? TextOf(map) : null).OfRuns(), "PROJECTION,CELL",
         "Puts each image, and the layers that are asked for, on a map for QGIS and GDAL, as Cloud Optimized GeoTIFFs: equirectangular, "
@@ -53,7 +52,7 @@ internal static class MapOptions
     }
 
     private static string TextOf(MapSettings map) =>
-        string.Create(CultureInfo.InvariantCulture, $"{Kinds.First(kind => kind.Kind == map.Kind).Word},{map.Cell:R}");
+        Invariant($"{Kinds.First(kind => kind.Kind == map.Kind).Word},{map.Cell:R}");
 }
 
 /// <summary>The checked option of maps.</summary>

@@ -6,7 +6,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options of a camera that flies as the files of a mission say.</summary>
 internal static class MissionOptions
 {
-    /// <summary>Trajectories.</summary>
     public static PathSpec Spk { get; } = new(
         "--spk", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Trajectory as a SPICE kernel (SPK); may be given several times: the later one wins")
@@ -14,12 +13,10 @@ internal static class MissionOptions
         TakesSeveral = true,
     };
 
-    /// <summary>The spacecraft.</summary>
     public static TextSpec Spacecraft { get; } = new(
         "--spacecraft", DecidesBytes.ByStatesOfRun, "NAME|ID",
         "The spacecraft whose trajectory in the kernels the camera follows, e.g. LRO or -85");
 
-    /// <summary>Attitudes.</summary>
     public static PathSpec Ck { get; } = new(
         "--ck", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Attitude as a SPICE kernel (CK), with --instrument; may be given several times: the later one wins")
@@ -27,13 +24,11 @@ internal static class MissionOptions
         TakesSeveral = true,
     };
 
-    /// <summary>The instrument.</summary>
     public static TextSpec Instrument { get; } = new(
         "--instrument", DecidesBytes.ByStatesOfRun, "NAME|ID",
         "The instrument whose attitude by CK and frame kernel the camera has, e.g. LRO_LROCNACL or -85600; its instrument kernel also "
             + "gives the camera, if neither --camera nor a size or field of view is given");
 
-    /// <summary>How the image lies in the instrument's axes.</summary>
     public static TextSpec InstrumentAxes { get; } = new(
         "--instrument-axes", DecidesBytes.ByStatesOfRun, "RIGHT,DOWN",
         "How the image lies in the instrument's axes, or with --aem in the spacecraft's, e.g. +x,+y; the camera looks along right x down")
@@ -41,17 +36,14 @@ internal static class MissionOptions
         DefaultNote = "ITRANSS and ITRANSL of the instrument kernel",
     };
 
-    /// <summary>A trajectory as a CCSDS file.</summary>
     public static PathSpec Oem { get; } = new(
         "--oem", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Trajectory as a CCSDS orbit ephemeris message (OEM 1.0, 2.0 or 3.0; lines or XML; .gz too)");
 
-    /// <summary>Attitudes as a CCSDS file.</summary>
     public static PathSpec Aem { get; } = new(
         "--aem", DecidesBytes.ByStatesOfRun, PathKind.File,
         "With a mission's trajectory: attitudes as a CCSDS attitude ephemeris message (AEM 1.0 or 2.0; lines or XML; .gz too)");
 
-    /// <summary>Light time and stellar aberration of the ground.</summary>
     public static ChoiceSpec<Aberration> OfGround { get; } = new(
         "--ground-aberration", DecidesBytes.ByStatesOfRun,
         [("none", Aberration.None), ("lt", Aberration.LightTime), ("lt+s", Aberration.LightTimeAndStellar)],
@@ -61,7 +53,6 @@ internal static class MissionOptions
         Default = Aberration.None,
     };
 
-    /// <summary>Steps of the cover.</summary>
     public static NumberSpec Every { get; } = new(
         "--every", DecidesBytes.ByStatesOfRun, "SECONDS",
         "With a mission's files, in place of times: an image each so many seconds of their cover")

@@ -9,14 +9,12 @@ namespace Msisf.App.Settings;
 /// <summary>The options of the commands that work on elevation models.</summary>
 internal static class ModelOptions
 {
-    /// <summary>Resolution of a new model, px/deg.</summary>
     public static WholeNumberSpec NewResolution { get; } = SurfaceOptions.Resolution with
     {
         Help = "Resolution of the new model; required for one of latitude and longitude",
         Default = null,
     };
 
-    /// <summary>Map projection of a new model.</summary>
     public static ChoiceSpec<SyntheticProjection> Projection { get; } = new(
         "--projection", DecidesBytes.OfNoFrame,
         [
@@ -28,14 +26,12 @@ internal static class ModelOptions
         Default = SyntheticProjection.Cylindrical,
     };
 
-    /// <summary>Scale of a new polar map, m/px.</summary>
     public static NumberSpec MapScale { get; } = new(
         "--map-scale", DecidesBytes.OfNoFrame, "METRES", "Width of a pixel of a polar map; required for one")
     {
         Limits = new NumberRange(PolarLabel.MinScale, PolarLabel.MaxScale),
     };
 
-    /// <summary>Absolute latitude of the middle of the sides of a new polar map, degrees.</summary>
     public static NumberSpec Latitude { get; } = new(
         "--latitude", DecidesBytes.OfNoFrame,
         "DEGREES", "Latitude, north or south, to which a polar map reaches in the middle of its sides")
@@ -44,27 +40,23 @@ internal static class ModelOptions
         Limits = new NumberRange(SyntheticMapWriter.LowestLatitude, 90.0) { ExcludesMax = true },
     };
 
-    /// <summary>Seed of the random terrain.</summary>
     public static TextSpec Seed { get; } = new(
         "--seed", DecidesBytes.OfNoFrame, "N", "Number that the terrain is drawn from; the same number gives the same bytes")
     {
         IsRequired = true,
     };
 
-    /// <summary>NAIF's number of the body of a new model.</summary>
     public static ChoiceSpec<int> NewBody { get; } = SurfaceOptions.Body with
     {
         Help = "Body of the new model; that of another one than the Moon has the Moon's terrain, as many degrees wide",
     };
 
-    /// <summary>Base model, which the new model continues to smaller scales.</summary>
     public static PathSpec Base { get; } = new(
         "--base", DecidesBytes.OfNoFrame, PathKind.File, "Model that the new one continues to smaller scales: its label or image")
     {
         DefaultNote = "none, an invented Moon",
     };
 
-    /// <summary>Part of the Moon that the new model covers.</summary>
     public static TextSpec Region { get; } = new(
         "--region", DecidesBytes.OfNoFrame,
         "latmin:latmax:lonmin:lonmax",
@@ -73,7 +65,6 @@ internal static class ModelOptions
         DefaultNote = "all of it",
     };
 
-    /// <summary>What lies outside the region.</summary>
     public static ChoiceSpec<SyntheticRest> Rest { get; } = new(
         "--rest", DecidesBytes.OfNoFrame,
         [new Choice("base", SyntheticRest.Base), new Choice("flat", SyntheticRest.Flat), new Choice("none", SyntheticRest.None)],
@@ -83,17 +74,14 @@ internal static class ModelOptions
         Default = SyntheticRest.Base,
     };
 
-    /// <summary>How the samples are stored.</summary>
     public static ChoiceSpec<LdemSampleType> SampleType { get; } = new(
         "--sample-type", DecidesBytes.OfNoFrame,
         [new Choice("int16", LdemSampleType.Int16LittleEndian), new Choice("float32", LdemSampleType.Float32LittleEndian)],
         "Samples in 16-bit steps of 0.5 m, or in 32-bit floats")
     {
-        DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"int16; float32 from {SyntheticLdemOptions.FirstResolutionOfFloats} px/deg on"),
+        DefaultNote = Invariant($"int16; float32 from {SyntheticLdemOptions.FirstResolutionOfFloats} px/deg on"),
     };
 
-    /// <summary>Folder of the new model.</summary>
     public static PathSpec NewFolder { get; } = OutputOptions.Folder with
     {
         Help = "Folder of the new model",
@@ -107,14 +95,12 @@ internal static class ModelOptions
         IsOptional = true,
     };
 
-    /// <summary>Resolution of the model whose coarser levels are made, px/deg.</summary>
     public static WholeNumberSpec ModelResolution { get; } = SurfaceOptions.Resolution with
     {
         Help = "Resolution of the model; needed for a folder",
         Default = null,
     };
 
-    /// <summary>Whether to compare an existing file with the model instead of making it.</summary>
     public static FlagSpec Verify { get; } = new(
         "--verify", OptionRole.HowItRuns, "Make nothing; read the model and its pyramid and compare them")
     {

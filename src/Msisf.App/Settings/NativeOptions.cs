@@ -16,7 +16,6 @@ internal static class NativeOptions
     /// <summary>Exposure for other laws: I/F = 1 is white.</summary>
     public const double ExposureOfOtherLaws = 1.0;
 
-    /// <summary>Number of samples per pixel, or the error that they may leave.</summary>
     public static TextSpec Samples { get; } = new(
         "--samples", DecidesBytes.As(frame => frame.Native is { } native ? SamplesReader.TextOf(native.Render) : null), "N|auto[:ERROR]",
         "Samples a pixel: a square number on a regular grid (1, 4, 9, 16, ... 256). With auto there are more only where brightness "
@@ -26,7 +25,6 @@ internal static class NativeOptions
         Words = [SamplesReader.Auto],
     };
 
-    /// <summary>Model of the surface normals.</summary>
     public static ChoiceSpec<NormalModel> Shading { get; } = new(
         "--shading", DecidesBytes.As(frame => frame.Native?.Render.Normals),
         [new Choice("facet", NormalModel.Facet), new Choice("smooth", NormalModel.Smooth)],
@@ -35,7 +33,6 @@ internal static class NativeOptions
         Default = NormalModel.Facet,
     };
 
-    /// <summary>Model of the Sun as a light source.</summary>
     public static ChoiceSpec<SunModel> Sun { get; } = new(
         "--sun", DecidesBytes.As(frame => frame.Native?.Render.Sun),
         [new Choice("point", SunModel.Point), new Choice("disc", SunModel.Disc)],
@@ -44,7 +41,6 @@ internal static class NativeOptions
         Default = SunModel.Point,
     };
 
-    /// <summary>Reflectance law and its parameters.</summary>
     public static TextSpec Reflectance { get; } = new(
         "--reflectance", DecidesBytes.As(frame => frame.Native?.ReflectanceText), "LAW",
         $"Law of reflectance: {string.Join(", ", ReflectanceFactory.Laws)}; parameters after a colon: hapke:w=0.3,b0=1.2")
@@ -53,7 +49,6 @@ internal static class NativeOptions
         Words = ReflectanceFactory.Laws,
     };
 
-    /// <summary>Map of Hapke's parameters.</summary>
     public static PathSpec HapkeMap { get; } = new(
         "--hapke-map", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.HapkeMap)),
         PathKind.File, "Parameters of the law moon by place: LROC's WAC_HAPKEPARAMMAP_643NM.IMG")
@@ -61,7 +56,6 @@ internal static class NativeOptions
         DefaultNote = "the same everywhere",
     };
 
-    /// <summary>Albedo of the reflectance law.</summary>
     public static NumberSpec Albedo { get; } = new(
         "--albedo", DecidesBytes.As(frame => frame.Native?.Albedo), "A", "Albedo of a law that is not the Moon's own")
     {
@@ -69,15 +63,12 @@ internal static class NativeOptions
         DefaultNote = NumberSpec.TextOf(ReflectanceFactory.DefaultAlbedo),
     };
 
-    /// <summary>Grey level of a radiance factor of 1.</summary>
     public static NumberSpec Exposure { get; } = new(
         "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), "X", "Linear grey of a radiance factor of 1, where 1 is white")
     {
-        DefaultNote = string.Create(
-            CultureInfo.InvariantCulture, $"{ExposureOfMoon} for moon, nac and hapke with w, else {ExposureOfOtherLaws}"),
+        DefaultNote = Invariant($"{ExposureOfMoon} for moon, nac and hapke with w, else {ExposureOfOtherLaws}"),
     };
 
-    /// <summary>Transfer curve of the grey levels.</summary>
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(
         "--transfer", DecidesBytes.As(frame => frame.Native?.Grey.Transfer),
         [new Choice("srgb", GreyTransfer.Srgb), new Choice("linear", GreyTransfer.Linear)],
@@ -86,7 +77,6 @@ internal static class NativeOptions
         Default = GreyTransfer.Srgb,
     };
 
-    /// <summary>Bits per pixel of the image.</summary>
     public static ChoiceSpec<int> BitDepth { get; } = new(
         "--bit-depth", DecidesBytes.As(frame => frame.Native?.BitDepth),
         [new Choice("8", 8), new Choice("16", 16)], "Bits of the image's grey levels")
@@ -97,7 +87,6 @@ internal static class NativeOptions
     /// <summary>Word that asks for the exposure time to be found.</summary>
     public const string AutomaticTime = "auto";
 
-    /// <summary>Exposure time of a camera's detector.</summary>
     public static TextSpec ExposureTime { get; } = new(
         "--exposure-time", DecidesBytes.As(frame => frame.Native?.ExposureTime), $"SECONDS|{AutomaticTime}",
         "Exposure time of a camera file with a detector; auto: so long that 99.5 % of the lit pixels stay below full well and highest DN, "
@@ -107,7 +96,6 @@ internal static class NativeOptions
         DefaultNote = "the camera file's",
     };
 
-    /// <summary>Seed of a detector's noise.</summary>
     public static TextSpec NoiseSeed { get; } = new(
         "--noise-seed", DecidesBytes.ByStates, "N[:STEP]",
         "Noise of a camera file's detector from this number and the image's step, whatever its state; STEP is that of the first image")
@@ -115,7 +103,6 @@ internal static class NativeOptions
         DefaultNote = "from the detector's seed and the state",
     };
 
-    /// <summary>By how much longer images are exposed.</summary>
     public static NumberSpec ExposureFactor { get; } = new(
         "--exposure-factor", DecidesBytes.ByStatesOfRun, "X",
         "Multiplies --exposure, or the exposure time of a camera file with a detector; a batch file can have a column exposure_factor")
@@ -124,7 +111,6 @@ internal static class NativeOptions
         DefaultNote = "1",
     };
 
-    /// <summary>Seed of invented detail below the elevation model.</summary>
     public static TextSpec Refine { get; } = new(
         "--refine", DecidesBytes.As(frame => frame.Native?.Refine?.Seed), "SEED",
         "Invents craters, roughness and boulders below the elevation model's resolution, from this number; real heights stay")
@@ -132,7 +118,6 @@ internal static class NativeOptions
         DefaultNote = "no invented detail",
     };
 
-    /// <summary>Width of the narrowest cells of invented detail.</summary>
     public static NumberSpec RefineCell { get; } = new(
         "--refine-cell", DecidesBytes.As(frame => frame.Native?.Refine?.Cell),
         "METRES", "Narrowest cells of invented detail; the next smaller power of two is taken")
@@ -141,7 +126,6 @@ internal static class NativeOptions
         Limits = new NumberRange(RefineSettings.NarrowestCell, RefineSettings.WidestCell),
     };
 
-    /// <summary>Layers of ground truth to write.</summary>
     public static TextSpec Layers { get; } = new(
         "--layers", DecidesBytes.As(frame => frame.WithLayers?.Layers!.Layers.Select(layer => layer.Name)),
         "LIST|all", "Ground truth of every pixel, as names separated by commas: depth,position,incidence,mask, ...")
@@ -150,7 +134,6 @@ internal static class NativeOptions
         Words = [LayerSet.AllText, .. LayerCatalogue.All.Select(layer => layer.Name)],
     };
 
-    /// <summary>File format of the layers.</summary>
     public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
         "--layers-format", DecidesBytes.As(frame => frame.WithLayers?.LayersFormat),
         [new Choice("fits", Settings.LayersFormat.Fits), new Choice("npy", Settings.LayersFormat.Npy)],
@@ -159,7 +142,6 @@ internal static class NativeOptions
         Default = Settings.LayersFormat.Fits,
     };
 
-    /// <summary>Precision of the layers' real numbers.</summary>
     public static ChoiceSpec<LayerPrecision> LayersPrecision { get; } = new(
         "--layers-precision", DecidesBytes.UnlessDefault(frame => frame.WithLayers?.LayersPrecision),
         [new Choice("double", LayerPrecision.Real64), new Choice("single", LayerPrecision.Real32)],
@@ -168,7 +150,6 @@ internal static class NativeOptions
         Default = LayerPrecision.Real64,
     };
 
-    /// <summary>Compression of the layers in FITS.</summary>
     public static ChoiceSpec<LayerCompression> LayersCompression { get; } = new(
         "--layers-compression", DecidesBytes.UnlessDefault(frame => frame.WithLayers?.LayersCompression),
         [new Choice("none", LayerCompression.None), new Choice("gzip", LayerCompression.Gzip)],

@@ -17,12 +17,10 @@ internal static class NavigationOptions
 
     private const string DefaultFlowFormat = "fits";
 
-    /// <summary>Catalogue of craters.</summary>
     public static PathSpec Craters { get; } = new(
         "--craters", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Craters)), PathKind.File,
         "Lists the craters of a catalogue (CSV) in each image, as ellipses of their rims, in the meta file, as CSV and as COCO JSON");
 
-    /// <summary>Where rims lie.</summary>
     public static ChoiceSpec<CraterRim> Rim { get; } = new(
         "--crater-rim", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.Rim),
         [new Choice("disc", CraterRim.Disc), new Choice("terrain", CraterRim.Terrain)],
@@ -31,7 +29,6 @@ internal static class NavigationOptions
         Default = CraterRim.Disc,
     };
 
-    /// <summary>Least diameter in the image.</summary>
     public static NumberSpec CraterSize { get; } = new(
         "--crater-size", DecidesBytes.UnlessDefault(frame => frame.WithCraters?.LeastDiameter), "PX",
         "Least diameter in the image of craters that are listed; smaller ones are counted")
@@ -40,7 +37,6 @@ internal static class NavigationOptions
         Limits = new NumberRange(0.0, MaxCraterSize),
     };
 
-    /// <summary>List of landmarks.</summary>
     public static PathSpec Landmarks { get; } = new(
         "--landmarks", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Landmarks)), PathKind.File,
         "Lists where each image shows the points of a list (CSV), with partial derivatives, in the meta file and as CSV");
@@ -54,7 +50,6 @@ internal static class NavigationOptions
     /// <summary>The word for the other frame of a pair: steps 1 and 2, 3 and 4, and so on.</summary>
     public const string PairedFrame = "pair";
 
-    /// <summary>The other frame of the flow.</summary>
     public static TextSpec Flow { get; } = new(
         "--flow", DecidesBytes.ByStatesOfRun, $"{NextFrame}|{PreviousFrame}|{PairedFrame}|FILE|STATE",
         "Where each pixel's surface point lies in another image, whether that shows it, and how the light differs: of the run's next or "
@@ -63,7 +58,6 @@ internal static class NavigationOptions
         Words = [NextFrame, PreviousFrame, PairedFrame],
     };
 
-    /// <summary>m: baseline to a second camera.</summary>
     public static NumberSpec Stereo { get; } = new(
         "--stereo", DecidesBytes.As(frame => frame.Native?.Navigation?.Stereo).OfRuns(), "METRES",
         "Disparity of each pixel to a camera so far to the right of this one that looks the same way")
@@ -71,7 +65,6 @@ internal static class NavigationOptions
         Limits = new NumberRange(0.0, MaxBaseline) { ExcludesMin = true },
     };
 
-    /// <summary>File formats of flow and disparity.</summary>
     public static TextSpec FlowFormat { get; } = new(
         "--flow-format", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.FlowFormatNames).OfRuns(), "LIST",
         "Formats of flow and disparity, separated by commas: fits and npy (double precision), flo (Middlebury), kitti (PNG)")

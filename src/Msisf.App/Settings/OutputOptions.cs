@@ -10,7 +10,6 @@ internal static class OutputOptions
     /// <summary>Default pattern of the file names, as in the thesis.</summary>
     public const string DefaultName = "MoonSurfIllumSim_step_{step:00000}";
 
-    /// <summary>Folder of the outputs.</summary>
     public static PathSpec Folder { get; } = new("--output-dir", OptionRole.HowItRuns, PathKind.Folder, "Folder of the outputs")
     {
         Aliases = ["-o"],
@@ -18,7 +17,6 @@ internal static class OutputOptions
         DefaultNote = "./output",
     };
 
-    /// <summary>Pattern of the file names.</summary>
     public static TextSpec Name { get; } = new(
         "--output-name", OptionRole.HowItRuns, "PATTERN",
         "File names without extension; {step}, {step:00000}, {mjd} and {mjd:0.000} stand for the image's number and time")
@@ -26,7 +24,6 @@ internal static class OutputOptions
         Default = DefaultName,
     };
 
-    /// <summary>Spacing of the meta file's pixels in both directions, px.</summary>
     public static WholeNumberSpec Grid { get; } = new(
         "--grid", DecidesBytes.ByOthers, "PX", 1, int.MaxValue, "Spacing of the pixels that the meta file lists, both ways")
     {
@@ -34,7 +31,6 @@ internal static class OutputOptions
         Default = PixelGrid.DefaultSpacing,
     };
 
-    /// <summary>Horizontal spacing of the meta file's pixels, px.</summary>
     public static WholeNumberSpec GridHorizontal { get; } = new(
         "--gridH", DecidesBytes.As(frame => frame.Settings.GridHorizontal), "PX", 1, int.MaxValue, "The same, horizontally")
     {
@@ -42,7 +38,6 @@ internal static class OutputOptions
         DefaultNote = "--grid",
     };
 
-    /// <summary>Vertical spacing of the meta file's pixels, px.</summary>
     public static WholeNumberSpec GridVertical { get; } = new(
         "--gridV", DecidesBytes.As(frame => frame.Settings.GridVertical), "PX", 1, int.MaxValue, "The same, vertically")
     {
@@ -50,7 +45,6 @@ internal static class OutputOptions
         DefaultNote = "--grid",
     };
 
-    /// <summary>Surface on which the meta file's pixels lie.</summary>
     public static ChoiceSpec<PixelSurface> Surface { get; } = new(
         "--surface", DecidesBytes.As(frame => frame.Settings.Surface),
         [new Choice("sphere", PixelSurface.Sphere), new Choice("terrain", PixelSurface.Terrain)],
@@ -59,7 +53,6 @@ internal static class OutputOptions
         Default = PixelSurface.Sphere,
     };
 
-    /// <summary>Whether to write a second image with annotations.</summary>
     public static FlagSpec Annotation { get; } = new(
         "--rendering-annotation", DecidesBytes.As(frame => frame.Settings.Annotate).OfRuns(),
         "Make a second image with the illumination directions and the scene's data drawn on it");

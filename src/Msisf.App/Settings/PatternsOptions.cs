@@ -8,7 +8,6 @@ namespace Msisf.App.Settings;
 /// </summary>
 internal static class PatternsOptions
 {
-    /// <summary>Source of the elevation samples; the value is true for the database.</summary>
     public static ChoiceSpec<bool> Source { get; } = new(
         "--source", DecidesBytes.OfNoFrame, [new Choice("ldem", false), new Choice("mysql", true)],
         "Where the samples come from: the elevation model's file, or the database of scripts/ldem_mysql_insert.php")
@@ -16,14 +15,12 @@ internal static class PatternsOptions
         Default = false,
     };
 
-    /// <summary>Option file with the connection to the database.</summary>
     public static PathSpec DefaultsFile { get; } = new(
         "--defaults-file", DecidesBytes.OfNoFrame,
         PathKind.File,
         "With --source mysql: option file with the connection in its [client] group; "
             + "what it leaves out comes from MSISF_DB_HOST, _PORT, _SOCKET, _USER, _PASSWORD, _DATABASE and _SSL_CA");
 
-    /// <summary>Overlap of neighbouring patterns, degrees.</summary>
     public static NumberSpec Margin { get; } = new(
         "--margin", DecidesBytes.OfNoFrame, "DEGREES", "Overlap with the neighbours, for scenes of 2012")
     {
@@ -31,7 +28,6 @@ internal static class PatternsOptions
         Default = 0.0,
     };
 
-    /// <summary>Mesh format of the patterns.</summary>
     public static ChoiceSpec<PatternFormat> Format { get; } = new(
         "--format", DecidesBytes.OfNoFrame, [new Choice("mesh2", PatternFormat.Mesh2), new Choice("mesh", PatternFormat.Mesh)],
         "Form of the patterns: exact and compact, or the thesis's text form for old scenes")
@@ -39,7 +35,6 @@ internal static class PatternsOptions
         Default = PatternFormat.Mesh2,
     };
 
-    /// <summary>Batch file of the run whose patterns are made.</summary>
     public static PathSpec ForBatch { get; } = CameraOptions.BatchFile with
     {
         Name = "--for-batch",

@@ -7,12 +7,10 @@ namespace Msisf.App.Settings;
 /// <summary>The options of a camera that is given by place and target, without quaternions.</summary>
 internal static class PointingOptions
 {
-    /// <summary>Place of the camera.</summary>
     public static TextSpec Position { get; } = new(
         "--position", DecidesBytes.ByStates, "LAT,LON,HEIGHT",
         "Camera by latitude, longitude (degrees, east) and height: m over the sphere of 1737400 m, or terrain+m over the terrain");
 
-    /// <summary>Target of the camera.</summary>
     public static TextSpec LookAt { get; } = new(
         "--look-at", DecidesBytes.ByStates, "LAT,LON[,HEIGHT]|nadir|sun|horizon:AZIMUTH",
         "With --position: what the camera looks at; a place without a height lies on the terrain; azimuths are degrees "
@@ -22,13 +20,11 @@ internal static class PointingOptions
         Default = "nadir",
     };
 
-    /// <summary>Angle from the nadir.</summary>
     public static TextSpec OffNadir { get; } = new(
         "--off-nadir", DecidesBytes.ByStates, "ANGLE[,AZIMUTH]",
         "With --position, in place of --look-at: the line of sight's angle from the nadir (degrees), towards an azimuth (clockwise from "
             + "north; 0 if left out)");
 
-    /// <summary>Direction that is up in the image.</summary>
     public static ChoiceSpec<UpDirection> Up { get; } = new(
         "--up", DecidesBytes.ByStates, [("zenith", UpDirection.Zenith), ("north", UpDirection.North), ("sun", UpDirection.Sun)],
         "With --position: what points up in the image; looking straight at or away from it, north does")
@@ -36,7 +32,6 @@ internal static class PointingOptions
         Default = UpDirection.Zenith,
     };
 
-    /// <summary>Roll about the line of sight.</summary>
     public static NumberSpec Roll { get; } = new(
         "--roll", DecidesBytes.ByStates,
         "DEGREES", "With --position: turn the camera about its line of sight, clockwise as seen from behind it")

@@ -8,7 +8,6 @@ internal static class PovOptions
     /// <summary>Maximum time limit, s: the longest that a .NET timer accepts.</summary>
     private const int MaxTimeout = int.MaxValue / 1000;
 
-    /// <summary>Folder of the surface patterns.</summary>
     public static PathSpec PatternRepository { get; } = new(
         "--pattern-repos", OptionRole.HowItRuns, PathKind.Folder, "Folder of the surface patterns")
     {
@@ -17,14 +16,12 @@ internal static class PovOptions
         DefaultNote = "./pattern-repository",
     };
 
-    /// <summary>Path of the POV-Ray program.</summary>
     public static PathSpec Program { get; } = new(
         "--pov-path", DecidesBytes.ByFiles, PathKind.Any, "POV-Ray's program or its folder")
     {
         DefaultNote = "searched along the PATH",
     };
 
-    /// <summary>Further command-line options for POV-Ray.</summary>
     public static TextSpec MoreOptions { get; } = new(
         "--pov-options", DecidesBytes.As(frame => frame.Native is null ? frame.Settings.PovOptions : null).OfRuns(),
         "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
@@ -32,14 +29,12 @@ internal static class PovOptions
         Separator = " ",
     };
 
-    /// <summary>Time limit of one POV-Ray process, s.</summary>
     public static NumberSpec Timeout { get; } = new("--timeout", OptionRole.HowItRuns, "SECONDS", "Longest time of one POV-Ray run")
     {
         Limits = new NumberRange(0.0, MaxTimeout) { ExcludesMin = true },
         DefaultNote = "no limit",
     };
 
-    /// <summary>Whether to list the tiles and render nothing.</summary>
     public static FlagSpec ListPatterns { get; } = new(
         "--list-patterns", OptionRole.WhatIsPrinted, "Print the tiles of each image and why each is taken or left out; render nothing")
     {

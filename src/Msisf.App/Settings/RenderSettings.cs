@@ -136,8 +136,7 @@ internal sealed record RenderSettings
     public IEnumerable<int> StepsOf(int count) => Frames switch
     {
         null => Enumerable.Range(1, count),
-        { } chosen when chosen.Last > count => throw new UsageException(string.Create(
-            CultureInfo.InvariantCulture,
+        { } chosen when chosen.Last > count => throw new UsageException(Invariant(
             $"--frames {chosen}: step {chosen.Last} is wanted, but the run has {count} only. Name steps that it has.")),
         { } chosen => chosen.Steps,
     };

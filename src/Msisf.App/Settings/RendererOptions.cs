@@ -7,7 +7,6 @@ namespace Msisf.App.Settings;
 /// <summary>The option that selects the renderer, and the lists of options that each renderer supports.</summary>
 internal static class RendererOptions
 {
-    /// <summary>The renderer.</summary>
     public static ChoiceSpec<RendererKind> Renderer { get; } = new(
         "--renderer", DecidesBytes.As(frame => frame.Settings.Renderer),
         [new Choice("povray", RendererKind.PovRay), new Choice("native", RendererKind.Native)],

@@ -12,7 +12,6 @@ internal static class RigOptions
     /// <summary>Stands for the name of a rig's camera in names of files.</summary>
     public const string CameraField = "{camera}";
 
-    /// <summary>A rig file.</summary>
     public static PathSpec Rig { get; } = new(
         "--rig", DecidesBytes.ByStatesOfRun, PathKind.File,
         "Several cameras on one body (docs/rigs.md), in place of --camera: each state is the body's, and each camera draws an image of it. "

@@ -8,14 +8,12 @@ internal static class RunOptions
     /// <summary>Maximum number of frames at once: more than any computer can run.</summary>
     private const int MaxJobs = 1024;
 
-    /// <summary>Number of frames drawn at once.</summary>
     public static WholeNumberSpec Jobs { get; } = new("--jobs", OptionRole.HowItRuns, "N", 1, MaxJobs, "Images at once")
     {
         Aliases = ["-j"],
         DefaultNote = "as many as cores and memory allow",
     };
 
-    /// <summary>Steps of the run to make.</summary>
     public static TextSpec Frames { get; } = new(
         "--frames", OptionRole.HowItRuns,
         "LIST", "Only these steps of the run, e.g. 1001:2000 or 3:5,17; numbers and names stay those of the whole run")
@@ -24,18 +22,15 @@ internal static class RunOptions
         DefaultNote = "all",
     };
 
-    /// <summary>Whether to make existing frames again.</summary>
     public static FlagSpec Overwrite { get; } = new(
         "--overwrite", OptionRole.HowItRuns, "Make all images again, also those that are there and complete")
     {
         IsOfOneCall = true,
     };
 
-    /// <summary>Whether to stop at the first frame that fails.</summary>
     public static FlagSpec FailFast { get; } = new(
         "--fail-fast", OptionRole.HowItRuns, "Stop at the first image that fails instead of going on with the others");
 
-    /// <summary>File for the times of single frames.</summary>
     public static PathSpec FrameTimes { get; } = new(
         "--frame-times", OptionRole.WhatIsPrinted,
         PathKind.File, "Write a line for each image made: step, name, seconds; separated by tabs")
@@ -43,16 +38,13 @@ internal static class RunOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>Whether to print the times of the parts of the run.</summary>
     public static FlagSpec Timing { get; } = new(
         "--timing", OptionRole.WhatIsPrinted, "Print run times as one line of JSON on standard error");
 
-    /// <summary>Whether the run is unattended: no questions and no progress bars.</summary>
     public static FlagSpec Batch { get; } = new(
         "--batch", OptionRole.WhatIsPrinted, "Unattended: ask nothing, draw no progress bars")
     { Aliases = ["-b"] };
 
-    /// <summary>Configuration file; all commands have this option.</summary>
     public static PathSpec Config { get; } = new(
         "--config", DecidesBytes.ByOthers, PathKind.File,
         "Settings for options that are not given, one \"key: value\" a line; they go before those of ~/.config/msisf/config.yaml")
@@ -60,12 +52,10 @@ internal static class RunOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>Prints help.</summary>
     public static FlagSpec Help { get; } = new(
         "--help", OptionRole.WhatIsPrinted, "Show this help")
     { Aliases = ["-?"], IsOfOneCall = true };
 
-    /// <summary>Prints the version.</summary>
     public static FlagSpec Version { get; } = new("--version", OptionRole.WhatIsPrinted, "Show the version of msis") { IsOfOneCall = true };
 
     /// <summary>The options of a run as a group of the help text.</summary>

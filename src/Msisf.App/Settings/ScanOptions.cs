@@ -13,19 +13,16 @@ internal static class ScanOptions
     /// <summary>Lines: each has a state of its own and is written when it is drawn, so there is no limit of memory.</summary>
     private const int MaxExposures = 10_000_000;
 
-    /// <summary>Lines of a line-scan camera.</summary>
     public static WholeNumberSpec Lines { get; } = new(
         "--lines",
         DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.LineScan } scan ? scan.Count : null),
         "N", 1, MaxExposures, "Lines of the image, for a camera file whose section 'scan' is a line-scan: each has its own time and state");
 
-    /// <summary>Framelets of a push-frame camera.</summary>
     public static WholeNumberSpec Framelets { get; } = new(
         "--framelets",
         DecidesBytes.UnlessDefault(frame => frame.Settings.Scan is { Kind: ScanKind.PushFrame } scan ? scan.Count : null),
         "N", 1, MaxExposures, "Framelets of the image, for a camera file whose section 'scan' is a push-frame");
 
-    /// <summary>Time between exposures.</summary>
     public static NumberSpec Period { get; } = new(
         "--scan-period", DecidesBytes.UnlessDefault(frame => frame.Settings.GivenScanPeriod), "SECONDS",
         "Time from line to line, or from framelet to framelet, in place of the camera file's 'period'")
@@ -33,17 +30,14 @@ internal static class ScanOptions
         Limits = new NumberRange(0.0, 1e6) { ExcludesMin = true },
     };
 
-    /// <summary>Jitter.</summary>
     public static PathSpec Jitter { get; } = new(
         "--jitter", DecidesBytes.UnlessDefault(frame => frame.Settings.Jitter?.Text).OfRuns(), PathKind.File,
         "Small turns of the camera while it takes images: seconds, roll, pitch and yaw (microradians) a line, or sines");
 
-    /// <summary>Samples of a motion.</summary>
     public static PathSpec Trajectory { get; } = new(
         "--trajectory", DecidesBytes.ByStatesOfRun, PathKind.File,
         "States as in --batch-file that are samples of one motion; images are taken between them, at --time, or from the first one on");
 
-    /// <summary>How positions between samples are found.</summary>
     public static ChoiceSpec<InterpolationMethod> Positions { get; } = new(
         "--trajectory-positions", DecidesBytes.ByStates,
         [("lagrange", InterpolationMethod.Lagrange), ("hermite", InterpolationMethod.Hermite), ("linear", InterpolationMethod.Linear)],
@@ -53,7 +47,6 @@ internal static class ScanOptions
         DefaultNote = "hermite where the file has velocities, else lagrange",
     };
 
-    /// <summary>How attitudes between samples are found.</summary>
     public static ChoiceSpec<bool> Attitudes { get; } = new(
         "--trajectory-attitudes", DecidesBytes.ByStates, [("slerp", false), ("squad", true)],
         "With --trajectory: attitudes by turns at a constant rate from sample to sample, or by squad, whose rate does not jump")
@@ -64,7 +57,6 @@ internal static class ScanOptions
     /// <summary>The options that say how an image is scanned.</summary>
     public static OptionSpec[] OfImage { get; } = [Lines, Framelets, Period, Jitter];
 
-    /// <summary>The options of a trajectory.</summary>
     public static OptionSpec[] OfTrajectory { get; } = [Trajectory, Positions, Attitudes];
 
     /// <summary>Reads how an image is scanned; null for a frame.</summary>

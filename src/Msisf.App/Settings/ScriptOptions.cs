@@ -5,7 +5,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options of a script that makes a run in pieces.</summary>
 internal static class ScriptOptions
 {
-    /// <summary>Format of the script.</summary>
     public static ChoiceSpec<ScriptFormat> Format { get; } = new(
         "--format", OptionRole.HowItRuns,
         [
@@ -19,7 +18,6 @@ internal static class ScriptOptions
         IsRequired = true,
     };
 
-    /// <summary>Path of the script.</summary>
     public static PathSpec Script { get; } = new("--script", OptionRole.HowItRuns, PathKind.File, "The script")
     {
         IsOfOneCall = true,
@@ -29,7 +27,6 @@ internal static class ScriptOptions
     /// <summary>File name of the script of msis submit, in the folder of the outputs.</summary>
     public static string SlurmScriptName { get; } = NameOf(ScriptFormat.Slurm);
 
-    /// <summary>Whether to follow the jobs of Slurm to their end.</summary>
     public static FlagSpec Wait { get; } = new(
         "--wait", OptionRole.WhatIsPrinted, "Tell the progress, and end with the exit code of the whole")
     {

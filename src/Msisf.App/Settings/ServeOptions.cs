@@ -17,7 +17,6 @@ internal static partial class ServeOptions
     private const int MaxTimeLimit = 86400;
     private const int MaxQueue = 10_000;
 
-    /// <summary>Where the server listens.</summary>
     public static TextSpec Listen { get; } = new(
         "--listen", OptionRole.HowItRuns, "ADDRESS:PORT|PATH",
         "Where to listen: an address and a port (0 for any free one), or the path of a Unix socket, which holds a /")
@@ -25,18 +24,14 @@ internal static partial class ServeOptions
         Default = $"127.0.0.1:{DefaultPort}",
     };
 
-    /// <summary>File with the token that clients send.</summary>
     public static PathSpec TokenFile { get; } = new(
         "--token-file", OptionRole.HowItRuns, PathKind.File,
         "File whose first line clients send as 'Authorization: Bearer', or as password; needed for any address that is not loopback");
 
-    /// <summary>Certificate of TLS.</summary>
     public static PathSpec Certificate { get; } = new("--tls-certificate", OptionRole.HowItRuns, PathKind.File, "Certificate for TLS, PEM");
 
-    /// <summary>Key of the certificate.</summary>
     public static PathSpec CertificateKey { get; } = new("--tls-key", OptionRole.HowItRuns, PathKind.File, "Key of the certificate, PEM");
 
-    /// <summary>Further names of the server.</summary>
     public static TextSpec Hosts { get; } = new(
         "--allow-host", OptionRole.HowItRuns,
         "LIST", "Names under which clients may ask for the server, beside localhost and addresses; separated by commas")
@@ -45,14 +40,12 @@ internal static partial class ServeOptions
         Form = (HostNames(), "names of computers separated by commas are needed, e.g. moon.example.org"),
     };
 
-    /// <summary>Largest image.</summary>
     public static WholeNumberSpec MaxPixels { get; } = new(
         "--max-pixels", OptionRole.HowItRuns, "PX", 1, int.MaxValue, "Pixels of the largest image")
     {
         Default = DefaultMaxPixels,
     };
 
-    /// <summary>Largest answer.</summary>
     public static WholeNumberSpec MaxMegabytes { get; } = new(
         "--max-megabytes", OptionRole.HowItRuns,
         "MB", 1, MaxOfMegabytes, "Megabytes (of 1,000,000 bytes) of the largest answer, without compression")
@@ -60,27 +53,23 @@ internal static partial class ServeOptions
         Default = DefaultMaxMegabytes,
     };
 
-    /// <summary>Requests that wait.</summary>
     public static WholeNumberSpec Queue { get; } = new(
         "--queue", OptionRole.HowItRuns, "N", 1, MaxQueue, "Requests that may wait while others are drawn")
     {
         Default = DefaultQueue,
     };
 
-    /// <summary>Longest time of a request.</summary>
     public static WholeNumberSpec TimeLimit { get; } = new(
         "--max-seconds", OptionRole.HowItRuns, "SECONDS", 1, MaxTimeLimit, "How long a request may take, waiting included")
     {
         Default = DefaultTimeLimit,
     };
 
-    /// <summary>Whether the server ends with the program that started it.</summary>
     public static FlagSpec EndWithInput { get; } = new(
         "--end-with-input", OptionRole.HowItRuns,
         "End, without finishing images, when standard input ends or the program dies that started this one; for clients that start a "
             + "server");
 
-    /// <summary>Where Basilisk finds the server.</summary>
     public static TextSpec Basilisk { get; } = new(
         "--basilisk", OptionRole.HowItRuns, "tcp://ADDRESS:PORT",
         "Answer Basilisk in Vizard's place at this address, and no HTTP; the usual one is tcp://127.0.0.1:5556")
@@ -89,7 +78,6 @@ internal static partial class ServeOptions
         Form = (ZeroMqAddress(), "tcp://, an address and a port are needed, e.g. tcp://127.0.0.1:5556"),
     };
 
-    /// <summary>Camera files for Basilisk's cameras.</summary>
     public static TextSpec BasiliskCameras { get; } = new(
         "--camera", OptionRole.HowItRuns, "ID=FILE,...",
         "Camera files with lens, detector and exposure for cameras of Basilisk, by their cameraID, separated by commas")
@@ -97,7 +85,6 @@ internal static partial class ServeOptions
         Separator = ",",
     };
 
-    /// <summary>Where the Moon's attitude in a simulation comes from.</summary>
     public static ChoiceSpec<MoonAttitude> MoonAttitude { get; } = new(
         "--moon-attitude", OptionRole.HowItRuns,
         [new Choice("message", Settings.MoonAttitude.Message), new Choice("spice", Settings.MoonAttitude.Spice)],
@@ -106,12 +93,10 @@ internal static partial class ServeOptions
         Default = Settings.MoonAttitude.Message,
     };
 
-    /// <summary>Options of Basilisk's images.</summary>
     public static PathSpec FrameOptions { get; } = new(
         "--frame-options", OptionRole.HowItRuns, PathKind.File,
         "With --basilisk: JSON with options of the images, as in a request, e.g. {\"model\": \"LDEM_64\", \"samples\": 4}");
 
-    /// <summary>Folder for the states of Basilisk's images.</summary>
     public static PathSpec RecordFolder { get; } = new(
         "--record", OptionRole.HowItRuns, PathKind.Folder,
         "With --basilisk: write the state of each image to a batch file here, from which msis draws it again");

@@ -19,13 +19,11 @@ internal static partial class SlurmOptions
         "parsable", "partition", "quiet", "requeue", "test-only", "time", "usage", "version", "wait", "wrap",
     ];
 
-    /// <summary>Maximum number of pieces at once.</summary>
     public static WholeNumberSpec Concurrency { get; } = new("--concurrency", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Pieces at once")
     {
         DefaultNote = "as many as there is room for",
     };
 
-    /// <summary>Number of CPUs per piece.</summary>
     public static WholeNumberSpec CpusPerTask { get; } = new(
         "--cpus-per-task", OptionRole.HowItRuns,
         "N", 1, MaxCpus, "CPUs of a piece, and its images at once if --jobs does not say otherwise")
@@ -33,14 +31,12 @@ internal static partial class SlurmOptions
         Default = 1,
     };
 
-    /// <summary>Memory per piece.</summary>
     public static TextSpec Memory { get; } = new("--memory", OptionRole.HowItRuns, "SIZE", "Memory of a piece, e.g. 4G")
     {
         Form = (SizeText(), "a size is needed, e.g. 4G or 500M"),
         DefaultNote = "the cluster's",
     };
 
-    /// <summary>Time limit of a piece.</summary>
     public static TextSpec TimeLimit { get; } = new(
         "--time-limit", OptionRole.HowItRuns, "TIME", "Longest time of a piece as sbatch takes it, e.g. 2:00:00")
     {
@@ -48,21 +44,18 @@ internal static partial class SlurmOptions
         DefaultNote = "the partition's",
     };
 
-    /// <summary>Partition of the cluster.</summary>
     public static TextSpec Partition { get; } = new("--partition", OptionRole.HowItRuns, "NAME", "Partition")
     {
         Form = (NameText(), "a name without blanks is needed"),
         DefaultNote = "the cluster's",
     };
 
-    /// <summary>Account that is charged.</summary>
     public static TextSpec Account { get; } = new("--account", OptionRole.HowItRuns, "NAME", "Account")
     {
         Form = (NameText(), "a name without blanks is needed"),
         DefaultNote = "the user's",
     };
 
-    /// <summary>Further options of sbatch.</summary>
     public static TextSpec MoreOptions { get; } = new(
         "--sbatch-options", OptionRole.HowItRuns,
         "TEXT", "More options of sbatch without their dashes, separated by spaces, e.g. \"qos=long constraint=avx2\"")
@@ -70,7 +63,6 @@ internal static partial class SlurmOptions
         Separator = " ",
     };
 
-    /// <summary>How many times missing frames are submitted again.</summary>
     public static WholeNumberSpec Retries { get; } = new(
         "--retries", OptionRole.HowItRuns, "N", 0, MaxRetries, "How often missing images are submitted again")
     {

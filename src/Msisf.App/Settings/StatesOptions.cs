@@ -7,7 +7,6 @@ internal static class StatesOptions
 {
     private static readonly StatesFormat[] Tables = [StatesFormat.Batch, StatesFormat.Csv, StatesFormat.Tum];
 
-    /// <summary>Form of the states.</summary>
     public static ChoiceSpec<StatesFormat> Format { get; } = new(
         "--format", OptionRole.HowItRuns,
         [
@@ -19,7 +18,6 @@ internal static class StatesOptions
         Default = StatesFormat.Batch,
     };
 
-    /// <summary>Where they go.</summary>
     public static PathSpec To { get; } = new(
         "--to", OptionRole.HowItRuns, PathKind.Any, "The file of batch, csv or tum; the folder of the others")
     {

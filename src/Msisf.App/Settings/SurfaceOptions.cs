@@ -14,7 +14,6 @@ internal static class SurfaceOptions
     /// <summary>Maximum error of levels of detail, px: with a larger one the Moon would not be recognisable.</summary>
     private const double MaxLevelOfDetailError = 100.0;
 
-    /// <summary>Resolution of the elevation model, px/deg.</summary>
     public static WholeNumberSpec Resolution { get; } = new(
         "--res", DecidesBytes.As(frame => frame.NamesOfSeveralModels is null ? frame.Settings.Resolution.PixelsPerDegree : null).AndTiles(),
         "PX/DEG", 1, MaxResolution, "Resolution of the elevation model")
@@ -24,7 +23,6 @@ internal static class SurfaceOptions
         DefaultNote = "that of the file that --ldem names, else 4",
     };
 
-    /// <summary>Path of the elevation model.</summary>
     public static PathSpec Ldem { get; } = new(
         "--ldem", DecidesBytes.As(frame => frame.NamesOfSeveralModels).AndTiles(),
         PathKind.Any,
@@ -38,7 +36,6 @@ internal static class SurfaceOptions
         DefaultNote = "./input/ldem, then that of the installation",
     };
 
-    /// <summary>NAIF's number of the body that is drawn.</summary>
     public static ChoiceSpec<int> Body { get; } = new(
         "--body", DecidesBytes.As(frame => frame.Settings.Body.IsMoon ? null : frame.Settings.Body.NaifNumber).OfRuns(),
         [.. CelestialBody.All.Select(body => new Choice(body.Name.ToLowerInvariant(), body.NaifNumber))],
@@ -47,7 +44,6 @@ internal static class SurfaceOptions
         Default = CelestialBody.Moon.NaifNumber,
     };
 
-    /// <summary>Which of two models gives way where they meet.</summary>
     public static ChoiceSpec<NestBlend> NestBlend { get; } = new(
         "--nest-blend", DecidesBytes.UnlessDefault(frame => frame.NamesOfSeveralModels is null ? null : frame.Settings.NestBlend),
         [
@@ -58,7 +54,6 @@ internal static class SurfaceOptions
         Default = Core.Surface.Sources.NestBlend.Outward,
     };
 
-    /// <summary>Whether coarser levels are used; the value is true for "off".</summary>
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
         "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null).AndTiles(),
         [new Choice("auto", false), new Choice("off", true)],
@@ -67,14 +62,12 @@ internal static class SurfaceOptions
         Default = false,
     };
 
-    /// <summary>Allowed error of the levels, px.</summary>
     public static NumberSpec LevelOfDetailError { get; } = new(
         "--lod-error", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError).AndTiles(),
         "PX", "How far coarser levels may move what is seen")
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
-        DefaultNote = string.Create(
-            CultureInfo.InvariantCulture,
+        DefaultNote = Invariant(
             $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
     };
 

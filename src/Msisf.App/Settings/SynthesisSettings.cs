@@ -26,7 +26,6 @@ internal sealed record SynthesisSettings(
     /// <summary>The polar map to make; null for a model of latitude and longitude.</summary>
     public SyntheticMapSettings? Map { get; init; }
 
-    /// <summary>The body.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 }
 

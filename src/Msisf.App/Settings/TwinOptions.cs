@@ -8,7 +8,6 @@ internal static class TwinOptions
     /// <summary>Bands at most: M3 has 256.</summary>
     private const int MostBands = 10_000;
 
-    /// <summary>The band of the product.</summary>
     public static WholeNumberSpec Band { get; } = new(
         "--image-band", OptionRole.HowItRuns, "K", 1, MostBands, "Band of the real image, from 1")
     {
@@ -16,7 +15,6 @@ internal static class TwinOptions
         DefaultNote = "the one nearest to --band by the label's wavelengths, else the first",
     };
 
-    /// <summary>The lines of the product.</summary>
     public static TextSpec Lines { get; } = new(
         "--image-lines", OptionRole.HowItRuns, "FIRST-LAST", "Only these lines of the real image, from 1; of line-scan cameras")
     {

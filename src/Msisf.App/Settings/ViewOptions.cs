@@ -7,7 +7,6 @@ internal static class ViewOptions
 {
     private const string ListOfPaths = "[NAME=]PATH,...";
 
-    /// <summary>Output folders and batch files for the time line.</summary>
     public static TextSpec Folders { get; } = new(
         "--folders", OptionRole.HowItRuns, ListOfPaths,
         "Output folders, batch files and trajectories (OEM) for the viewer's time line, separated by commas; the name is the path's last "
@@ -16,7 +15,6 @@ internal static class ViewOptions
         Separator = ",",
     };
 
-    /// <summary>Catalogues of craters.</summary>
     public static TextSpec Catalogues { get; } = new(
         "--catalogues", OptionRole.HowItRuns,
         ListOfPaths, "Catalogues of craters in CSV for the viewer, separated by commas, named in the same way")
@@ -24,7 +22,6 @@ internal static class ViewOptions
         Separator = ",",
     };
 
-    /// <summary>Whether to open no browser.</summary>
     public static FlagSpec NoBrowser { get; } = new("--no-browser", OptionRole.HowItRuns, "Open no browser; only print the address");
 
     /// <summary>What to open first.</summary>

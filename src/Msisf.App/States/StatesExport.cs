@@ -78,7 +78,7 @@ internal static class StatesExport
 
     /// <summary>A name for each exposure: that of the image, with its number where there are several.</summary>
     private static IEnumerable<string> NamesOf(SpacecraftState state, string name) => state.Path is { States.Count: > 1 } path
-        ? Enumerable.Range(1, path.States.Count).Select(number => string.Create(CultureInfo.InvariantCulture, $"{name}.{number:00000}"))
+        ? Enumerable.Range(1, path.States.Count).Select(number => Invariant($"{name}.{number:00000}"))
         : [name];
 
     private static void MakeFolders(StatesFormat format, string path)

@@ -45,7 +45,7 @@ internal sealed record KnownCamera(
         new(
             "LROC WAC (cubes, visible bands in colour mode)", label => label.Text("INSTRUMENTID") == "WAC-VIS",
             (label, nanometres) => Array.IndexOf(WacBands, (int)(nanometres ?? 0.0)) is >= 0 and var band
-                ? string.Create(CultureInfo.InvariantCulture, $"lroc-wac-{WacBands[band]}")
+                ? Invariant($"lroc-wac-{WacBands[band]}")
                 : throw new BadInputException(
                     $"{label.Path}: a band of {nanometres} nm; the WAC's visible ones are {string.Join(", ", WacBands)}."),
             _ => "+y,-x", _ => -85621, WacTimes)

@@ -22,8 +22,7 @@ internal sealed record TwinBand(int Index, double? Nanometres)
             : 0;
         return index < count
             ? new TwinBand(index, isKnown ? wavelengths[index] : null)
-            : throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture, $"{TwinOptions.Band.Name} {index + 1}: {label.Path} has {count} bands."))
+            : throw new UsageException(Invariant($"{TwinOptions.Band.Name} {index + 1}: {label.Path} has {count} bands."))
                 .About(TwinOptions.Band);
     }
 

@@ -88,8 +88,7 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
             return null;
         }
 
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $"{label.Path}: its SPICE has a focal length of {cube:R} mm, --camera {Word} one of {1000.0 * focalLength:R} mm. For another "
                 + $"filter give a camera file: --camera.");
     }

@@ -19,18 +19,15 @@ internal sealed class TwinPage(TwinResult result)
 
     private int Lines => result.Plan.Pixels.Lines;
 
-    /// <summary>Writes it.</summary>
     public void Write(TextWriter writer)
     {
         string title = Text($"Twin of {Path.GetFileName(result.Label.Path)}");
         writer.Write(
             $"<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{Style}</style></head>\n"
                 + $"<body><h1>{title}</h1>\n");
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"<p>{Text(result.Label.Kind)}, {Text(result.Camera.Name)}, {Samples} x {Lines} px, band {result.Band.Index + 1}"));
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"{(result.Band.Nanometres is { } band ? $" ({band:R} nm)" : string.Empty)}; drawn by msis {Text(result.Version)}, "
                 + $"--reflectance {Text(result.Settings.Native.ReflectanceText)}.</p>\n"));
         if (result.Comparison is { } comparison)
@@ -54,8 +51,7 @@ internal sealed class TwinPage(TwinResult result)
     private void WriteComparison(TextWriter writer, TwinComparison found)
     {
         ImageAgreement agreement = found.Agreement;
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"<p><b>Correlation {agreement.Correlation:F4}, relative rms {100.0 * agreement.Rms:F2} %</b> over {agreement.Count} pixels "
                 + $"after one factor ({agreement.Factor:G6}). {ShiftText(found.Whole)}</p>\n"));
         WritePictures(writer, found);
@@ -63,25 +59,22 @@ internal sealed class TwinPage(TwinResult result)
             + "<th>relative rms</th></tr>\n");
         foreach (PhaseAgreement part in found.ByPhase)
         {
-            writer.Write(string.Create(
-                CultureInfo.InvariantCulture,
+            writer.Write(Invariant(
                 $"<tr><td>{part.Low:F0} to {part.High:F0}</td><td>{part.Agreement.Count}</td><td>{part.Ratio:F3}</td>"
                     + $"<td>{part.Agreement.Correlation:F3}</td><td>{100.0 * part.Agreement.Rms:F1} %</td></tr>\n"));
         }
 
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"</table>\n<p>Ratios are to that of the whole image; each row's correlation and rms are after a factor of its own.</p>\n"
                 + $"<h2>Shifts of blocks of {ShiftFinder.BlockSide} px</h2>\n"));
         WriteBlocks(writer, found.Blocks, new TwinPicture(found.Real, Samples).LiesOnSide);
     }
 
     private static string ShiftText(ImageShift? shift) => shift is { } found
-        ? string.Create(
-            CultureInfo.InvariantCulture,
+        ? Invariant(
             $"The twin fits best moved by {found.Right:F2} px along the samples and {found.Down:F2} px along the lines (correlation "
                 + $"{found.Correlation:F4}; unmoved {found.Unshifted:F4}).")
-        : string.Create(CultureInfo.InvariantCulture, $"No shift within {ShiftFinder.Reach} px fits best.");
+        : Invariant($"No shift within {ShiftFinder.Reach} px fits best.");
 
     private void WritePictures(TextWriter writer, TwinComparison found)
     {
@@ -100,10 +93,10 @@ internal sealed class TwinPage(TwinResult result)
         writer.Write(Figure(picture.Element(twin, 0.0, white, isTwoSided: false, "The twin"), "The twin, times the factor"));
         writer.Write(Figure(
             picture.Element(difference, -Span * white, Span * white, isTwoSided: true, "The difference"),
-            string.Create(CultureInfo.InvariantCulture, $"Real less twin, {-Span * white:G3} (blue) to {Span * white:G3} (red)")));
+            Invariant($"Real less twin, {-Span * white:G3} (blue) to {Span * white:G3} (red)")));
         writer.Write(Figure(
             picture.Element(ratio, 1.0 - Span, 1.0 + Span, isTwoSided: true, "The ratio"),
-            string.Create(CultureInfo.InvariantCulture, $"Real / twin, {1.0 - Span:F1} (blue) to {1.0 + Span:F1} (red)")));
+            Invariant($"Real / twin, {1.0 - Span:F1} (blue) to {1.0 + Span:F1} (red)")));
     }
 
     /// <summary>A number for each pixel that both images have.</summary>
@@ -138,11 +131,9 @@ internal sealed class TwinPage(TwinResult result)
         writer.Write(svg.Append("</svg>\n").ToString());
         double[] ofSamples = [.. blocks.Where(block => block.Shift is not null).Select(block => block.Shift!.Value.Right)];
         double[] ofLines = [.. blocks.Where(block => block.Shift is not null).Select(block => block.Shift!.Value.Down)];
-        string medians = ofSamples.Length == 0 ? string.Empty : string.Create(
-            CultureInfo.InvariantCulture,
+        string medians = ofSamples.Length == 0 ? string.Empty : Invariant(
             $"; medians {Median(ofSamples):F2} px along the samples, {Median(ofLines):F2} px along the lines");
-        writer.Write(string.Create(
-            CultureInfo.InvariantCulture,
+        writer.Write(Invariant(
             $"<p>Arrows are ten times as long as the shifts. {ofSamples.Length} of {blocks.Count} blocks have one{medians}. Where all "
                 + $"blocks agree, the pointing is off; where they differ, the terrain is.</p>\n"));
     }

@@ -58,8 +58,7 @@ internal sealed class TwinPicture
         using MemoryStream png = new();
         PngWriter.WriteColors(png, colors, width);
         int scale = Math.Max(1, Longest / Math.Max(width, height));
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $"<img width=\"{scale * width}\" height=\"{scale * height}\" alt=\"{text}\" src=\"data:image/png;base64,"
                 + $"{Convert.ToBase64String(png.ToArray())}\">");
     }

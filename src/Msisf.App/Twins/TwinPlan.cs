@@ -83,8 +83,7 @@ internal sealed record TwinPlan(double Start, double Period, int Exposures, Prod
         int count = (int)(label.Number("NUMFRAMELETS") ?? (lines / height));
         if (count < 1 || lines > (long)count * height)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{label.Path}: {count} framelets of {height} lines are fewer than the {lines} lines of the camera that the cube shows. Is "
                     + $"it cropped without ISIS's crop?"));
         }
@@ -119,13 +118,11 @@ internal sealed record TwinPlan(double Start, double Period, int Exposures, Prod
 
         if (part.Last > lines)
         {
-            throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture, $"--image-lines {part.First}-{part.Last}: {label.Path} has {lines} lines."));
+            throw new UsageException(Invariant($"--image-lines {part.First}-{part.Last}: {label.Path} has {lines} lines."));
         }
     }
 
-    private static BadInputException Unfit(ImageLabel label, CameraFile camera, int size, string what) => new(string.Create(
-        CultureInfo.InvariantCulture,
+    private static BadInputException Unfit(ImageLabel label, CameraFile camera, int size, string what) => new(Invariant(
         $"{label.Path}: {size} {what} are not of camera {camera.Name}, which has {camera.Model.Width} x {camera.Model.Height} px. Was it "
             + $"cropped or scaled by a program that does not say so (AlphaCube)?"));
 }

@@ -72,8 +72,7 @@ internal sealed class TwinRun
 
         if (plan.Pixels.LineStep > 1)
         {
-            _host.Log.Note(string.Create(
-                CultureInfo.InvariantCulture,
+            _host.Log.Note(Invariant(
                 $"{_label.Path}: each pixel is taken as the mean of {plan.Pixels.SampleStep} x {plan.Pixels.LineStep} of the camera's."));
         }
 
@@ -199,8 +198,7 @@ internal sealed class TwinRun
         const double noticed = 0.01; // degrees: the Sun's parallax in a low orbit is 1e-3 degrees
         if (offset > noticed)
         {
-            _host.Log.Warning(string.Create(
-                CultureInfo.InvariantCulture,
+            _host.Log.Warning(Invariant(
                 $"{_label.Path}: the Sun of its table SunPosition is {offset:F3} degrees away from where the kernels have it, by which "
                     + $"it is drawn."));
         }

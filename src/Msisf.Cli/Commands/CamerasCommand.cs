@@ -11,8 +11,7 @@ internal static class CamerasCommand
     {
         foreach (CameraFile camera in CameraChoice.Presets(call.Host.Installation))
         {
-            call.Host.Results.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
+            call.Host.Results.WriteLine(Invariant(
                 $"{camera.Name}\t{camera.Model.Width}\t{camera.Model.Height}\t{camera.FieldOfViewDegrees:G6}\t{camera.Description}"));
         }
     }

@@ -40,8 +40,7 @@ internal static class CheckCommand
     {
         foreach (FrameCheck frame in status.Incomplete)
         {
-            results.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
+            results.WriteLine(Invariant(
                 $"{frame.Expected.Step}\t{frame.Expected.Name}\t{Word(frame.State)}\t{frame.Reason.ReplaceLineEndings(" ")}"));
         }
 
@@ -59,14 +58,11 @@ internal static class CheckCommand
 
         int count = status.Frames.Count;
         IEnumerable<string> others = Enum.GetValues<FrameState>().Where(state => state != FrameState.Complete && status.CountOf(state) > 0)
-            .Select(state => string.Create(CultureInfo.InvariantCulture, $", {status.CountOf(state)} {Word(state)}"));
+            .Select(state => Invariant($", {status.CountOf(state)} {Word(state)}"));
         string strays = status.Strays.Count == 0
             ? string.Empty
-            : string.Create(
-                CultureInfo.InvariantCulture,
-                $" {status.Strays.Count} file{(status.Strays.Count == 1 ? string.Empty : "s")} that no record names.");
-        results.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
+            : Invariant($" {status.Strays.Count} file{(status.Strays.Count == 1 ? string.Empty : "s")} that no record names.");
+        results.WriteLine(Invariant(
             $"{count} frame{(count == 1 ? string.Empty : "s")}: {status.CountOf(FrameState.Complete)} complete{string.Concat(others)}.")
             + strays);
     }

@@ -7,7 +7,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis illumination</c>: maps and tables of light over an interval.</summary>
 internal static class IlluminationCommand
 {
-    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         IlluminationSettings settings = IlluminationSettings.Read(call.Values);

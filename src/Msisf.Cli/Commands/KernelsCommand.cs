@@ -39,7 +39,7 @@ internal static class KernelsCommand
     private static string[] Row(KernelContent content, TdbScale scale)
     {
         IReadOnlyList<TdbInterval> intervals = content.Cover?.Intervals ?? [];
-        string gaps = intervals.Count > 1 ? string.Create(CultureInfo.InvariantCulture, $"{intervals.Count} intervals") : string.Empty;
+        string gaps = intervals.Count > 1 ? Invariant($"{intervals.Count} intervals") : string.Empty;
         return
         [
             content.File, content.Kind, content.ByteOrder ?? "-", Object(content) ?? "-", content.RelativeTo ?? "-", content.Frame ?? "-",
@@ -51,7 +51,7 @@ internal static class KernelsCommand
     }
 
     private static string? Object(KernelContent content) => content.Body is not { } body ? null
-        : content.Name is { } name ? string.Create(CultureInfo.InvariantCulture, $"{name} ({body})")
+        : content.Name is { } name ? Invariant($"{name} ({body})")
         : body.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>An array with an object a line.</summary>
@@ -120,7 +120,7 @@ internal static class KernelsCommand
         }
         catch (BadInputException)
         {
-            return string.Create(CultureInfo.InvariantCulture, $"TDB {tdbSeconds:R}");
+            return Invariant($"TDB {tdbSeconds:R}");
         }
     }
 }

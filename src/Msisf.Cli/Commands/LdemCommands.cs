@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis ldem pyramid</c>: makes or checks the sidecar with a model's levels of detail.</summary>
 internal static class PyramidCommand
 {
-    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         PyramidSettings settings = ModelOptions.ReadPyramid(call.Values);
@@ -25,7 +24,6 @@ internal static class PyramidCommand
 /// <summary><c>msis ldem synthesize</c>: writes a synthetic elevation model.</summary>
 internal static class SynthesizeCommand
 {
-    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         call.Host.Results.WriteLine(SyntheticModel.Write(ModelOptions.ReadSynthesis(call.Values), call.Host, cancellation));

@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis merge</c>: does the final work when all pieces of a run are done.</summary>
 internal static class MergeCommand
 {
-    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         string folder = call.Values.Argument!;

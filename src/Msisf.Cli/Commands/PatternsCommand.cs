@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis patterns</c>: makes patterns before a run, either for the whole Moon or for the frames of a run.</summary>
 internal static class PatternsCommand
 {
-    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         string folder = PatternsOptions.ReadRun(call.Values) is (TrajectorySettings trajectory, RenderSettings settings)

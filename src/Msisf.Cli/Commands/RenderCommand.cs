@@ -9,7 +9,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis</c> without a command: renders a run, or tells what it would show.</summary>
 internal static class RenderCommand
 {
-    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(call.Values);

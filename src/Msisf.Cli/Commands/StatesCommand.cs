@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis states</c>: writes the states of a run for other programs.</summary>
 internal static class StatesCommand
 {
-    /// <summary>Runs the command.</summary>
     public static int Run(CommandCall call, CancellationToken cancellation)
     {
         StatesFormat format = StatesOptions.Format.Read(call.Values);

@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis submit</c>: submits a run to Slurm, and follows its jobs if requested.</summary>
 internal static class SubmitCommand
 {
-    /// <summary>Runs the command.</summary>
     public static async Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         RunSubmission submission = await RunSubmission.SubmitAsync(call.Values, call.Words, call.Host, cancellation).ConfigureAwait(false);
@@ -25,8 +24,7 @@ internal static class SubmitCommand
         {
             call.Host.Log.Error(code == CheckCommand.ExitNotComplete
                 ? $"frames are missing after all retries: {run.Script}.missing lists them, the logs in {run.Script}.logs say why."
-                : string.Create(
-                    CultureInfo.InvariantCulture, $"the last job ended with exit code {code}: see the logs in {run.Script}.logs."));
+                : Invariant($"the last job ended with exit code {code}: see the logs in {run.Script}.logs."));
         }
 
         return code;

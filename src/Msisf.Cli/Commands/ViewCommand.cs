@@ -6,7 +6,6 @@ namespace Msisf.Cli.Commands;
 /// <summary><c>msis view</c>: runs a server until a signal ends it, and opens its page in the browser.</summary>
 internal static class ViewCommand
 {
-    /// <summary>Runs the command.</summary>
     public static Task<int> RunAsync(CommandCall call, CancellationToken cancellation)
     {
         Browser browser = new(call.Host);
@@ -29,7 +28,6 @@ internal static class ViewCommand
 /// <summary><c>msis serve</c>: runs the server until a signal ends it.</summary>
 internal static class ServeCommand
 {
-    /// <summary>Runs the command.</summary>
     public static Task<int> RunAsync(CommandCall call, CancellationToken cancellation) =>
         ServerProgram.RunAsync(call.Values, call.Host, cancellation);
 }

@@ -3,7 +3,6 @@ namespace Msisf.Cli.Help;
 /// <summary>The exit codes and their meanings, for the manual page and docs/command-line-rules.md.</summary>
 internal static class ExitCodes
 {
-    /// <summary>Each code with its meaning.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> All { get; } =
     [
         (0, "all is well"),

@@ -36,7 +36,7 @@ internal sealed class PlainProgress : IRunProgress
 
             _lastLine = _clock.GetTimestamp();
             TimeSpan left = _clock.GetElapsedTime(_start) * ((double)(_total - _done) / _done);
-            _log.Note(string.Create(CultureInfo.InvariantCulture, $"{_done} of {_total} done ({name}), {left:hh\\:mm\\:ss} left"));
+            _log.Note(Invariant($"{_done} of {_total} done ({name}), {left:hh\\:mm\\:ss} left"));
         }
     }
 

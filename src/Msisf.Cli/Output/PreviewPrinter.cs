@@ -103,7 +103,7 @@ internal static class PreviewPrinter
     }
 
     private static string TableCell(PreviewColumn column, PreviewRow row) =>
-        column.ValueOf(row) is { } number ? Text(number, string.Create(CultureInfo.InvariantCulture, $"F{column.Decimals}")) : Undefined;
+        column.ValueOf(row) is { } number ? Text(number, Invariant($"F{column.Decimals}")) : Undefined;
 
     /// <summary>A number; empty if it is undefined.</summary>
     private static string Text(double? number, string format) => number?.ToString(format, CultureInfo.InvariantCulture) ?? string.Empty;

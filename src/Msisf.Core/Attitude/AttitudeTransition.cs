@@ -46,8 +46,7 @@ public sealed class AttitudeTransition
         double angle = _rate * secondsSinceEpoch;
         if (!double.IsFinite(angle))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The attitude can't be followed for {secondsSinceEpoch:R} s at {_rate:R} rad/s; "
                     + $"check the angular velocity and the epoch."));
         }

@@ -73,8 +73,7 @@ internal sealed class BlockMeshBuilder(double stepsPerMetre)
     private BadInputException TooLarge()
     {
         SelenographicPoint point = SelenographicPoint.Below(_vertices[0]);
-        return new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        return new BadInputException(Invariant(
             $"Around latitude {double.RadiansToDegrees(point.Latitude):F3}, longitude {double.RadiansToDegrees(point.Longitude):F3} "
                 + $"degrees neighbouring facets reach over more than {2.0 * BlockMesh.OffsetLimit / stepsPerMetre:R} m, too far for "
                 + $"POV-Ray's 32-bit numbers. Use --renderer native, or give a model of a resolution between those that meet there."));

@@ -255,8 +255,7 @@ public sealed class CameraModel
     {
         if (!(BorderTangent() < MaxTangent))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"the image shows directions {MaxFieldDegrees / 2.0:F0} degrees or more from the optical axis; the field of view must stay "
                     + $"below {MaxFieldDegrees:F0} degrees. Take a longer focal length or a smaller image"));
         }
@@ -283,8 +282,7 @@ public sealed class CameraModel
     {
         double x = Math.Clamp(Math.Round(PrincipalX + (FocalX * measured.X) + (Skew * measured.Y)), 1.0, Width);
         double y = Math.Clamp(Math.Round(PrincipalY + (FocalY * measured.Y)), 1.0, Height);
-        return string.Create(
-            CultureInfo.InvariantCulture,
+        return Invariant(
             $"these coefficients do not invert inside the image: pixel ({x}, {y}) shows no direction, or the image folds on the way there");
     }
 

@@ -16,8 +16,7 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
             ? new Mounting(
                 UnitQuaternion.FromComponents(quaternion[0], quaternion[1], quaternion[2], quaternion[3]),
                 new Vector3D(offset[0], offset[1], offset[2]))
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"'quaternion' has length {length:R}, and a rotation needs length 1: qx, qy, qz and the scalar q0, each with at least 7 "
                     + $"decimals."));
     }

@@ -75,8 +75,7 @@ public sealed class CameraDetector
         double needed = Math.Max(1.0, Math.Ceiling(pixels / shutter.MaxStep));
         return needed <= MaxSubExposures
             ? new SubExposures((int)needed | 1, span)
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"the image moves by up to {pixels:G3} px while the shutter is open for {span:G3} s; steps of 'motion-step' "
                     + $"{shutter.MaxStep} px would be {needed:G3} sub-exposures, and {MaxSubExposures} is the most. Give the camera file a "
                     + $"larger 'motion-step' or a shorter 'exposure-time', or check the velocities."));

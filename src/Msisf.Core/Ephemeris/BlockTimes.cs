@@ -42,7 +42,7 @@ public sealed class BlockTimes(IReadOnlyList<TdbInterval> blocks, string source,
     private BadInputException Outside(double tdbSeconds)
     {
         ModifiedJulianDate time = scale.ToUtc(tdbSeconds);
-        string asked = string.Create(CultureInfo.InvariantCulture, $"{source}: {Text(tdbSeconds)} (MJD {time.Days:R}) is");
+        string asked = Invariant($"{source}: {Text(tdbSeconds)} (MJD {time.Days:R}) is");
         IReadOnlyList<TdbInterval> covered = Cover.Intervals;
         int after = Enumerable.Range(0, covered.Count).FirstOrDefault(i => covered[i].Start > tdbSeconds, covered.Count);
         return after > 0 && after < covered.Count

@@ -90,8 +90,7 @@ public sealed class BuiltInEphemeris : IEphemeris
             * (_chain.StateKm(naifNumber, _body.NaifNumber, tdbSeconds) ?? throw NoState(naifNumber, tdbSeconds));
         return state.Position.IsFinite && state.Velocity.IsFinite
             ? state
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"The kernels put body {naifNumber} out of all bounds at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: they are damaged. "
                     + $"Use other kernels."));
     }
@@ -99,8 +98,7 @@ public sealed class BuiltInEphemeris : IEphemeris
     private SpiceException NoState(int body, double tdbSeconds)
     {
         TdbCover cover = _positions.CoverOfChain(body);
-        return new SpiceException(string.Create(
-            CultureInfo.InvariantCulture,
+        return new SpiceException(Invariant(
             $"No kernel leads from body {body} to {_body.NameInText} at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: the kernels have "
                 + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(_scale, cover).Describe())}. "
                 + $"Choose a time inside, or other kernels."));

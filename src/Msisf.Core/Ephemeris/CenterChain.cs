@@ -55,8 +55,7 @@ internal sealed class CenterChain(SegmentTable segments)
 
         return count <= MaximumLinks
             ? (segment.Center, link.FromTarget - segment.StateAt(tdbSeconds))
-            : throw new SpiceException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new SpiceException(Invariant(
                 $"The kernels' centres lead from body {first} nowhere: {MaximumLinks} links end at none that is known. "
                     + $"Use other kernels."));
     }

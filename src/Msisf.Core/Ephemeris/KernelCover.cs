@@ -18,8 +18,7 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
 
     /// <summary>The failure for a time inside the cover whose sunlight left the Sun before the cover begins.</summary>
     /// <param name="time">UTC, when the light arrives.</param>
-    public SpiceException LightFromOutside(ModifiedJulianDate time) => new(string.Create(
-        CultureInfo.InvariantCulture,
+    public SpiceException LightFromOutside(ModifiedJulianDate time) => new(Invariant(
         $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: "
             + $"the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
 
@@ -27,16 +26,14 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
     /// <param name="time">UTC.</param>
     /// <param name="inner">The engine's exception, if there is one.</param>
     public SpiceException Outside(ModifiedJulianDate time, Exception? inner = null) => new(
-        string.Create(
-            CultureInfo.InvariantCulture,
+        Invariant(
             $"{time.ToIsoUtc()} (MJD {time.Days:R}) is outside the kernels' cover: the kernels cover {Describe()}. "
                 + $"Choose a time inside, or other kernels."),
         inner);
 
     /// <summary>The cover in UTC to the second, rounded inwards: "1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z".</summary>
     public string Describe() => Times.Intervals.Count == 0
-        ? string.Create(
-            CultureInfo.InvariantCulture,
+        ? Invariant(
             $"no time at all, because they do not have all of Sun (10), {Body.Name} ({Body.NaifNumber}) and the orientation of "
                 + $"{Body.Frame}")
         : string.Join(" and ", Times.Intervals.Select(interval =>

@@ -68,8 +68,8 @@ public static class TwoBody
             chi = next;
         }
 
-        return double.IsFinite(chi) ? chi : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture, $"The motion of two bodies can't be followed so far (1/a = {alpha:R})."));
+        return double.IsFinite(chi) ? chi : throw new BadInputException(Invariant(
+            $"The motion of two bodies can't be followed so far (1/a = {alpha:R})."));
 
         (double Time, double Rate) Time(double x)
         {

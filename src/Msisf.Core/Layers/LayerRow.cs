@@ -88,7 +88,6 @@ internal sealed class LayerRow
     /// <summary>The facet of each pixel.</summary>
     public ReadOnlySpan<FacetId> Facets => _truth.Facets.AsSpan(0, Count);
 
-    /// <summary>The illumination of each pixel.</summary>
     public ReadOnlySpan<PixelIllumination> Lights => _truth.Lights.AsSpan(0, Count);
 
     /// <summary>The ray parameter of each pixel's point, whose unit is the length of <see cref="Sight"/>.</summary>

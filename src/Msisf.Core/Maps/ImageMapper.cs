@@ -125,8 +125,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
         {
             if ((double)box.Lines * box.Samples > MaxCells)
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"--map: {box.Lines} x {box.Samples} cells of {cell:R} m are needed; {MaxCells} cells are the limit. Choose wider "
                         + $"ones."));
             }
@@ -170,8 +169,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
 
         if (shown.Samples <= 0)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"--map: the image shows the middle of no cell of {cell:R} m. Choose smaller ones."));
+            throw new BadInputException(Invariant($"--map: the image shows the middle of no cell of {cell:R} m. Choose smaller ones."));
         }
 
         int[] kept = new int[shown.Lines * shown.Samples];

@@ -87,5 +87,5 @@ public sealed record DrawnGlobe(CelestialBody Body, double ReferenceRadius)
             .Replace("MOON_ME (mean Earth/polar axis)", Body.Frame, StringComparison.Ordinal)
             .Replace("MOON_ME", Body.Frame, StringComparison.Ordinal)
             .Replace("the Moon", Body.Name, StringComparison.Ordinal)
-            .Replace("1 737 400 m", string.Create(CultureInfo.InvariantCulture, $"{ReferenceRadius:R} m"), StringComparison.Ordinal);
+            .Replace("1 737 400 m", Invariant($"{ReferenceRadius:R} m"), StringComparison.Ordinal);
 }

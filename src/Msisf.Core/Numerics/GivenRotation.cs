@@ -25,8 +25,7 @@ public static class GivenRotation
             string cure = error <= Tolerances.RoundedRotation
                 ? "write each number with at least 7 decimals, or give --normalize."
                 : "rounding does not explain it; check the numbers and their order.";
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The matrix is no rotation: the products of its rows are wrong by up to {error:G3}, "
                     + $"{Tolerances.RotationMatrixEntry:R} is allowed: {cure}"));
         }

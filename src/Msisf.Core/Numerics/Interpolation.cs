@@ -15,7 +15,7 @@ public readonly record struct Interpolation(InterpolationMethod Method, int Degr
 
     /// <summary>"HERMITE 7", as CCSDS files name it.</summary>
     public override string ToString() =>
-        string.Create(CultureInfo.InvariantCulture, $"{Method.ToString().ToUpperInvariant()} {(Method == default ? 1 : Degree)}");
+        Invariant($"{Method.ToString().ToUpperInvariant()} {(Method == default ? 1 : Degree)}");
 }
 
 /// <summary>The kind of polynomial between samples.</summary>

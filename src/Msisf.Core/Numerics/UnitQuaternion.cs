@@ -33,7 +33,7 @@ public readonly record struct UnitQuaternion
     public UnitQuaternion Conjugate => new(-X, -Y, -Z, W);
 
     /// <summary>"{qx,qy,qz,q0}", to the last digit, whatever the culture.</summary>
-    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{{{X:R},{Y:R},{Z:R},{W:R}}}");
+    public override string ToString() => Invariant($"{{{X:R},{Y:R},{Z:R},{W:R}}}");
 
     /// <summary>Checks and normalises four components.</summary>
     /// <param name="qx">Coefficient of i.</param>
@@ -54,8 +54,7 @@ public readonly record struct UnitQuaternion
             string cure = error <= Tolerances.RoundedRotation
                 ? "write each number with at least 7 decimals, or give --normalize."
                 : "rounding does not explain it; check the numbers and their order.";
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The quaternion {{{qx:R},{qy:R},{qz:R},{q0:R}}} has length {length:R}; "
                     + $"a rotation needs length 1 within {Tolerances.UnitQuaternionLength:R}: {cure}"));
         }

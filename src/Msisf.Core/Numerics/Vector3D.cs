@@ -69,7 +69,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     }
 
     /// <summary>"(1.5, -2, 0)", to the last digit, whatever the culture.</summary>
-    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"({X:R}, {Y:R}, {Z:R})");
+    public override string ToString() => Invariant($"({X:R}, {Y:R}, {Z:R})");
 
     /// <summary>The vector of length 1 in the same direction.</summary>
     /// <exception cref="InvalidOperationException">The vector is zero, or its length is not finite.</exception>

@@ -73,8 +73,7 @@ public static class KeplerSolver
             angle = next > low && next < high ? next : low + ((high - low) / 2.0);
         }
 
-        throw new InvalidOperationException(string.Create(
-            CultureInfo.InvariantCulture,
+        throw new InvalidOperationException(Invariant(
             $"Kepler's equation was not solved in {MaxIterations} steps for M = {meanAnomaly:R}, e = {eccentricity:R}."));
     }
 }

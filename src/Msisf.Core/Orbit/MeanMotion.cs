@@ -38,8 +38,7 @@ public readonly record struct MeanMotion
         double swept = RadiansPerSecond * secondsSinceEpoch;
         if (!double.IsFinite(swept))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The orbit can't be followed for {secondsSinceEpoch:R} s at {RadiansPerSecond:R} rad/s; "
                     + $"check the semi-major axis and the epoch."));
         }

@@ -28,12 +28,9 @@ public static class StateConversion
         {
             double escapeSpeed = Math.Sqrt(2.0 * MoonConstants.GravitationalParameter / distance);
             string unit = speed / 1000.0 < escapeSpeed
-                ? string.Create(
-                    CultureInfo.InvariantCulture,
-                    $" Velocities are in m/s: is {speed:R} mm/s, or km/s multiplied twice? Then write {speed / 1000.0:R}.")
+                ? Invariant($" Velocities are in m/s: is {speed:R} mm/s, or km/s multiplied twice? Then write {speed / 1000.0:R}.")
                 : string.Empty;
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The speed {speed:R} m/s is not below the escape speed, {escapeSpeed:R} m/s at {distance:R} m from the centre: "
                     + $"the orbit is a parabola or hyperbola; only ellipses can be followed.{unit}"));
         }

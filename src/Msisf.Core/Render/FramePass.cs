@@ -75,7 +75,6 @@ internal sealed class FramePass : IDrawnFrame
         _indirect.Show(surface);
     }
 
-    /// <summary>Draws a frame.</summary>
     public void Draw(FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
         (Camera, Light, _options) = (camera, light, options);

@@ -16,7 +16,6 @@ internal sealed class TruthRow
     /// <summary>The facet of each pixel.</summary>
     public FacetId[] Facets { get; private set; } = [];
 
-    /// <summary>The illumination of each pixel.</summary>
     public PixelIllumination[] Lights { get; private set; } = [];
 
     /// <summary>Forgets all pixels and makes room for a row.</summary>

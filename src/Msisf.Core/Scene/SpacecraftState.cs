@@ -61,8 +61,7 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <exception cref="BadInputException">It is not finite, or nearer than <see cref="NearestSun"/>.</exception>
     public static Vector3D CheckedSun(Vector3D position) => position.Length is >= NearestSun and < double.PositiveInfinity
         ? position
-        : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        : throw new BadInputException(Invariant(
             $"the Sun is {position.Length:G3} m from the body's centre; metres are needed, at least {NearestSun:G3}. The Sun is 1.5e11 m "
                 + $"from the Moon: multiply a direction by that."));
 
@@ -70,8 +69,8 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
     /// <exception cref="BadInputException">It is outside <see cref="LeastExposure"/> to <see cref="GreatestExposure"/>.</exception>
     public static double CheckedExposure(double factor) => factor is >= LeastExposure and <= GreatestExposure
         ? factor
-        : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture, $"the exposure factor is {factor:R}; {LeastExposure:R} to {GreatestExposure:R} is possible."));
+        : throw new BadInputException(Invariant(
+            $"the exposure factor is {factor:R}; {LeastExposure:R} to {GreatestExposure:R} is possible."));
 
     /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>

@@ -41,8 +41,8 @@ public sealed class StepRanges
 
     /// <summary>The shortest text that <see cref="Parse"/> reads back.</summary>
     public override string ToString() => string.Join(',', _ranges.Select(range => range.First == range.Last
-        ? string.Create(CultureInfo.InvariantCulture, $"{range.First}")
-        : string.Create(CultureInfo.InvariantCulture, $"{range.First}:{range.Last}")));
+        ? Invariant($"{range.First}")
+        : Invariant($"{range.First}:{range.Last}")));
 
     private static (int First, int Last) ParseRange(string word, string text)
     {

@@ -33,7 +33,6 @@ internal sealed class BlockVertices
     /// <summary>The block's cells; not of a block of seams.</summary>
     public CellRange Cells { get; private set; }
 
-    /// <summary>The block.</summary>
     public CellBlock Block { get; private set; }
 
     /// <summary>Line of the cells of the southern fan; a number that no line has if there is none.</summary>

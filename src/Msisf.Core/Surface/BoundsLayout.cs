@@ -14,7 +14,6 @@ internal abstract class BoundsLayout(int lines, int samples)
     /// <summary>Number of samples per line.</summary>
     public int Samples { get; } = samples;
 
-    /// <summary>Number of levels.</summary>
     public abstract int Levels { get; }
 
     /// <summary>

@@ -22,10 +22,8 @@ internal readonly record struct CellBlock(int Row, int Column)
     /// </summary>
     public int Piece { get; init; }
 
-    /// <summary>Number of rows of blocks of a mesh.</summary>
     public static int RowsOf(FacetMesh mesh) => (mesh.Cells.Lines + Size - 1) / Size;
 
-    /// <summary>Number of columns of blocks of a mesh.</summary>
     public static int ColumnsOf(FacetMesh mesh) => (mesh.Cells.Samples + Size - 1) / Size;
 
     /// <summary>The block of a closed mesh that contains a cell.</summary>
@@ -33,7 +31,6 @@ internal readonly record struct CellBlock(int Row, int Column)
     /// <param name="sample">Sample of the cell, 0 to the mesh's samples - 1.</param>
     public static CellBlock Containing(int line, int sample) => new((line + 1) / Size, sample / Size);
 
-    /// <summary>The block's cells.</summary>
     public CellRange Cells(FacetMesh mesh) => new(
         mesh.Cells.FirstLine + (Row * Size),
         Math.Min(mesh.Cells.FirstLine + ((Row + 1) * Size), mesh.Cells.EndLine),

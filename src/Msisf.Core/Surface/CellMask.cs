@@ -48,10 +48,8 @@ internal sealed class CellMask
         Partial,
     }
 
-    /// <summary>Number of rows of blocks.</summary>
     public int BlockRows { get; }
 
-    /// <summary>Number of columns of blocks.</summary>
     public int BlockColumns => _columns;
 
     /// <summary>Rectangles that together are the kept cells of all partial blocks; complete after <see cref="Seal"/>.</summary>
@@ -86,7 +84,6 @@ internal sealed class CellMask
         cells.FirstLine >= _all.FirstLine && cells.EndLine <= _all.EndLine && cells.FirstSample >= _all.FirstSample
         && cells.EndSample <= _all.EndSample && AreAll(cells, isKept: true);
 
-    /// <summary>Removes all cells of a block.</summary>
     public void RemoveBlock(int row, int column)
     {
         int block = (row * _columns) + column;

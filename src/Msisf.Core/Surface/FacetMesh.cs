@@ -36,7 +36,6 @@ internal sealed class FacetMesh
     /// <summary>Whether the mesh goes around the whole Moon, so that no ray enters the ground without meeting a facet.</summary>
     public bool IsClosed { get; }
 
-    /// <summary>All cells.</summary>
     public CellRange Cells { get; }
 
     /// <summary>Number of samples after which the same place comes again; 0 if none does.</summary>

@@ -22,7 +22,6 @@ internal abstract class MeshGeometry
     /// </summary>
     public abstract int WidestColumns { get; }
 
-    /// <summary>The geometry of a mesh.</summary>
     public static MeshGeometry Of(FacetMesh mesh) =>
         mesh.Grid.Projection is PolarStereographic polar ? new PlaneGeometry(polar, mesh) : new CylinderGeometry(mesh);
 

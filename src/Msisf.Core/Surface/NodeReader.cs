@@ -58,8 +58,7 @@ internal sealed class NodeReader
         double reference = _mesh.Grid.ReferenceRadius;
         if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxRelief))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{_mesh.Grid.ProductId} has radii from {found.Min:R} to {found.Max:R} m around line {cells.FirstLine + 2}, "
                     + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
                     + $"{reference:R} m is needed. Check the model and its label."));

@@ -46,7 +46,6 @@ internal abstract class Patch
     /// <summary>A node with its place, and with bounds that are known of it.</summary>
     public abstract TerrainNode NodeOf(NodePlace node, NodeBounds bounds);
 
-    /// <summary>Whether the patch has a facet.</summary>
     public abstract bool Has(FacetId facet);
 
     /// <summary>A corner of a facet, in the model from which it is taken.</summary>

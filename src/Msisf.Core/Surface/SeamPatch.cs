@@ -74,7 +74,6 @@ internal sealed class SeamPatch : Patch
     /// <summary>Number in its block of the facet of a cell.</summary>
     public static int FacetAt(int line, int sample) => (line / 2 * LineFacets) + (sample / 2);
 
-    /// <summary>Number of facets of a block.</summary>
     public int FacetsOf(int block) => Math.Min(BlockFacets, Count - (block * BlockFacets));
 
     public override bool TryGetKnown(NodePlace node, out NodeBounds bounds)

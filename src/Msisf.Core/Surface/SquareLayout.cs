@@ -7,7 +7,6 @@ namespace Msisf.Core.Surface;
 /// <param name="mesh">The mesh whose cells are divided.</param>
 internal sealed class SquareLayout(FacetMesh mesh) : BoundsLayout(mesh.Lines, mesh.Samples)
 {
-    /// <summary>The level of the patches.</summary>
     public const int PatchLevel = 0;
 
     /// <summary>The level whose nodes are the <see cref="CellBlock"/>s.</summary>

@@ -66,6 +66,5 @@ internal sealed class SurfaceModel
     /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Patches[facet.Part].CornersOf(facet);
 
-    /// <summary>Whether the surface has a facet.</summary>
     public bool Has(FacetId facet) => facet.Part >= 0 && facet.Part < Patches.Length && Patches[facet.Part].Has(facet);
 }

@@ -132,8 +132,7 @@ public static class TerrainHeight
         double surface = distance > 0.0 ? RadiusBelow(terrain, positionBodyFixed) : double.PositiveInfinity;
         if (!(distance > surface + Tolerances.VertexLattice))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The camera is inside the Moon: {distance:R} m from its centre, "
                     + $"where the surface of {terrain.ProductId} is at {surface:R} m. Move it up."));
         }

@@ -47,7 +47,7 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
     /// </summary>
     public string NameText => Level == 0 && Subdivisions == 1
         ? Tile.RangeText
-        : string.Create(CultureInfo.InvariantCulture, $"{Tile.RangeText}_level_{Level}_part_{Row}_{Column}_of_{Subdivisions}");
+        : Invariant($"{Tile.RangeText}_level_{Level}_part_{Row}_{Column}_of_{Subdivisions}");
 
     /// <summary>By tile, then fineness, then place.</summary>
     public int CompareTo(SurfacePart other) =>

@@ -35,9 +35,7 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     public int Column => WestDegrees / SizeDegrees;
 
     /// <summary>The part of a pattern's file name that says where it is: "lat_-5_0_lon_355_360".</summary>
-    public string RangeText => string.Create(
-        CultureInfo.InvariantCulture,
-        $"lat_{SouthDegrees}_{SouthDegrees + SizeDegrees}_lon_{WestDegrees}_{WestDegrees + SizeDegrees}");
+    public string RangeText => Invariant($"lat_{SouthDegrees}_{SouthDegrees + SizeDegrees}_lon_{WestDegrees}_{WestDegrees + SizeDegrees}");
 
     /// <summary>The tile with an index in <see cref="All"/>.</summary>
     public static TileId FromNumber(int number) => new((number / Columns * SizeDegrees) - 90, number % Columns * SizeDegrees);

@@ -118,8 +118,7 @@ public sealed class TileMeshBuilder
         int sampleVertex = Math.Max(vertex - (layout.HasNorthPole ? 1 : 0), 0);
         int line = Math.Min(layout.FirstLine + (sampleVertex / layout.Samples), (180 * layout.PixelsPerDegree) - 1);
         int sample = SampleOf(layout, sampleVertex % layout.Samples);
-        return new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        return new BadInputException(Invariant(
             $"The elevation model has the radius {radius:R} m at line {line + 1}, sample {sample + 1}; "
                 + $"a surface within about 20 km of {MoonConstants.ReferenceRadius:R} m is needed. Check the model and its label."));
     }

@@ -21,8 +21,7 @@ public readonly record struct ModifiedJulianDate
     {
         if (!(days >= FirstDay && days < EndOfLastDay))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The MJD {days:R} is not a date; a number from {FirstDay:R} (year 1) to below {EndOfLastDay:R} (year 10000) is needed."));
         }
 

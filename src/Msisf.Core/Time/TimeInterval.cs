@@ -88,16 +88,14 @@ public sealed class TimeInterval : IReadOnlyList<ModifiedJulianDate>
 
         if (Math.Abs(step) < spacing)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The step of the time interval, {step:R} days, is below what an MJD of {largest:R} can hold, {spacing:R} days: "
                     + $"two times would be the same. Give a larger step."));
         }
 
         if (last >= MaxTimes)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"The time interval [{start:R}:{step:R}:{end:R}] has {Math.Floor(last) + 1.0:R} times, "
                     + $"at most {MaxTimes} can be asked for. Check the step, which is in days."));
         }

@@ -111,8 +111,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
     {
         if (camera.RenderMode != 0)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"camera {camera.Id} has renderMode {camera.RenderMode}; msis draws images (0). For depths take the layers of 'msis' or of "
                     + $"the stream (docs/server.md)."));
         }
@@ -159,8 +158,8 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
             return Math.Abs(seconds) < LongestSimulation
                 ? new ModifiedJulianDate(
                     ModifiedJulianDate.DaysOf(new DateOnly(_epoch.Year, _epoch.Month, _epoch.Day), (decimal)seconds))
-                : throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture, $"the time of the message is {seconds:R} s after the epoch's day; that is no time."));
+                : throw new BadInputException(Invariant(
+                    $"the time of the message is {seconds:R} s after the epoch's day; that is no time."));
         }
         catch (ArgumentOutOfRangeException exception)
         {
@@ -213,8 +212,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
 
         if (!(camera.FieldOfViewDegrees is > 0.0 and < 180.0) || camera.Width <= 0 || camera.Height <= 0)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"camera {camera.Id} has {camera.Width} x {camera.Height} px and a field of view of {camera.FieldOfViewDegrees:R} degrees; "
                     + $"a size from 1 px, and degrees between 0 and 180 are needed."));
         }
@@ -252,8 +250,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         if (file.Model.Width != camera.Width || file.Model.Height != camera.Height
             || Math.Abs(vertical - camera.FieldOfViewDegrees) > FieldOfViewError)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"camera {camera.Id} has {camera.Width} x {camera.Height} px and a vertical field of view of {camera.FieldOfViewDegrees:R} "
                     + $"degrees in the simulation, {file.Model.Width} x {file.Model.Height} px and {vertical:R} degrees in {file.Path}. "
                     + $"Mend one of them."));

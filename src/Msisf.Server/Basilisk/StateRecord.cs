@@ -29,7 +29,7 @@ internal sealed class StateRecord : IDisposable
     /// <param name="state">The state, with its Sun.</param>
     public void Add(long cameraId, Func<string> arguments, SpacecraftState state)
     {
-        string name = string.Create(CultureInfo.InvariantCulture, $"camera-{cameraId}.csv");
+        string name = Invariant($"camera-{cameraId}.csv");
         lock (_gate)
         {
             if (!_files.TryGetValue(name, out StreamWriter? file))

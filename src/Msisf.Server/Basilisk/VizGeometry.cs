@@ -23,8 +23,7 @@ internal static class VizGeometry
         IReadOnlyList<double> m = moon.BodyFromInertial;
         if (m.Count != 9)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"the rotation of '{moon.Name}' has {m.Count} numbers; 9 are needed."));
+            throw new BadInputException(Invariant($"the rotation of '{moon.Name}' has {m.Count} numbers; 9 are needed."));
         }
 
         RotationMatrix rows = new(new Vector3D(m[0], m[1], m[2]), new Vector3D(m[3], m[4], m[5]), new Vector3D(m[6], m[7], m[8]));
@@ -45,8 +44,7 @@ internal static class VizGeometry
         double angle = 2.0 * Math.Atan2(new Vector3D(turn.X, turn.Y, turn.Z).Length, Math.Abs(turn.W));
         return angle <= LargestTurn
             ? spice
-            : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            : throw new BadInputException(Invariant(
                 $"at {time.ToIsoUtc()} the Moon of the message is turned by {double.RadiansToDegrees(angle):F3} degrees against MOON_ME. "
                     + $"Link the epoch of the simulation (viz.epochInMsg), or leave out --moon-attitude spice."));
     }

@@ -12,10 +12,8 @@ internal sealed record VizMessage
     /// <summary>The celestial bodies.</summary>
     public required IReadOnlyList<VizBody> Bodies { get; init; }
 
-    /// <summary>The spacecraft.</summary>
     public required IReadOnlyList<VizSpacecraft> Spacecraft { get; init; }
 
-    /// <summary>The cameras.</summary>
     public required IReadOnlyList<VizCamera> Cameras { get; init; }
 }
 

@@ -18,8 +18,7 @@ internal static class PdsAgreement
         {
             if (keywords.FirstOrDefault(one => !one.Of(first).Equals(one.Of(other))) is { Of: { } of } differing)
             {
-                throw new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                throw new BadInputException(Invariant(
                     $"{pathOf(other)}: {differing.Keyword} is {of(other)}, but {of(first)} in {pathOf(first)}, another {file} of "
                         + $"the same {whole}. Get all {file}s of one release."));
             }

@@ -106,7 +106,7 @@ internal sealed class PdsObject(string file, string name, int line)
     {
         if (OptionalNumber(keyword, units) is { } number && number != expected)
         {
-            throw WrongValue(keyword, string.Create(CultureInfo.InvariantCulture, $"the rest of the label needs {expected:R}"));
+            throw WrongValue(keyword, Invariant($"the rest of the label needs {expected:R}"));
         }
     }
 

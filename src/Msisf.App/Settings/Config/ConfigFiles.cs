@@ -112,5 +112,5 @@ internal sealed record ConfigValue(OptionSpec Option, string Text, string File, 
     /// <summary>Converts the value to the form in which options are read.</summary>
     public OptionValue ToOptionValue() => new(
         Option is PathSpec { TakesSeveral: true } ? Text.Split(PathSpec.Separator) : [Text],
-        string.Create(CultureInfo.InvariantCulture, $"{File}, line {Line}"));
+        Invariant($"{File}, line {Line}"));
 }

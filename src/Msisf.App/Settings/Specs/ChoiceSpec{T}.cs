@@ -22,7 +22,6 @@ internal sealed record ChoiceSpec<T> : ChoiceSpec
     {
     }
 
-    /// <summary>The word for a value.</summary>
     public string WordOf(T value) => TextOf(value);
 
     /// <summary>Reads the value of the given word, or the default, which must exist unless the option is required.</summary>

@@ -28,7 +28,6 @@ internal sealed record CommandSpec(string Name, string Summary)
     /// <summary>Example calls, each with a description.</summary>
     public IReadOnlyList<(string Meaning, string Call)> Examples { get; init; } = [];
 
-    /// <summary>All options of the command.</summary>
     public IEnumerable<OptionSpec> Options => Groups.SelectMany(group => group.Options);
 }
 

@@ -42,7 +42,7 @@ internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, str
         [] => null,
         [string only] => only,
         { Count: var count } => throw new UsageException(
-            string.Create(CultureInfo.InvariantCulture, $"{Name} is given {count} times; here it names one. Give it once.")).About(this),
+            Invariant($"{Name} is given {count} times; here it names one. Give it once.")).About(this),
     };
 
     /// <summary>Reads all paths in their order; empty if the option is not given.</summary>
@@ -64,10 +64,8 @@ internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, str
 /// <summary>What a path leads to.</summary>
 internal enum PathKind
 {
-    /// <summary>A file.</summary>
     File,
 
-    /// <summary>A folder.</summary>
     Folder,
 
     /// <summary>A file or a folder.</summary>

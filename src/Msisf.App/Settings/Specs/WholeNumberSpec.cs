@@ -15,7 +15,7 @@ internal sealed record WholeNumberSpec(string Name, OptionRole Role, string Valu
     /// <summary>The default; null if there is none.</summary>
     public int? Default { get; init; }
 
-    public override string? Range => Max == int.MaxValue ? null : string.Create(CultureInfo.InvariantCulture, $"{Min} to {Max}");
+    public override string? Range => Max == int.MaxValue ? null : Invariant($"{Min} to {Max}");
 
     public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
 
@@ -35,7 +35,6 @@ internal sealed record WholeNumberSpec(string Name, OptionRole Role, string Valu
         return int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int number) && number >= Min
             && number <= Max
             ? number
-            : throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture, $"{Name} is '{text}'; a whole number from {Min} to {Max} is needed.")).About(this);
+            : throw new UsageException(Invariant($"{Name} is '{text}'; a whole number from {Min} to {Max} is needed.")).About(this);
     }
 }

@@ -60,7 +60,6 @@ internal sealed class LensMap
         return map.FindNodes(out failed) && map.FindSteps(out failed) ? map : null;
     }
 
-    /// <summary>The ideal points of measured points.</summary>
     public LanePoints ToIdeal(in LanePoints measured) => _formula.IsFromIdeal
         ? Solve(measured, StartOf(measured), _steps)
         : _formula.Apply(measured, out _);

@@ -15,7 +15,6 @@ internal readonly struct NoiseSource
     /// <summary>Maximum number of pixels whose deviates are computed in one call: what they need stays in the processor's cache.</summary>
     public const int MaxRun = 512;
 
-    /// <summary>Bits of a uniform number.</summary>
     private const int UniformBits = 52;
 
     private const ulong One = 0x3FF0_0000_0000_0000; // bits of 1.0

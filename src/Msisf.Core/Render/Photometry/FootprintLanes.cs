@@ -55,7 +55,6 @@ internal sealed class FootprintLanes
 
     private readonly Vector512<double>[] _buffer = new Vector512<double>[Places * Block];
 
-    /// <summary>Points of a block.</summary>
     public static int BlockPoints => Block * Vector512<double>.Count;
 
     /// <summary>Finds the footprints of the points of a block.</summary>

@@ -55,8 +55,7 @@ public sealed class SpectralBand
     /// <param name="nanometres">nm.</param>
     /// <exception cref="BadInputException">There is no such band.</exception>
     public static SpectralBand Of(int nanometres) => All.FirstOrDefault(band => band.Nanometres == nanometres)
-        ?? throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        ?? throw new BadInputException(Invariant(
             $"a band of {nanometres} nm is not known. Known bands: {string.Join(", ", All.Select(band => band.Nanometres))} nm."));
 
     /// <summary>Radiance of the radiance factor 1, W m^-2 sr^-1 nm^-1.</summary>

@@ -8,7 +8,6 @@ namespace Msisf.Core.Render.Sampling;
 /// </summary>
 internal static class PixelClass
 {
-    /// <summary>Number of classes.</summary>
     public const int Count = 2 * FacetKinds * Contrasts;
 
     private const int Contrasts = 9;

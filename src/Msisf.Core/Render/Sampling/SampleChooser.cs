@@ -83,7 +83,6 @@ internal sealed class SampleChooser
         return [.. ofBands.SelectMany(pixels => pixels)];
     }
 
-    /// <summary>The class of a pixel.</summary>
     public byte ClassOf(int pixel) => _classes[pixel];
 
     /// <summary>I/F of each pixel by the areas of its facets, where its class offers it.</summary>

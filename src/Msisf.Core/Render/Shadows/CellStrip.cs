@@ -11,7 +11,6 @@ namespace Msisf.Core.Render.Shadows;
 /// <param name="vertices">Vertices of a block, in light space, m; the strip is moved through them.</param>
 internal sealed class CellStrip(BlockVertices vertices)
 {
-    /// <summary>Number of cells in a strip.</summary>
     public const int Cells = 8;
 
     private int _northWest;

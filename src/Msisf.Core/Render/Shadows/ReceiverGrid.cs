@@ -215,7 +215,6 @@ internal sealed class ReceiverGrid
     /// <summary>All rows are counted; bins are marked.</summary>
     public readonly struct Placed(ReceiverGrid grid)
     {
-        /// <summary>The bins.</summary>
         public DepthGrid Bins => grid._depths;
 
         /// <summary>Number of receivers.</summary>

@@ -7,7 +7,6 @@ internal sealed class ReceiverRow
 {
     private static readonly int Lanes = Vector512<double>.Count;
 
-    /// <summary>Number of receivers.</summary>
     public int Count { get; private set; }
 
     /// <summary>Maximum number of receivers: the image's number of columns.</summary>

@@ -167,10 +167,8 @@ internal sealed class PlacedReceivers(
 
     public double MaxDepth => Bins.Max();
 
-    /// <summary>The bins.</summary>
     public DepthGrid Bins => placed.Bins;
 
-    /// <summary>Number of receivers.</summary>
     public int Length { get; } = placed.Length;
 
     public double MaxDepthIn(in LightBox box) => Bins.Max(Bins.BinsOf(in box));
@@ -181,7 +179,6 @@ internal sealed class PlacedReceivers(
     /// <summary>Sorts the receivers of the marked bins.</summary>
     public SortedReceivers SortMarked() => sort.Sort(this, placed, job);
 
-    /// <summary>Sorts all receivers.</summary>
     public SortedReceivers Sort()
     {
         placed.WantAll();

@@ -38,10 +38,8 @@ internal sealed class SectionGrid
         _columns = new LightAxis(MinV, MaxV, Columns);
     }
 
-    /// <summary>Number of planes.</summary>
     public int Planes { get; }
 
-    /// <summary>Number of columns.</summary>
     public int Columns { get; }
 
     /// <summary>Distance between two planes, m.</summary>

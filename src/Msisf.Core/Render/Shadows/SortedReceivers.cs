@@ -22,10 +22,8 @@ internal sealed class SortedReceivers(PlacedReceivers placed, ReceiverArrays arr
     /// <summary>Bounds of all receivers, m.</summary>
     public LightBox Box { get; } = placed.Box;
 
-    /// <summary>The bins.</summary>
     public DepthGrid Bins { get; } = placed.Bins;
 
-    /// <summary>Number of receivers.</summary>
     public int Length { get; } = starts[placed.Bins.Size * placed.Bins.Size];
 
     /// <inheritdoc cref="ReceiverArrays.U"/>

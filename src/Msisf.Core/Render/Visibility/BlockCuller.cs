@@ -67,8 +67,7 @@ internal sealed class BlockCuller
 
         public VisibleBlock WithBlock(VisibleBlock found, CellBlock piece) => found with { Block = piece };
 
-        private BadInputException OutsideLimits(string product, CellRange cells, NodeBounds bounds) => new(string.Create(
-            CultureInfo.InvariantCulture,
+        private BadInputException OutsideLimits(string product, CellRange cells, NodeBounds bounds) => new(Invariant(
             $"{product}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: "
                 + $"radii from {bounds.Min:R} to {bounds.Max:R} m, but no radius may lie outside {limits.Min:R} to {limits.Max:R} m. "
                 + $"The file is damaged: get it again."));

@@ -15,7 +15,6 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
     private readonly RecentUse _use = new();
     private FacetRecord[] _records = new FacetRecord[FirstCapacity];
 
-    /// <summary>Number of facets.</summary>
     public int Count { get; private set; }
 
     /// <summary>Bytes of the buffers that were replaced by smaller or larger ones.</summary>

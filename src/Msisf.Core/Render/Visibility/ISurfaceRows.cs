@@ -8,7 +8,6 @@ internal interface ISurfaceRows
     /// <summary>Maximum number of points in a row.</summary>
     int Width { get; }
 
-    /// <summary>Number of rows.</summary>
     int Height { get; }
 
     /// <summary>The frame's projection.</summary>

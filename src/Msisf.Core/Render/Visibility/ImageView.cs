@@ -75,7 +75,6 @@ internal sealed class ImageView
         RayPerRow = -camera.Up / (perAxis * camera.Height);
     }
 
-    /// <summary>The camera.</summary>
     public FrameCamera Camera { get; }
 
     /// <summary>Samples along the edge of a pixel; columns and rows are those of the samples.</summary>

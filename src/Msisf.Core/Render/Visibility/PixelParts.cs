@@ -18,7 +18,6 @@ internal sealed class PixelParts
     private FacetRecord[] _records = [];
     private int _recordCount;
 
-    /// <summary>Number of parts.</summary>
     public int Count { get; private set; }
 
     /// <summary>The pixel of each part: row of the image times its width plus column.</summary>
@@ -42,7 +41,6 @@ internal sealed class PixelParts
     /// <summary>Index of each part's facet in <see cref="Records"/>.</summary>
     public int[] Facets { get; private set; } = new int[FirstCapacity];
 
-    /// <summary>The facets.</summary>
     public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, _recordCount);
 
     /// <summary>Takes the parts of a band that was drawn.</summary>

@@ -22,7 +22,6 @@ internal sealed class AzimuthWindow
     /// <summary>Whether the window is the whole circle.</summary>
     public bool IsFull { get; }
 
-    /// <summary>Number of bins.</summary>
     public int Bins { get; }
 
     /// <summary>Width of a bin, rad.</summary>

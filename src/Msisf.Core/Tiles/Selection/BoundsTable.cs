@@ -12,7 +12,6 @@ internal sealed class BoundsTable(PolarView view, ElevationSummary summary)
     /// <summary>The viewpoint.</summary>
     public PolarView View => view;
 
-    /// <summary>Number of blocks of a tile.</summary>
     public int BlocksPerTile { get; } = summary.Levels[1].Subdivisions * summary.Levels[1].Subdivisions;
 
     /// <summary>

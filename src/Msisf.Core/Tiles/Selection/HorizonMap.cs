@@ -30,10 +30,8 @@ internal sealed class HorizonMap
         Array.Fill(_slopes, double.NegativeInfinity);
     }
 
-    /// <summary>The azimuths of the map.</summary>
     public AzimuthWindow Window { get; }
 
-    /// <summary>The last arc.</summary>
     public double LastArc { get; }
 
     /// <summary>Whether a piece of the surface lies wholly before the first arc, so that more terrain would change nothing.</summary>

@@ -57,7 +57,6 @@ internal sealed class SightWalk(
     public bool ReadsWhole(TileId tile) => !summary.IsOnDemand
         || frame.Classify(summary.Levels[0].NodeOfLimits(tile.RowFromNorth, tile.Column).Ball()) == FrustumSide.Inside;
 
-    /// <summary>Walks one tile.</summary>
     public void Walk(TileId tile, ISightVisitor visitor)
     {
         MetFrame = false;
