@@ -28,10 +28,6 @@ MSISF_RESULTS=$(mktemp)
 export MSISF_RESULTS
 trap 'rm -rf "$MSISF_RESULTS" "$MSISF_RESULTS".*' EXIT
 
-# Short runs: what the runtime notes for a second compilation costs them more than it gains; MSISF itself is set so.
-export DOTNET_TieredPGO=0
-# seldom_collecting COMMAND...: compilers keep most of what they make, and looking through it again and again takes them long.
-seldom_collecting() { DOTNET_GCgen0size=0x6000000 "$@"; } # bytes: 100 MB
 # One compiler for all projects, also where the environment says otherwise: a fresh one for each takes twice as long.
 export UseSharedCompilation=true
 # Optimized, or the tests take twice as long; the assertions of debug builds stay.

@@ -42,10 +42,10 @@ fresh=$root/obj/publish-$$
 old=$root/obj/published-before-$$
 trap 'rm -rf "$fresh" "$old"' EXIT
 # The analysers judge the sources in test.sh's build.
-dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false "${target[@]}" -o "$fresh" -v quiet -nologo ||
+seldom_collecting dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false "${target[@]}" -o "$fresh" -v quiet -nologo ||
     die 'the build failed; the messages above say why. publish/ is as it was.'
 # In a folder of its own, with libraries of its own: those of msis fit the .NET that it brings along, and the server runs on that of the machine.
-dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false "${target[@]:0:2}" -o "$fresh/server" -v quiet -nologo ||
+seldom_collecting dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false "${target[@]:0:2}" -o "$fresh/server" -v quiet -nologo ||
     die 'the build of the server failed; the messages above say why. publish/ is as it was.'
 printf '%s\n' "$fingerprint" >"$fresh/sources"
 printf '%s\n' "$DOTNET_ROOT" >"$fresh/dotnet-root"

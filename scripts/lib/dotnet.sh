@@ -2,6 +2,10 @@
 # Sourced after common.sh and packages.sh: finds the .NET 10 SDK.
 
 export DOTNET_CLI_TELEMETRY_OPTOUT=1 DOTNET_NOLOGO=1
+# Short runs: what the runtime notes for a second compilation costs them more than it gains; MSISF itself is set so.
+export DOTNET_TieredPGO=0
+# seldom_collecting COMMAND...: compilers keep most of what they make, and looking through it again and again takes them long.
+seldom_collecting() { DOTNET_GCgen0size=0x6000000 "$@"; } # bytes: 100 MB
 
 # Names of the xunit projects.
 test_projects() {
