@@ -29,7 +29,7 @@ public sealed class SunriseTableTests : IDisposable
     public void Sunrises_OfPlacesAnywhere_AreWithinASecondOfTheTracers()
     {
         Random random = new(5);
-        for (int call = 0; call < TestLength.Of(1, 10); call++)
+        for (int call = 0; call < TestLength.Of(1, 30); call++)
         {
             Check([.. Enumerable.Range(0, 2).Select(
                 _ => (-90.0 + (15.0 * random.NextDouble()), Math.Round(360.0 * random.NextDouble(), 3)))]);

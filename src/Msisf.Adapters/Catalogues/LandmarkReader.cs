@@ -19,21 +19,23 @@ public static class LandmarkReader
     /// <summary>Reads a list.</summary>
     /// <param name="path">The file.</param>
     /// <param name="referenceRadius">m: heights count over it.</param>
+    /// <param name="most">How many it may have.</param>
     /// <returns>At least one.</returns>
     /// <exception cref="BadInputException">It can't be read, a value is wrong, or an identity is there twice.</exception>
-    public static IReadOnlyList<Landmark> Read(string path, double referenceRadius) => !File.Exists(path)
+    public static IReadOnlyList<Landmark> Read(string path, double referenceRadius, int most = MostLandmarks) => !File.Exists(path)
         ? throw new BadInputException($"{path}: there is no such file. A list of landmarks in CSV is needed.")
         : FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             using StreamReader reader = new(path, Encoding.UTF8);
-            return Read(reader, path, referenceRadius);
+            return Read(reader, path, referenceRadius, most);
         });
 
     /// <summary>Reads a list.</summary>
     /// <param name="fileName">For messages.</param>
     /// <param name="referenceRadius">m: heights count over it.</param>
-    /// <inheritdoc cref="Read(string, double)"/>
-    public static IReadOnlyList<Landmark> Read(TextReader reader, string fileName, double referenceRadius)
+    /// <param name="most">How many it may have.</param>
+    /// <inheritdoc cref="Read(string, double, int)"/>
+    public static IReadOnlyList<Landmark> Read(TextReader reader, string fileName, double referenceRadius, int most = MostLandmarks)
     {
         IReadOnlyList<string> header = CsvRow.HeaderOf(reader);
         Columns columns = new(
@@ -59,9 +61,9 @@ public static class LandmarkReader
             }
 
             landmarks.Add(landmark);
-            if (landmarks.Count > MostLandmarks)
+            if (landmarks.Count > most)
             {
-                throw new BadInputException(Invariant($"{fileName}: more than {MostLandmarks} landmarks. Leave some out."));
+                throw new BadInputException(Invariant($"{fileName}: more than {most} landmarks or points. Leave some out."));
             }
         }
 

@@ -217,15 +217,7 @@ internal sealed class IlluminationRun
     private void MakePoints(string list)
     {
         IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(
-            () => LandmarkReader.Read(list, _model.Grid.ReferenceRadius));
-        if (points.Count > IlluminationOptions.MaxPoints)
-        {
-            throw new UsageException(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{list}: {points.Count} points; at most {IlluminationOptions.MaxPoints} get tables and plots. Leave some out, or ask "
-                    + $"for a region, whose cells may be {IlluminationOptions.MaxCells}.")).About(IlluminationOptions.Points);
-        }
-
+            () => LandmarkReader.Read(list, _model.Grid.ReferenceRadius, IlluminationOptions.MaxPoints));
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon) { IsFine = true };
         LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
         PointTables tables = new(_settings, survey, lights, _model, _conditions, SunAt, _host);

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Illumination;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Time;
 
@@ -85,7 +86,7 @@ internal sealed record IlluminationSettings
         }
 
         double[] heights = Numbers(IlluminationOptions.Heights, values, 1, 16)!;
-        if (heights.Any(height => height is < 0.0 or > 10_000.0))
+        if (heights.Any(height => height is < 0.0 or > HorizonSurvey.MaxHeight))
         {
             throw new UsageException(
                 $"{IlluminationOptions.Heights.Name} is {values.Text(IlluminationOptions.Heights)}; heights of 0 to 10000 m over the "

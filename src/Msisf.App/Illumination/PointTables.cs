@@ -33,9 +33,10 @@ internal sealed class PointTables(
                 cancellation.ThrowIfCancellationRequested();
                 (PlaceLight light, float[] parts) = lights.At(directions, horizons, point);
                 LocalFrame frame = LocalFrame.At(horizons.Radii[point] * directions[point]);
-                List<(bool, ModifiedJulianDate)> events = EventsOf(frame, parts);
+                float[] horizon = lights.HorizonOf(horizons, point);
+                List<(bool, ModifiedJulianDate)> events = EventsOf(frame, horizon, parts);
                 results.Add(new PointResult(
-                    points[point], height, frame, light, parts, HorizonAt(frame, lights.HorizonOf(horizons, point)), events,
+                    points[point], height, frame, light, parts, HorizonAt(frame, horizon), events,
                     PointSpan.Of(settings.Times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point]))));
                 progress.Advance(points[point].Identity);
             }
@@ -154,7 +155,7 @@ internal sealed class PointTables(
     }
 
     /// <summary>Sunrises and sunsets between steps at which the Sun is in view and steps at which it is not.</summary>
-    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(LocalFrame frame, float[] parts)
+    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(LocalFrame frame, float[] horizon, float[] parts)
     {
         List<(bool, ModifiedJulianDate)> events = [];
         for (int step = 1; step < settings.Times.Count; step++)
@@ -162,7 +163,8 @@ internal sealed class PointTables(
             bool isRise = parts[step] > 0.0f;
             if (isRise != parts[step - 1] > 0.0f)
             {
-                events.Add((isRise, lights.ChangeBetween(frame, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
+                events.Add((isRise, lights.ChangeBetween(
+                    frame, horizon, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
             }
         }
 

@@ -61,8 +61,8 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
             if (change >= 0)
             {
                 ModifiedJulianDate exact = lights.ChangeBetween(
-                    frame, new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)), !isLit.Value,
-                    at => engine.SunPositionBodyFixed(at));
+                    frame, lights.HorizonOf(horizons, 0), new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)),
+                    !isLit.Value, at => engine.SunPositionBodyFixed(at));
                 ModifiedJulianDate end = new(Math.Round(exact.Days * 86400.0) / 86400.0);
                 log.Note(Text(site, isLit.Value, time, end));
                 return;

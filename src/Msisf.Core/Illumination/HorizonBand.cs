@@ -9,9 +9,6 @@ namespace Msisf.Core.Illumination;
 /// </summary>
 internal sealed class HorizonBand
 {
-    /// <summary>degrees: below the dip of the horizon from the highest mountain, 6.4 degrees.</summary>
-    public const double BottomDegrees = -8.0;
-
     /// <summary>degrees: the Sun's latitude on the Moon is within 1.59 degrees of the equator; its disc and parallax are added.</summary>
     private const double SunLatitude = 1.6 + 0.28;
 
@@ -29,11 +26,12 @@ internal sealed class HorizonBand
     /// <summary>Finds the elevations.</summary>
     /// <param name="directions">Places that span the region.</param>
     /// <param name="isMoon">Whether they are on the Moon; on other bodies nothing is known of the Sun.</param>
+    /// <param name="bottomDegrees">No horizon is lower.</param>
     /// <param name="columns">Columns of a turn.</param>
-    public HorizonBand(IEnumerable<Vector3D> directions, bool isMoon, int columns)
+    public HorizonBand(IEnumerable<Vector3D> directions, bool isMoon, double bottomDegrees, int columns)
     {
         double[] degrees = new double[columns / HorizonBuffer.Group];
-        Array.Fill(degrees, isMoon ? BottomDegrees : HighestDegrees);
+        Array.Fill(degrees, isMoon ? bottomDegrees : HighestDegrees);
         foreach (Vector3D direction in isMoon ? directions : [])
         {
             LocalFrame frame = LocalFrame.At(direction);

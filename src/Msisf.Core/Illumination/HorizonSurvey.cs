@@ -15,7 +15,7 @@ public sealed class HorizonSurvey
     /// <summary>
     /// Raise it when the same terrain gets another horizon, or one that is stored in another way: kept ones are not used then.
     /// </summary>
-    public const int Version = 2;
+    public const int Version = 3;
 
     /// <summary>Columns of a turn: 0.011 degrees each.</summary>
     public const int Columns = 32_768;
@@ -29,6 +29,9 @@ public sealed class HorizonSurvey
     /// <summary>m: a place on the ground stands so high over its facet, so that no light passes through the joint of two facets.</summary>
     public const double LeastHeight = 1e-3;
 
+    /// <summary>m: places stand no higher over the ground.</summary>
+    public const double MaxHeight = 10_000.0;
+
     private const double StoredErrorDegrees = 0.0015;
 
     /// <summary>degrees: the same for horizons that are not kept in files.</summary>
@@ -37,6 +40,7 @@ public sealed class HorizonSurvey
     private readonly HorizonTerrain _terrain;
     private readonly ITerrainTracer _tracer;
     private readonly double _start;
+    private readonly double _bottom;
 
     /// <summary>Prepares a survey.</summary>
     /// <param name="terrain">The model, or several.</param>
@@ -48,8 +52,13 @@ public sealed class HorizonSurvey
         _terrain = new HorizonTerrain(SurfaceModel.Of(terrain));
         _tracer = tracer;
         _start = terrain.RadiusLimits.Max + 1.0;
-        Band = new HorizonBand(directions, isMoon, Columns);
-        Profile = new HorizonProfile(Columns, HorizonBand.BottomDegrees, Band.TopDegrees);
+
+        // No horizon dips lower than that of the lowest ground from the highest place.
+        (double least, double most) = (terrain.RadiusLimits.Min, terrain.RadiusLimits.Max + MaxHeight);
+        _bottom = -Math.Sqrt((most - least) * (most + least)) / least;
+        double bottomDegrees = double.RadiansToDegrees(Math.Atan(_bottom));
+        Band = new HorizonBand(directions, isMoon, bottomDegrees, Columns);
+        Profile = new HorizonProfile(Columns, bottomDegrees, Band.TopDegrees);
     }
 
     /// <summary>Whether horizons are stored more exactly, with some ten times as many corners; for few places.</summary>
@@ -81,7 +90,7 @@ public sealed class HorizonSurvey
 
     /// <summary>Finds horizons.</summary>
     /// <param name="directions">MOON_ME, length 1; neighbours follow each other.</param>
-    /// <param name="height">m over the ground; not below 0.</param>
+    /// <param name="height">m over the ground; 0 to <see cref="MaxHeight"/>.</param>
     /// <param name="threads">How many work at once.</param>
     /// <param name="advanced">Called with the number of places done since the last call, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
@@ -95,7 +104,6 @@ public sealed class HorizonSurvey
         uint[][] corners = new uint[directions.Count][];
         double[] radii = new double[directions.Count];
         float[] slopes = new float[directions.Count];
-        float bottom = (float)Math.Tan(double.DegreesToRadians(HorizonBand.BottomDegrees));
         WorkerTeam.Run(finders.Length, items, (worker, item) =>
         {
             HorizonFinder finder = finders[worker] ??= new HorizonFinder(_terrain, Columns);
@@ -109,7 +117,7 @@ public sealed class HorizonSurvey
                     throw Outside(directions[place]);
                 }
 
-                finder.Find(frame, bottom, Band.Tops);
+                finder.Find(frame, _bottom, Band.Tops);
                 found.Clear();
                 Profile.Store(finder.Buffer.Tangents, IsFine ? FineErrorDegrees : StoredErrorDegrees, found);
                 corners[place] = [.. found];

@@ -201,7 +201,7 @@ internal sealed class LightFinder
         {
             int lane = BitOperations.TrailingZeroCount(left);
             visible &= ~(1u << lane);
-            visible |= Exact!.IsVisible(frame, _sunSteps.Near[first + lane]) ? 1u << lane : 0;
+            visible |= Exact!.IsVisible(frame, Table.Tangents, _sunSteps.Near[first + lane]) ? 1u << lane : 0;
         }
 
         return (parts, visible & valid);

@@ -74,18 +74,20 @@ public sealed class LightSurvey
 
     /// <summary>Finds by rays of the exact tracer when light begins or ends at a place above the ground, to half a second.</summary>
     /// <param name="frame">The place.</param>
+    /// <param name="horizon">As <see cref="HorizonOf"/> gives it.</param>
     /// <param name="before">A time before.</param>
     /// <param name="after">A time after.</param>
     /// <param name="isRise">Whether it begins.</param>
     /// <param name="sunAt">The Sun at a time, m, body-fixed.</param>
     public ModifiedJulianDate ChangeBetween(
-        LocalFrame frame, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise, Func<ModifiedJulianDate, Vector3D> sunAt)
+        LocalFrame frame, float[] horizon, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise,
+        Func<ModifiedJulianDate, Vector3D> sunAt)
     {
         (double low, double high) = (before.Days, after.Days);
         while (high - low > 0.5 / 86400.0)
         {
             ModifiedJulianDate middle = new(0.5 * (low + high));
-            (low, high) = _exact.IsVisible(frame, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
+            (low, high) = _exact.IsVisible(frame, horizon, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
         }
 
         return new ModifiedJulianDate(0.5 * (low + high));

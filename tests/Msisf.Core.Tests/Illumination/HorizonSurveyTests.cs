@@ -89,15 +89,16 @@ public sealed class HorizonSurveyTests
 
     /// <summary>A sphere has no mountains: the horizon dips by acos(R / (R + h)).</summary>
     [Theory]
-    [InlineData(0.0, 0.0)]
-    [InlineData(2.0, -0.0869366)]
-    [InlineData(1000.0, -1.9434957)]
-    public void Find_SmoothSphere_DipsByItsHeight(double height, double expectedDegrees)
+    [InlineData(1_737_400.0, 0.0, 0.0)]
+    [InlineData(1_737_400.0, 2.0, -0.0869366)]
+    [InlineData(1_737_400.0, 1000.0, -1.9434957)]
+    [InlineData(100_000.0, 10_000.0, -24.6199773)]
+    public void Find_SmoothSphere_DipsByItsHeight(double radius, double height, double expectedDegrees)
     {
-        FunctionGrid sphere = new(16, (_, _) => 1_737_400.0);
+        FunctionGrid sphere = new(16, (_, _) => radius) { ReferenceRadius = radius };
         TerrainTracer tracer = new(sphere);
         Vector3D[] directions = [new SelenographicPoint(-1.55, 0.3).ToDirectionBodyFixed()];
-        HorizonSurvey survey = new(sphere, tracer, directions, isMoon: true);
+        HorizonSurvey survey = new(sphere, tracer, directions, isMoon: radius > 1e6);
         LightSurvey lights = new(survey, new LightConditions([1.5e11 * Vector3D.UnitX], [4e8 * Vector3D.UnitX]), tracer);
         PlaceHorizons horizons = survey.Find(directions, height, threads: 1, advanced: null, CancellationToken.None);
         float[] tangents = lights.HorizonOf(horizons, 0);
