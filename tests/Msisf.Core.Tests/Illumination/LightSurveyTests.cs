@@ -15,7 +15,8 @@ public sealed class LightSurveyTests(HardPlaces hard) : IClassFixture<HardPlaces
         const int Count = 40;
         Vector3D[] suns = [.. Enumerable.Range(0, 2000).Select(hour => HardPlaces.SunAt(hour / 24.0))];
         Vector3D[] earths = [.. suns.Select(sun => 3.8e8 * new SelenographicPoint(
-            0.11 * Math.Sin(31.0 * sun.X / HardPlaces.SunDistance), 0.13 * Math.Sin(17.0 * sun.Y / HardPlaces.SunDistance)).ToDirectionBodyFixed())];
+            0.11 * Math.Sin(31.0 * sun.X / HardPlaces.SunDistance),
+            0.13 * Math.Sin(17.0 * sun.Y / HardPlaces.SunDistance)).ToDirectionBodyFixed())];
         Vector3D[] row = [.. Enumerable.Range(0, Count).Select(place => new SelenographicPoint(
             double.DegreesToRadians(-89.4 + (0.002 * place)), 1.0 + (0.004 * place)).ToDirectionBodyFixed())];
         HorizonSurvey survey = new(hard.Terrain, hard.Tracer, row, isMoon: true);

@@ -31,7 +31,7 @@ public sealed class YearOfLightTests(HardPlaces hard) : IClassFixture<HardPlaces
         }
     }
 
-    /// <summary>Every day at a place whose horizon is made of wide facets; in the long form at all kinds, with finer steps of azimuth.</summary>
+    /// <summary>Every day where the horizon is made of wide facets; in the long form at all kinds, in finer steps of azimuth.</summary>
     [Theory]
     [MemberData(nameof(HardPlaces.Kinds), MemberType = typeof(HardPlaces))]
     public void Of_Disc_IsThatOverTheHorizonByRays(string where, double height)
