@@ -105,7 +105,7 @@ internal sealed class FrameAnswers
         if (plan.HasNumbers)
         {
             answer.Add("dn.fits", AnswerForm.Fits, stream => DetectorFitsWriter.Write(
-                stream, image.Detected!, session.Settings.Native.Detector!.Settings, metadata, provenance));
+                stream, rendered.Numbers!, session.Settings.Native.Detector!.Settings, metadata, provenance));
         }
 
         if (hasCameras)

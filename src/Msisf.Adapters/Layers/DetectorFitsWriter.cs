@@ -16,22 +16,6 @@ public static class DetectorFitsWriter
     /// <param name="provenance">Goes there too.</param>
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static void Write(
-        Stream stream, DetectorImage image, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
-    {
-        using FitsUnit unit = FitsUnit.PrimaryImage(image.Width, image.Height);
-        Put(unit, image.Noise, settings, frame, provenance);
-        unit.Write<ushort>(0, image.Numbers);
-        unit.CopyTo(stream);
-    }
-
-    /// <summary>The same for an image that is read out some rows at a time.</summary>
-    /// <param name="stream">Receives the file; stays open.</param>
-    /// <param name="numbers">The numbers of all rows.</param>
-    /// <param name="settings">The detector; goes into the header.</param>
-    /// <param name="frame">Goes into the header.</param>
-    /// <param name="provenance">Goes there too.</param>
-    /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
-    public static void Write(
         Stream stream, DetectorNumbers numbers, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)
     {
         using FitsUnit unit = FitsUnit.PrimaryImage(1, 1);

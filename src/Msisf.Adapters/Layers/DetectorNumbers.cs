@@ -1,11 +1,12 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.Interop;
+using Msisf.Core.Detector;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Layers;
 
-/// <summary>The digital numbers of an image that is read out some rows at a time, as a FITS file holds them.</summary>
+/// <summary>The digital numbers of an image, which may be read out some rows at a time, as a FITS file holds them.</summary>
 /// <param name="stream">Keeps them: written and read here, closed elsewhere.</param>
 /// <param name="width">px.</param>
 /// <param name="height">px.</param>
@@ -17,14 +18,20 @@ public sealed class DetectorNumbers(Stream stream, int width, int height, NoiseS
 
     private uint _sum;
 
-    /// <summary>px.</summary>
-    public int Width => width;
-
-    /// <summary>px.</summary>
-    public int Height => height;
-
     /// <summary>The noise of the image.</summary>
     public NoiseSeed? Noise => noise;
+
+    /// <summary>Those of a whole image.</summary>
+    public static DetectorNumbers Of(DetectorImage image)
+    {
+        DetectorNumbers numbers = new(new MemoryStream(image.Numbers.Length * sizeof(ushort)), image.Width, image.Height, image.Noise);
+        for (int row = 0; row < image.Height; row++)
+        {
+            numbers.Add(image.Numbers.AsSpan(row * image.Width, image.Width));
+        }
+
+        return numbers;
+    }
 
     /// <summary>Adds the next rows.</summary>
     public void Add(ReadOnlySpan<ushort> numbers)

@@ -112,8 +112,29 @@ internal sealed record Frame(
     /// <summary>The camera without its states.</summary>
     public CameraModel? Model { get; init; }
 
-    /// <summary>The image as it is exposed part by part; null for a frame.</summary>
-    public ScannedShot? Shot => Scan is null ? null : new ScannedShot(Scan, Model!, Path!, Camera, Light, Time, Noise, HalfExposure: 0.0);
+    /// <summary>
+    /// The image as it is exposed part by part: a scan, or the rows of a frame with a rolling shutter whose camera moves; null for others.
+    /// </summary>
+    /// <param name="detector">As it exposes this image.</param>
+    public ScannedShot? ShotOf(DetectorSettings detector)
+    {
+        double halfExposure = detector.Shutter is null ? 0.0 : 0.5 * detector.ExposureTime;
+        if (Scan is not null)
+        {
+            return new ScannedShot(Scan, Model!, Path!, Camera, Light, Time, Noise, halfExposure);
+        }
+
+        if (detector.Shutter is not { IsRolling: true, LineTime: var period } || Motion is not { IsRest: false } motion)
+        {
+            return null;
+        }
+
+        Scan rows = new(ScanKind.RollingShutter, Camera.Height, period);
+        double first = -0.5 * rows.SecondsOf(rows.Count - 1); // the frame's time is the middle of its middle row
+        CameraState state = Camera.State;
+        ScanPath path = new ScanPath(seconds => Path?.At(first + seconds) ?? motion.Moved(state, first + seconds)).Of(rows, null, 0.0);
+        return new ScannedShot(rows, Model!, path, rows.CameraOf(Model!, path.States), Light, Time, Noise, halfExposure);
+    }
 
     /// <summary>The camera for POV-Ray.</summary>
     /// <exception cref="BadInputException">Its rows have several states.</exception>

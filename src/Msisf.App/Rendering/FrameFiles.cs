@@ -84,18 +84,7 @@ internal sealed class FrameFiles
             DetectorSettings exposed = detector.Settings.Exposed(frame.ExposureFactor);
             LayerProvenance provenance = _description.Provenance(metadata, rendered);
             _times.Measure(Phase.Output, () => files.Write(
-                $"{stem}.dn.fits",
-                stream =>
-                {
-                    if (rendered.Numbers is { } numbers)
-                    {
-                        DetectorFitsWriter.Write(stream, numbers, exposed, metadata, provenance);
-                    }
-                    else
-                    {
-                        DetectorFitsWriter.Write(stream, rendered.Detected!, exposed, metadata, provenance);
-                    }
-                }));
+                $"{stem}.dn.fits", stream => DetectorFitsWriter.Write(stream, rendered.Numbers!, exposed, metadata, provenance)));
             paths.Add($"{stem}.dn.fits");
         }
 

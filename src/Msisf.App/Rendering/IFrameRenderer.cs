@@ -62,8 +62,8 @@ internal sealed record RenderedFrame(
     /// <summary>Draws the frame again with other lights; null if the renderer can't.</summary>
     public FrameRedraw? Redraw { get; init; }
 
-    /// <summary>What the detector read out of an image that is drawn in strips; null of other images, and without a file of it.</summary>
-    public DetectorNumbers? Numbers { get; init; }
+    /// <summary>The detector's numbers as a file has them: of an image that is drawn in strips without <see cref="Detected"/>.</summary>
+    public DetectorNumbers? Numbers { get => field ?? (Detected is null ? null : DetectorNumbers.Of(Detected)); init; }
 
     /// <summary>Number of threads that work on the frame.</summary>
     public int Threads { get; init; } = 1;

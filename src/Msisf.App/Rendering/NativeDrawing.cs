@@ -66,7 +66,8 @@ internal sealed class NativeDrawing
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
     {
-        if (_detectors is not null && frame.Shot is { } shot)
+        ScannedShot? shot = ShotOf(frame);
+        if (shot is not null && frame.Scan is not null)
         {
             PixelRows all = new(0, frame.Camera.Height);
             return DrawExposures(frame, shot, RendererOf(frame), all, _options, threads, cancellation);
@@ -80,9 +81,8 @@ internal sealed class NativeDrawing
         try
         {
             DetectorImage? detected = detector is null ? null
-                : Settings.Detector!.Settings.Shutter is { IsRolling: true } shutter && frame.Motion is { IsRest: false } motion
-                    ? ExposeRows(detector, renderer, frame, drawn, (shutter, motion), threads, cancellation)
-                    : Expose(detector, renderer, frame, drawn, threads, cancellation);
+                : shot is null ? Expose(detector, renderer, frame, drawn, threads, cancellation)
+                : ExposeRows(detector, renderer, shot with { NoiseCamera = drawn.Camera }, threads, cancellation);
             return new NativeImage(this, renderer, frame, drawn, detector, detected);
         }
         catch
@@ -132,9 +132,9 @@ internal sealed class NativeDrawing
         Frame frame, NativeRenderer renderer, PixelRows rows, bool keepsTruth, int threads, CancellationToken cancellation)
     {
         NativeRenderOptions options = _options with { KeepGroundTruth = keepsTruth };
-        if (_detectors is not null)
+        if (ShotOf(frame) is { } shot)
         {
-            return DrawExposures(frame, frame.Shot!, renderer, rows, options, threads, cancellation);
+            return DrawExposures(frame, shot, renderer, rows, options, threads, cancellation);
         }
 
         NativeFrame drawn = _times.Measure(
@@ -149,37 +149,23 @@ internal sealed class NativeDrawing
     {
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
         ScanReadout readout = new(detector, renderer, options);
-        DetectorSettings settings = Settings.Detector!.Settings.Exposed(frame.ExposureFactor);
-        double open = settings.Shutter is null ? 0.0 : settings.ExposureTime;
         (NativeFrame drawn, DetectorImage image) = _times.Measure(
-            Phase.Detector, () => readout.Expose(shot with { HalfExposure = 0.5 * open }, rows, threads, cancellation));
+            Phase.Detector, () => readout.Expose(shot, rows, threads, cancellation));
         return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image);
     }
 
     /// <summary>Exposes the rows of a frame one by one, each about its own time, and reads them out together.</summary>
     /// <param name="renderer">Draws the rows.</param>
-    /// <param name="frame">The frame; its time is the middle of its middle row.</param>
-    /// <param name="middle">It at its own time.</param>
-    /// <param name="moving">The rolling shutter, and how the camera moves.</param>
     private DetectorImage ExposeRows(
-        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, (Shutter Shutter, CameraMotion Motion) moving,
-        int threads, CancellationToken cancellation)
+        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, int threads, CancellationToken cancellation)
     {
-        Scan scan = new(ScanKind.RollingShutter, frame.Camera.Height, moving.Shutter.LineTime);
-        double first = -0.5 * scan.SecondsOf(scan.Count - 1);
-        CameraState state = frame.Camera.State;
-        ScanPath path = new ScanPath(
-            seconds => frame.Path?.At(first + seconds) ?? moving.Motion.Moved(state, first + seconds)).Of(scan, null, 0.0);
-        ScannedShot shot = new(
-            scan, frame.Model!, path, scan.CameraOf(frame.Model!, path.States), frame.Light, frame.Time, frame.Noise,
-            0.5 * Settings.Detector!.Settings.Exposed(frame.ExposureFactor).ExposureTime)
-        {
-            NoiseCamera = middle.Camera,
-        };
         ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false });
         return _times.Measure(
-            Phase.Detector, () => readout.Expose(shot, new PixelRows(0, scan.Count), threads, cancellation).Image);
+            Phase.Detector, () => readout.Expose(shot, new PixelRows(0, shot.Scan.Count), threads, cancellation).Image);
     }
+
+    private ScannedShot? ShotOf(Frame frame) =>
+        Settings.Detector is { Settings: var detector } ? frame.ShotOf(detector.Exposed(frame.ExposureFactor)) : null;
 
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
