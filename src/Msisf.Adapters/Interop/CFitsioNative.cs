@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using Microsoft.Win32.SafeHandles;
 
 namespace Msisf.Adapters.Interop;
 
@@ -129,4 +130,17 @@ internal static unsafe partial class CFitsioNative
     [LibraryImport(Library)]
     [UnmanagedCallConv(CallConvs = [typeof(CallConvCdecl)])]
     internal static partial int fits_img_compress(CFitsioHandle image, CFitsioHandle compressed, ref int status);
+}
+
+/// <summary>Owns a fitsfile.</summary>
+internal sealed class CFitsioHandle() : SafeHandleZeroOrMinusOneIsInvalid(ownsHandle: true)
+{
+    protected override bool ReleaseHandle()
+    {
+        lock (CFitsio.Gate)
+        {
+            int status = 0;
+            return CFitsioNative.ffclos(handle, ref status) == 0;
+        }
+    }
 }

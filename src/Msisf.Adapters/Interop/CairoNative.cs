@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using Microsoft.Win32.SafeHandles;
 
 namespace Msisf.Adapters.Interop;
 
@@ -139,3 +140,23 @@ internal static unsafe partial class CairoNative
 [StructLayout(LayoutKind.Sequential)]
 internal readonly record struct CairoTextExtents(
     double BearingX, double BearingY, double Width, double Height, double AdvanceX, double AdvanceY);
+
+/// <summary>Owns a cairo_surface_t.</summary>
+internal sealed class CairoSurfaceHandle() : SafeHandleZeroOrMinusOneIsInvalid(ownsHandle: true)
+{
+    protected override bool ReleaseHandle()
+    {
+        CairoNative.cairo_surface_destroy(handle);
+        return true;
+    }
+}
+
+/// <summary>Owns a cairo_t.</summary>
+internal sealed class CairoContextHandle() : SafeHandleZeroOrMinusOneIsInvalid(ownsHandle: true)
+{
+    protected override bool ReleaseHandle()
+    {
+        CairoNative.cairo_destroy(handle);
+        return true;
+    }
+}

@@ -24,3 +24,25 @@ public interface ISceneGeometry
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover, which the message names.</exception>
     RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time);
 }
+
+/// <summary>A scene whose Sun is where the user says, so that what looks at the Sun looks at the one that gives the light.</summary>
+/// <param name="scene">All else.</param>
+/// <param name="sunPositionBodyFixed">m.</param>
+public sealed class SceneWithSun(ISceneGeometry scene, Vector3D sunPositionBodyFixed) : ISceneGeometry
+{
+    /// <inheritdoc/>
+    public double ReferenceRadius => scene.ReferenceRadius;
+
+    /// <inheritdoc/>
+    public double GroundRadius(Vector3D directionBodyFixed) => scene.GroundRadius(directionBodyFixed);
+
+    /// <inheritdoc/>
+    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => sunPositionBodyFixed;
+
+    /// <inheritdoc/>
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => scene.MoonMeFromJ2000(time);
+
+    /// <summary>The scene with this Sun; the scene itself if there is none.</summary>
+    public static ISceneGeometry Of(ISceneGeometry scene, Vector3D? sunPositionBodyFixed) =>
+        sunPositionBodyFixed is { } sun ? new SceneWithSun(scene, sun) : scene;
+}

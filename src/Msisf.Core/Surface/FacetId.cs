@@ -29,3 +29,19 @@ public enum FacetHalf
     /// <summary>(NW, SE, NE); the one facet of a cell of the southern fan.</summary>
     NorthEast,
 }
+
+/// <summary>Where the heights of a facet come from.</summary>
+public enum FacetSource
+{
+    /// <summary>From one model, as they are there.</summary>
+    Measured = 1,
+
+    /// <summary>From one model, changed to meet others.</summary>
+    Blended = 2,
+
+    /// <summary>It joins two models.</summary>
+    Seam = 3,
+
+    /// <summary>They are invented.</summary>
+    Invented = 4,
+}

@@ -52,16 +52,4 @@ public readonly record struct SurfacePart(TileId Tile, int Level, int Subdivisio
     /// <summary>By tile, then fineness, then place.</summary>
     public int CompareTo(SurfacePart other) =>
         (Tile, Level, Subdivisions, Row, Column).CompareTo((other.Tile, other.Level, other.Subdivisions, other.Row, other.Column));
-
-    /// <summary>Order by tile, then fineness, then place.</summary>
-    public static bool operator <(SurfacePart a, SurfacePart b) => a.CompareTo(b) < 0;
-
-    /// <summary>Order by tile, then fineness, then place.</summary>
-    public static bool operator <=(SurfacePart a, SurfacePart b) => a.CompareTo(b) <= 0;
-
-    /// <summary>Order by tile, then fineness, then place.</summary>
-    public static bool operator >(SurfacePart a, SurfacePart b) => a.CompareTo(b) > 0;
-
-    /// <summary>Order by tile, then fineness, then place.</summary>
-    public static bool operator >=(SurfacePart a, SurfacePart b) => a.CompareTo(b) >= 0;
 }

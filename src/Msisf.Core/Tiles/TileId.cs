@@ -66,16 +66,4 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     /// <summary>By latitude, then longitude.</summary>
     public int CompareTo(TileId other) =>
         SouthDegrees != other.SouthDegrees ? SouthDegrees.CompareTo(other.SouthDegrees) : WestDegrees.CompareTo(other.WestDegrees);
-
-    /// <summary>Order by latitude, then longitude.</summary>
-    public static bool operator <(TileId a, TileId b) => a.CompareTo(b) < 0;
-
-    /// <summary>Order by latitude, then longitude.</summary>
-    public static bool operator <=(TileId a, TileId b) => a.CompareTo(b) <= 0;
-
-    /// <summary>Order by latitude, then longitude.</summary>
-    public static bool operator >(TileId a, TileId b) => a.CompareTo(b) > 0;
-
-    /// <summary>Order by latitude, then longitude.</summary>
-    public static bool operator >=(TileId a, TileId b) => a.CompareTo(b) >= 0;
 }

@@ -1,5 +1,7 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Detector.Noise;
 
@@ -99,4 +101,61 @@ internal readonly struct NoiseSource
         Vector512<ulong> bits = ((upper << 32) >>> 12) | ((lower << 32) >>> 44) | Vector512.Create(One);
         return bits.AsDouble() - Vector512.Create(HalfStepBelowOne);
     }
+}
+
+/// <summary>
+/// The number that tells the noise of one frame from that of another: a hash of its time, position and orientation. It does not depend on
+/// the frame's place in a run, so a frame that is made again alone, or on another machine, gets the same noise.
+/// </summary>
+public static class FrameNumber
+{
+    /// <summary>The number of a frame.</summary>
+    /// <param name="time">Time of the frame, UTC.</param>
+    /// <param name="camera">Its position and orientation count.</param>
+    public static ulong Of(ModifiedJulianDate time, ICamera camera)
+    {
+        Vector3D position = camera.PositionBodyFixed;
+        UnitQuaternion orientation = camera.MoonFromCamera;
+        ulong hash = 0;
+        foreach (double number in (ReadOnlySpan<double>)[
+            time.Days, position.X, position.Y, position.Z, orientation.X, orientation.Y, orientation.Z, orientation.W])
+        {
+            ulong bits = BitConverter.DoubleToUInt64Bits(number + 0.0); // -0 counts as 0
+            (uint first, uint second, _, _) = Philox4x32.Block(((uint)bits, (uint)(bits >> 32), 0, 0), hash);
+            hash = first | ((ulong)second << 32);
+        }
+
+        return hash;
+    }
+}
+
+/// <summary>What random numbers are for. The number of a kind is part of the generator's counter and never changes.</summary>
+internal enum NoiseKind : byte
+{
+    /// <summary>Number of electrons that the mean signal of a pixel gives.</summary>
+    Shot = 1,
+
+    /// <summary>Read noise of a pixel.</summary>
+    Read = 2,
+
+    /// <summary>Number of cosmic rays in a frame.</summary>
+    RayCount = 3,
+
+    /// <summary>Where a cosmic ray enters the detector.</summary>
+    RayPosition = 4,
+
+    /// <summary>Direction of a cosmic ray.</summary>
+    RayDirection = 5,
+
+    /// <summary>Response of a pixel (PRNU); the same in all frames.</summary>
+    Response = 6,
+
+    /// <summary>Dark current of a pixel (DSNU); the same in all frames.</summary>
+    DarkCurrent = 7,
+
+    /// <summary>Offset of a column; the same in all frames.</summary>
+    ColumnOffset = 8,
+
+    /// <summary>Whether a pixel is hot or dead; the same in all frames.</summary>
+    Defect = 9,
 }

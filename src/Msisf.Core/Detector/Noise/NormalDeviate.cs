@@ -1,4 +1,6 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Detector.Noise;
@@ -132,4 +134,54 @@ internal static class NormalDeviate
     private static Vector512<double> FarBelow(Vector512<double> x) => PortableLanes.Polynomial(
         x, 2.04426310338993978564e-15, 1.42151175831644588870e-7, 1.84631831751005468180e-5, 7.86869131145613259100e-4,
         0.0148753612908506148525, 0.136929880922735805310, 0.599832206555887937690, 1.0);
+}
+
+/// <summary>Appends the places of some of eight lanes to a list.</summary>
+internal static class LaneList
+{
+    private const int Lanes = NoiseSource.Lanes;
+
+    /// <summary>For each set of lanes eight bytes, the numbers of its lanes first.</summary>
+    private static readonly byte[] Orders = [.. Enumerable.Range(0, 1 << Lanes).SelectMany(Order)];
+
+    /// <summary>Appends without branches, because nobody can predict them.</summary>
+    /// <param name="places">The list; has room for eight more.</param>
+    /// <param name="count">Number of places in it.</param>
+    /// <param name="start">Place of the first lane.</param>
+    /// <param name="lanes">A bit for each lane.</param>
+    /// <returns>The new number of places.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Append(Span<int> places, int count, int start, uint lanes)
+    {
+        Vector128<ushort> order = Vector128.WidenLower(
+            Vector128.CreateScalar(MemoryMarshal.Cast<byte, ulong>(Orders)[(int)lanes]).AsByte());
+        Vector256<int> widened = Vector256.Create(Vector128.WidenLower(order), Vector128.WidenUpper(order)).AsInt32();
+        (widened + Vector256.Create(start)).CopyTo(places.Slice(count, Lanes));
+        return count + BitOperations.PopCount(lanes);
+    }
+
+    private static IEnumerable<byte> Order(int lanes) =>
+        Enumerable.Range(0, Lanes).OrderBy(lane => ((lanes >> lane) & 1) == 0).Select(lane => (byte)lane);
+}
+
+/// <summary>The upper tail of the normal distribution.</summary>
+internal static class NormalTail
+{
+    /// <summary>Probability that a normal number of mean 0 is above a limit.</summary>
+    /// <param name="deviation">Standard deviation; 0 for a number that is always 0.</param>
+    /// <returns>0 to 1, right to 7.5e-8.</returns>
+    /// <remarks>M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 26.2.17.</remarks>
+    public static double Beyond(double limit, double deviation)
+    {
+        if (deviation == 0.0)
+        {
+            return limit > 0.0 ? 0.0 : 1.0;
+        }
+
+        double x = Math.Abs(limit / deviation);
+        double t = 1.0 / (1.0 + (0.2316419 * x));
+        double polynomial = t * (0.319381530 + (t * (-0.356563782 + (t * (1.781477937 + (t * (-1.821255978 + (t * 1.330274429))))))));
+        double tail = Math.Exp(-0.5 * x * x) / Math.Sqrt(2.0 * Math.PI) * polynomial;
+        return limit > 0.0 ? tail : 1.0 - tail;
+    }
 }
