@@ -116,8 +116,8 @@ public sealed class RigRunTests : IClassFixture<SmallMoon>, IDisposable
             Matrix<double> moonFromBody = Rotation(of[4..8]);
             Vector<double> position = Vector<double>.Build.DenseOfArray(of[1..4])
                 + (moonFromBody * Vector<double>.Build.Dense([30.0, -2500.0, 400.0]));
-            Assert.True((position - Vector<double>.Build.DenseOfArray(turned[1..4])).L2Norm() < 1e-8);
-            Assert.True(((moonFromBody * mounted) - Rotation(turned[4..8])).FrobeniusNorm() < 1e-14);
+            Assert.True((position - Vector<double>.Build.DenseOfArray(turned[1..4])).L2Norm() < Rounding.OfConvertedPlaces);
+            Assert.True(((moonFromBody * mounted) - Rotation(turned[4..8])).FrobeniusNorm() < Rounding.OfTurns);
         }
 
         Draw("stills", "--batch-file", _folder["turned.tab"], "--camera", _folder.Write(
@@ -216,7 +216,8 @@ public sealed class RigRunTests : IClassFixture<SmallMoon>, IDisposable
         Matrix<double> moonFromCamera = Rotation(Numbers(camera.Descendants("CameraOrientation").Single().Element("Quaternion")!));
         Vector<double> position = Vector<double>.Build.Dense(Numbers(body.Descendants("CameraPosition").Single().Element("Vector3D")!))
             + (moonFromBody * Vector<double>.Build.Dense(Numbers(mounting.Element("Vector3D")!)));
-        Assert.True(((moonFromBody * Rotation(Numbers(mounting.Element("Quaternion")!))) - moonFromCamera).FrobeniusNorm() < 1e-14);
+        Assert.True(
+            ((moonFromBody * Rotation(Numbers(mounting.Element("Quaternion")!))) - moonFromCamera).FrobeniusNorm() < Rounding.OfTurns);
         Assert.True(
             (position - Vector<double>.Build.Dense(Numbers(camera.Descendants("CameraPosition").Single().Element("Vector3D")!))).L2Norm()
                 < 1e-8);
@@ -233,9 +234,10 @@ public sealed class RigRunTests : IClassFixture<SmallMoon>, IDisposable
             .. Numbers(other.Descendants("CameraPosition").Single().Element("Vector3D")!)
                 .Zip(Numbers(camera.Descendants("CameraPosition").Single().Element("Vector3D")!), (of, from) => of - from),
         ]);
-        Assert.True((expected - Vector<double>.Build.Dense(Numbers(relative.Element("Vector3D")!))).L2Norm() < 1e-8);
+        Assert.True((expected - Vector<double>.Build.Dense(Numbers(relative.Element("Vector3D")!))).L2Norm() < Rounding.OfConvertedPlaces);
         Matrix<double> moonFromOther = Rotation(Numbers(other.Descendants("CameraOrientation").Single().Element("Quaternion")!));
-        Assert.True(((cameraFromMoon * moonFromOther) - Rotation(Numbers(relative.Element("Quaternion")!))).FrobeniusNorm() < 1e-14);
+        Assert.True(
+            ((cameraFromMoon * moonFromOther) - Rotation(Numbers(relative.Element("Quaternion")!))).FrobeniusNorm() < Rounding.OfTurns);
     }
 
     /// <summary>The matrix of a quaternion, scalar last.</summary>

@@ -67,10 +67,10 @@ public sealed class ScanRunTests(SmallMoon moon) : IClassFixture<SmallMoon>, IDi
         string[] names = ["mjd", "x", "y", "z", "qx", "qy", "qz", "q0"];
         foreach ((string name, string text) in names.Zip(second))
         {
-            Assert.Equal(Number(text), Number(rowOfMeta.Attribute(name)!.Value), 1e-9 * Math.Max(1.0, Math.Abs(Number(text))));
+            Assert.Equal(Number(text), Number(rowOfMeta.Attribute(name)!.Value), Rounding.OfPlaces * Math.Max(1.0, Math.Abs(Number(text))));
         }
 
-        Assert.Equal(7 * 0.6, Number(rowOfMeta.Attribute("seconds")!.Value), 1e-12);
+        Assert.Equal(7 * 0.6, Number(rowOfMeta.Attribute("seconds")!.Value), Rounding.OfChains);
     }
 
     /// <summary>A scan whose states are all the same is the frame of as many equal rows; one along samples is that along the

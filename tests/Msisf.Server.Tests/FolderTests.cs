@@ -83,7 +83,7 @@ public class FolderTests
         double[] last = [.. frames[180].GetProperty("state").EnumerateArray().Select(number => number.GetDouble())];
 
         Assert.Equal(181, frames.GetArrayLength());
-        Assert.Equal(60328.5 + (180.0 / 86400.0), last[0], 1e-9);
+        Assert.Equal(60328.5 + (180.0 / 86400.0), last[0], Rounding.OfPlaces);
         Assert.Equal(2_180_000.0, Math.Sqrt((last[1] * last[1]) + (last[2] * last[2]) + (last[3] * last[3])), 1e-2);
         await server.DisposeAsync();
     }
@@ -123,7 +123,7 @@ public class FolderTests
         }
 
         JsonElement crater = (await JsonAsync(server, "/v1/catalogues/c.csv")).GetProperty("craters")[0];
-        Assert.Equal(3000.0, crater.GetProperty("diameter").GetDouble(), 1e-9);
+        Assert.Equal(3000.0, crater.GetProperty("diameter").GetDouble(), Rounding.OfPlaces);
         await server.DisposeAsync();
     }
 

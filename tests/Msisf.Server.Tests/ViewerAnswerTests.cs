@@ -92,7 +92,7 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
         double[] parts = [.. month.GetProperty("places")[0].GetProperty("parts").EnumerateArray().Select(part => part.GetDouble())];
 
         Assert.Equal(721, parts.Length);
-        Assert.Equal(55289.25 - 15.0, from, 1e-9);
+        Assert.Equal(55289.25 - 15.0, from, Rounding.OfPlaces);
         Assert.InRange(Of(month.GetProperty("places")[0], "lit"), 0.3, 0.7);
         for (int hour = 0; hour < parts.Length; hour += 24)
         {

@@ -1,4 +1,5 @@
 using System.Runtime.Intrinsics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Synthesis.Tests;
@@ -24,7 +25,7 @@ public sealed class CraterProfileTests
     {
         CraterProfile fresh = new(new Crater(0.0, 0.0, 500.0, Freshness: 1.0));
         CraterProfile old = new(new Crater(0.0, 0.0, 500.0, Freshness: 0.25));
-        Assert.Equal(0.25, At(old, 0.0) / At(fresh, 0.0), 1e-9);
+        Assert.Equal(0.25, At(old, 0.0) / At(fresh, 0.0), Rounding.OfPlaces);
         Assert.InRange(Bend(old) / 0.25, 0.0, 0.7 * Bend(fresh));
     }
 

@@ -13,7 +13,7 @@ public sealed class MareMaskTests
     [InlineData(0.0, 1.0, 0.0)]
     [InlineData(-1250.0, 1.0, 0.5)]
     public void FractionOf_HeightAndSide_FollowsTheRule(double height, double nearSide, double expected) =>
-        Assert.Equal(expected, MareMask.FractionOf(height, nearSide), 1e-12);
+        Assert.Equal(expected, MareMask.FractionOf(height, nearSide), Rounding.OfChains);
 
     [Theory]
     [InlineData(0.0, 0.0, 1.0)]

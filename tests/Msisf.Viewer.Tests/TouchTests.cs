@@ -22,7 +22,7 @@ public class TouchTests(Chromium chromium, ViewerServer server)
 
         await viewer.MoveAsync(() => MoveAsync(fingers, [(160, 300, 100, 300), (200, 300, 260, 300)]));
         Assert.InRange(await viewer.NumberAsync("altitude"), 50.0, 300.0);
-        Assert.Equal(0.0, await viewer.NumberAsync("tilt"), 1e-9);
+        Assert.Equal(0.0, await viewer.NumberAsync("tilt"), Rounding.OfPlaces);
 
         double altitude = await viewer.NumberAsync("altitude");
         await viewer.MoveAsync(() => MoveAsync(fingers, [(140, 300, 140, 220), (220, 300, 220, 220)]));

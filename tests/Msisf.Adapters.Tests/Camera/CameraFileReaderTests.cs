@@ -23,8 +23,8 @@ public sealed class CameraFileReaderTests
         Assert.Equal(0.01, file.FocalLength!.Value, 1e-18);
         Assert.Equal((1e-5, 2e-5), file.PixelPitch);
         Assert.Equal((640, 480), (file.Model.Width, file.Model.Height));
-        Assert.Equal(1000.0, file.Model.FocalX, 1e-10);
-        Assert.Equal(500.0, file.Model.FocalY, 1e-10);
+        Assert.Equal(1000.0, file.Model.FocalX, Rounding.OfSolutions);
+        Assert.Equal(500.0, file.Model.FocalY, Rounding.OfSolutions);
         Assert.Equal((320.0, 241.5), (file.Model.PrincipalX, file.Model.PrincipalY)); // ours count from 1
         Assert.Equal(1.5, file.Model.Skew);
         Assert.Equal(
@@ -83,8 +83,8 @@ public sealed class CameraFileReaderTests
 
         (double right, double down) = model.ToIdeal(1.0, 1.0);
 
-        Assert.Equal(x * factor / 6.0308669, right, 1e-14);
-        Assert.Equal(y * factor / 6.0308669, down, 1e-14);
+        Assert.Equal(x * factor / 6.0308669, right, Rounding.OfTurns);
+        Assert.Equal(y * factor / 6.0308669, down, Rounding.OfTurns);
     }
 
     [Fact]

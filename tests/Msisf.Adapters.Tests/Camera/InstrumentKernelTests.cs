@@ -65,8 +65,8 @@ public sealed class InstrumentKernelTests : IDisposable
         CameraModel model = Kernel(Frame.Replace("( 0 0 1 )", "( 1 0 0 )", StringComparison.Ordinal)).Camera(Right).Model;
 
         Assert.Equal((400, 300), (model.Width, model.Height));
-        Assert.Equal(50.0 / 0.02, model.FocalX, 1e-9);
-        Assert.Equal(50.0 / 0.02, model.FocalY, 1e-9);
+        Assert.Equal(50.0 / 0.02, model.FocalX, Rounding.OfPlaces);
+        Assert.Equal(50.0 / 0.02, model.FocalY, Rounding.OfPlaces);
         Assert.Equal((200.5, 150.5), (model.PrincipalX, model.PrincipalY));
     }
 
@@ -90,8 +90,8 @@ public sealed class InstrumentKernelTests : IDisposable
 
         Assert.Equal(200.0 / 0.17632698070846, model.FocalX, 1e-6);
         Assert.Equal(150.0 / 0.08748866352592, model.FocalY, 1e-6);
-        Assert.Equal(centerX, model.PrincipalX, 1e-9);
-        Assert.Equal(centerY, model.PrincipalY, 1e-9);
+        Assert.Equal(centerX, model.PrincipalX, Rounding.OfPlaces);
+        Assert.Equal(centerY, model.PrincipalY, Rounding.OfPlaces);
     }
 
     [Theory]

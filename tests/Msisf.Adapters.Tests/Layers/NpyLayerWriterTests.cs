@@ -83,8 +83,8 @@ public sealed class NpyLayerWriterTests : IDisposable
             double[] point = [.. Enumerable.Range(0, 3).Select(
                 axis => BitConverter.ToDouble(positions, 128 + (((3 * pixel) + axis) * sizeof(double))))];
             double[] seen = [.. r.Zip(t, (row, shift) => Dot(row, point) + shift)];
-            Assert.Equal(pixel % 3, Dot(k[0], seen) / Dot(k[2], seen), 1e-9);
-            Assert.Equal(pixel / 3, Dot(k[1], seen) / Dot(k[2], seen), 1e-9);
+            Assert.Equal(pixel % 3, Dot(k[0], seen) / Dot(k[2], seen), Rounding.OfPlaces);
+            Assert.Equal(pixel / 3, Dot(k[1], seen) / Dot(k[2], seen), Rounding.OfPlaces);
         }
     }
 

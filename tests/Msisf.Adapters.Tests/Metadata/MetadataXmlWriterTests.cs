@@ -84,11 +84,13 @@ public class MetadataXmlWriterTests
         Assert.EndsWith("    </Pixel>\n  </PixelInformation>\n</MSISRendering>\n", xml, StringComparison.Ordinal);
         XElement first = MetaFileXml.Parse(xml).Descendants("Pixel").First();
         XElement coordinates = first.Element("SelenographicCoordinates")!;
-        Assert.InRange(Number(coordinates.Attribute("lat")!.Value), 44.58440049692400 - 1e-12, 44.58440049692400 + 1e-12);
-        Assert.InRange(Number(coordinates.Attribute("lon")!.Value), 56.79090635326980 - 1e-12, 56.79090635326980 + 1e-12);
+        Assert.InRange(
+            Number(coordinates.Attribute("lat")!.Value), 44.58440049692400 - Rounding.OfChains, 44.58440049692400 + Rounding.OfChains);
+        Assert.InRange(
+            Number(coordinates.Attribute("lon")!.Value), 56.79090635326980 - Rounding.OfChains, 56.79090635326980 + Rounding.OfChains);
         Assert.Equal("deg", coordinates.Attribute("units")!.Value);
         XElement direction = first.Element("IlluminationDirection")!;
-        Assert.InRange(Number(direction.Value), 280.850536814846401 - 1e-9, 280.850536814846401 + 1e-9);
+        Assert.InRange(Number(direction.Value), 280.850536814846401 - Rounding.OfPlaces, 280.850536814846401 + Rounding.OfPlaces);
         Assert.Equal("deg", direction.Attribute("unit")!.Value);
         Assert.Equal("yes", direction.Attribute("defined")!.Value); // the DTD's default
     }

@@ -6,6 +6,7 @@ using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.States;
@@ -68,8 +69,8 @@ public sealed class StateTablesTests
 
         Assert.Equal("OPENCV", camera[1]);
         Assert.Equal("1 frame.png", string.Join(' ', lines[^2].Split(' ')[8..]));
-        Assert.Equal(seen.X - 0.5, u, 1e-9);
-        Assert.Equal(seen.Y - 0.5, v, 1e-9);
+        Assert.Equal(seen.X - 0.5, u, Rounding.OfPlaces);
+        Assert.Equal(seen.Y - 0.5, v, Rounding.OfPlaces);
     }
 
     [Fact]
@@ -97,5 +98,5 @@ public sealed class StateTablesTests
         return writer.ToString()[..^1].Split('\n');
     }
 
-    private static void AssertNear(Vector3D expected, Vector3D actual) => Assert.InRange((expected - actual).Length, 0.0, 1e-15);
+    private static void AssertNear(Vector3D expected, Vector3D actual) => Assert.InRange((expected - actual).Length, 0.0, Rounding.OfUnits);
 }

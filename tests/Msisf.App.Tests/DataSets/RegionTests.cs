@@ -1,5 +1,6 @@
 using Msisf.App.DataSets;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.DataSets;
@@ -11,7 +12,7 @@ public class RegionTests
     [InlineData(0.0, 90.0, 0.0, 360.0, 0.5)]
     [InlineData(30.0, 90.0, -90.0, 90.0, 0.125)]
     public void Area_OfKnownRegions_IsTheirPartOfTheSphere(double south, double north, double west, double east, double part) =>
-        Assert.Equal(part, new Region(south, north, west, east).Area, 1e-15);
+        Assert.Equal(part, new Region(south, north, west, east).Area, Rounding.OfUnits);
 
     /// <summary>On a grid of the square each band between two parallels gets its part of the area.</summary>
     [Fact]

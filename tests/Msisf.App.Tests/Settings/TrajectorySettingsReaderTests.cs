@@ -1,5 +1,6 @@
 using Msisf.App.Settings;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.Settings;
@@ -30,7 +31,7 @@ public sealed class TrajectorySettingsReaderTests
 
     private static void AssertUnit(UnitQuaternion q)
     {
-        Assert.Equal(1.0, Math.Sqrt((q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W)), 1e-15);
-        Assert.Equal(0.35355 / 0.61237, q.X / q.W, 1e-14);
+        Assert.Equal(1.0, Math.Sqrt((q.X * q.X) + (q.Y * q.Y) + (q.Z * q.Z) + (q.W * q.W)), Rounding.OfUnits);
+        Assert.Equal(0.35355 / 0.61237, q.X / q.W, Rounding.OfTurns);
     }
 }

@@ -1,5 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Attitude;
@@ -39,7 +40,7 @@ public sealed class AttitudeSamplesTests
         AttitudeSamples samples = new();
         samples.Add(5.0, Turned(5.0));
 
-        Assert.InRange(Angle(samples.At(5.0), Turned(5.0)), 0.0, 1e-15);
+        Assert.InRange(Angle(samples.At(5.0), Turned(5.0)), 0.0, Rounding.OfUnits);
     }
 
     private static UnitQuaternion Turned(double time) =>

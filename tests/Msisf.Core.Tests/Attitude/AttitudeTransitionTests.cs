@@ -1,6 +1,7 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Attitude;
@@ -53,7 +54,7 @@ public class AttitudeTransitionTests
         }
 
         UnitQuaternion direct = new AttitudeTransition(QuarterTurnAboutZ, rate).At(1000.0);
-        Assert.InRange(((direct * Vector3D.UnitX) - (product * Vector3D.UnitX)).Length, 0.0, 1e-12);
+        Assert.InRange(((direct * Vector3D.UnitX) - (product * Vector3D.UnitX)).Length, 0.0, Rounding.OfChains);
     }
 
     [Theory]

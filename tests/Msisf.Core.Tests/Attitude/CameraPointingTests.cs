@@ -204,7 +204,7 @@ public class CameraPointingTests
         Vector3D forward = camera.ForwardBodyFixed;
         double nearest = Vector3D.Cross(position, forward).Length;
 
-        Assert.Equal(MoonConstants.ReferenceRadius, nearest, 1e-8);
+        Assert.Equal(MoonConstants.ReferenceRadius, nearest, Rounding.OfConvertedPlaces);
         Assert.True(Vector3D.Dot(forward, position) < 0.0);
     }
 

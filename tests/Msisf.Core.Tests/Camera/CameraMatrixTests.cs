@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tests.Metadata;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Camera;
@@ -64,8 +65,8 @@ public class CameraMatrixTests
         // 512 / tan(20 degrees) with 50 digits (mpmath 1.3.0): 1406.70843876076661.
         Assert.Equal(1406.7084387607666, matrix.FocalLength, 1e-11);
         Assert.Equal((1024, 1024, 511.5, 511.5), (matrix.Width, matrix.Height, matrix.PrincipalX, matrix.PrincipalY));
-        Assert.InRange(Row(matrix.IntrinsicRows[0], inCamera) - (h - 1), -1e-9, 1e-9);
-        Assert.InRange(Row(matrix.IntrinsicRows[1], inCamera) - 99.0, -1e-9, 1e-9);
+        Assert.InRange(Row(matrix.IntrinsicRows[0], inCamera) - (h - 1), -Rounding.OfPlaces, Rounding.OfPlaces);
+        Assert.InRange(Row(matrix.IntrinsicRows[1], inCamera) - 99.0, -Rounding.OfPlaces, Rounding.OfPlaces);
     }
 
     [Fact]

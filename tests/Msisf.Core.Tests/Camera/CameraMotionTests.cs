@@ -2,6 +2,7 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Camera;
@@ -21,8 +22,8 @@ public sealed class CameraMotionTests
         ICamera moved = camera.Moved(new CameraMotion(new Vector3D(1.0, 2.0, -3.0), rate), seconds);
 
         UnitQuaternion expected = new AttitudeTransition(Start, rate).At(seconds);
-        Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitY) - (expected * Vector3D.UnitY)).Length, 1e-15);
-        Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitX) - (expected * Vector3D.UnitX)).Length, 1e-15);
+        Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitY) - (expected * Vector3D.UnitY)).Length, Rounding.OfUnits);
+        Assert.Equal(0.0, ((moved.MoonFromCamera * Vector3D.UnitX) - (expected * Vector3D.UnitX)).Length, Rounding.OfUnits);
         Assert.Equal(new Vector3D(2e6 + seconds, 1.0 + (2.0 * seconds), 2.0 - (3.0 * seconds)), moved.PositionBodyFixed);
     }
 
@@ -37,7 +38,7 @@ public sealed class CameraMotionTests
         CameraMotion motion = CameraMotion.Between((new Vector3D(1.0, 2.0, 3.0), Start), (new Vector3D(2.0, 0.0, 3.0), end), 2.0);
 
         Assert.Equal(new Vector3D(0.5, -1.0, 0.0), motion.VelocityBodyFixed);
-        Assert.Equal(0.0, (motion.AngularVelocityCamera - rate).Length, 1e-15);
+        Assert.Equal(0.0, (motion.AngularVelocityCamera - rate).Length, Rounding.OfUnits);
     }
 
     [Fact]

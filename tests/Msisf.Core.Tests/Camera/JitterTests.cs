@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Camera;
@@ -47,7 +48,7 @@ public sealed class JitterTests
         ];
         foreach ((Vector3D axis, Vector3D expected) in columns)
         {
-            Assert.InRange((expected - (turn * axis)).Length, 0.0, 1e-15);
+            Assert.InRange((expected - (turn * axis)).Length, 0.0, Rounding.OfUnits);
         }
     }
 

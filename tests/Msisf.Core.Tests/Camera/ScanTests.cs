@@ -1,6 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Camera;
@@ -76,7 +77,7 @@ public sealed class ScanTests
         {
             Ray ray = image.RayThrough(x, y);
             Assert.Equal(state.PositionBodyFixed, ray.Origin);
-            Assert.InRange(Vector3D.AngleBetween(still.RayThrough(x, rowOfModel).Direction, ray.Direction), 0.0, 1e-14);
+            Assert.InRange(Vector3D.AngleBetween(still.RayThrough(x, rowOfModel).Direction, ray.Direction), 0.0, Rounding.OfTurns);
         }
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Comparison;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Comparison;
@@ -16,9 +17,9 @@ public sealed class ImageAgreementTests
         ImageAgreement found = ImageAgreement.Of(real, drawn)!;
 
         Assert.Equal(4, found.Count);
-        Assert.Equal(2.28, found.Factor, 1e-12);
-        Assert.Equal(0.9820842820734642, found.Correlation, 1e-12);
-        Assert.Equal(0.09712418121129114, found.Rms, 1e-12);
+        Assert.Equal(2.28, found.Factor, Rounding.OfChains);
+        Assert.Equal(0.9820842820734642, found.Correlation, Rounding.OfChains);
+        Assert.Equal(0.09712418121129114, found.Rms, Rounding.OfChains);
     }
 
     [Fact]

@@ -2,6 +2,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Ephemeris;
@@ -40,7 +41,7 @@ public class BuiltInEphemerisTests
         // Frame axes turned by +90 degrees about z: the source's x axis is the target's -y.
         RotationMatrix rotation = Make([], angles: new(0.0, 0.0, Math.PI / 2.0)).MoonMeFromJ2000(Time);
 
-        Assert.Equal(0.0, ((rotation * Vector3D.UnitX) + Vector3D.UnitY).Length, 1e-15);
+        Assert.Equal(0.0, ((rotation * Vector3D.UnitX) + Vector3D.UnitY).Length, Rounding.OfUnits);
     }
 
     [Fact]
@@ -49,8 +50,8 @@ public class BuiltInEphemerisTests
         // Node 90 degrees, inclination 90 degrees, no spin: z of J2000 is +y of the frame, x of J2000 is +z.
         RotationMatrix rotation = Make([], angles: new(Math.PI / 2.0, Math.PI / 2.0, 0.0)).MoonMeFromJ2000(Time);
 
-        Assert.Equal(0.0, ((rotation * Vector3D.UnitZ) - Vector3D.UnitY).Length, 1e-15);
-        Assert.Equal(0.0, ((rotation * Vector3D.UnitX) - Vector3D.UnitZ).Length, 1e-15);
+        Assert.Equal(0.0, ((rotation * Vector3D.UnitZ) - Vector3D.UnitY).Length, Rounding.OfUnits);
+        Assert.Equal(0.0, ((rotation * Vector3D.UnitX) - Vector3D.UnitZ).Length, Rounding.OfUnits);
     }
 
     [Fact]

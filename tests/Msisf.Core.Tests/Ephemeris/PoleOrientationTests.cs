@@ -1,5 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Ephemeris;
@@ -61,5 +62,5 @@ public sealed class PoleOrientationTests
         Meridian = new PoleSeries(w, []),
     };
 
-    private static void AssertSame(Vector3D expected, Vector3D found) => Assert.Equal(0.0, (expected - found).Length, 1e-12);
+    private static void AssertSame(Vector3D expected, Vector3D found) => Assert.Equal(0.0, (expected - found).Length, Rounding.OfChains);
 }

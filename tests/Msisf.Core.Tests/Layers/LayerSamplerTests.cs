@@ -80,7 +80,7 @@ public class LayerSamplerTests
 
         double[] values = PixelOf(TruthOf(1.74e6 * up, normal), 1, 1, "slope", "aspect");
 
-        Assert.Equal(slope, values[0], 1e-9);
+        Assert.Equal(slope, values[0], Rounding.OfPlaces);
         Assert.Equal(aspect, values[1], 1e-6);
     }
 
@@ -101,7 +101,7 @@ public class LayerSamplerTests
         for (int i = 0; i < planes[0].Length; i++)
         {
             Vector3D inCamera = (matrix.Rotation * new Vector3D(planes[1][i], planes[2][i], planes[3][i])) + matrix.Translation;
-            Assert.Equal(inCamera.Z, planes[0][i], 1e-8);
+            Assert.Equal(inCamera.Z, planes[0][i], Rounding.OfConvertedPlaces);
         }
     }
 
@@ -113,7 +113,7 @@ public class LayerSamplerTests
         Assert.Contains(planes[1], double.IsFinite);
         for (int i = 0; i < planes[0].Length; i++)
         {
-            Assert.Equal(planes[0][i], planes[1][i], 1e-9);
+            Assert.Equal(planes[0][i], planes[1][i], Rounding.OfPlaces);
         }
     }
 
@@ -153,7 +153,7 @@ public class LayerSamplerTests
             values[layer.Name] = all[next..(next += layer.Planes)];
         }
 
-        Assert.Equal(4e6 - radius, Assert.Single(values["depth"]), 1e-9);
+        Assert.Equal(4e6 - radius, Assert.Single(values["depth"]), Rounding.OfPlaces);
         Assert.Equal([4e6 - radius], values["range"]);
         Assert.Equal([radius, 0.0, 0.0], values["position"]);
         Assert.Equal([0.0], values["latitude"]);
@@ -161,9 +161,9 @@ public class LayerSamplerTests
         Assert.Equal([radius - 1_737_400.0], values["height"]);
         Assert.Equal([1.0, 0.0, 0.0], values["normal"]);
         double fromPoint = Math.Atan2(0.8 * 1.5e11, (0.6 * 1.5e11) - radius) * 180.0 / Math.PI;
-        Assert.Equal(fromPoint, Assert.Single(values["incidence"]), 1e-12);
+        Assert.Equal(fromPoint, Assert.Single(values["incidence"]), Rounding.OfChains);
         Assert.Equal([0.0], values["emission"]);
-        Assert.Equal(fromPoint, Assert.Single(values["phase"]), 1e-12);
+        Assert.Equal(fromPoint, Assert.Single(values["phase"]), Rounding.OfChains);
         Assert.Equal(90.0, Assert.Single(values["illumination-direction"]), 1e-12); // the Sun is in the east, which is right
         Assert.Equal([1.0], values["mask"]);
         Assert.Equal([1.0], values["sun-visibility"]);

@@ -48,7 +48,7 @@ public sealed class DetailRuleTests(RuggedMoon rugged) : IClassFixture<RuggedMoo
     /// <summary>tan 45 degrees is 500 px wide: a pixel is 2 mrad wide in the middle of the image.</summary>
     [Fact]
     public void Footprint_RightAngleOf1000Pixels_Is2MillimetresPerMetre() =>
-        Assert.Equal(0.002, Looking(new Vector3D(2e6, 0.0, 0.0), Math.PI / 2.0, 1000, 1000).Footprint.Tangent, 1e-12);
+        Assert.Equal(0.002, Looking(new Vector3D(2e6, 0.0, 0.0), Math.PI / 2.0, 1000, 1000).Footprint.Tangent, Rounding.OfChains);
 
     /// <summary>
     /// A degree of the reference sphere is 30 323.350 m: at 4 px/deg cells are 7580.838 m wide, then 15 161.675 m, then 30 323.350 m.

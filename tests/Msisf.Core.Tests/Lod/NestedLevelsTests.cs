@@ -4,6 +4,7 @@ using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Lod;
@@ -118,7 +119,8 @@ public sealed class NestedLevelsTests
                 double nearest = Enumerable.Range(0, grid.Lines * grid.Samples).Min(place => Vector3D.AngleBetween(
                     direction, grid.Projection.DirectionOf(place / grid.Samples, place % grid.Samples)));
                 double block = 64.0 * terrain.WholeParts[part].Geometry.CellAngle;
-                Assert.InRange(ModelReach.AngleTo(terrain.WholeParts[part], direction), (0.94 * nearest) - block, nearest + 1e-9);
+                Assert.InRange(
+                    ModelReach.AngleTo(terrain.WholeParts[part], direction), (0.94 * nearest) - block, nearest + Rounding.OfPlaces);
             }
         }
     }

@@ -67,8 +67,10 @@ public class TerrainPixelsTests
 
             PixelRecord actual = Assert.Single(new PixelSampler(onePixel, truth, 4).Sample());
 
-            Assert.InRange(double.RadiansToDegrees(actual.Point.Latitude) - expected.LatitudeDegrees, -1e-12, 1e-12);
-            Assert.InRange(ReferencePixel.Apart(double.RadiansToDegrees(actual.Point.Longitude), expected.LongitudeDegrees), 0.0, 1e-12);
+            Assert.InRange(
+                double.RadiansToDegrees(actual.Point.Latitude) - expected.LatitudeDegrees, -Rounding.OfChains, Rounding.OfChains);
+            Assert.InRange(
+                ReferencePixel.Apart(double.RadiansToDegrees(actual.Point.Longitude), expected.LongitudeDegrees), 0.0, Rounding.OfChains);
             Assert.InRange(
                 ReferencePixel.Apart(double.RadiansToDegrees(actual.IlluminationDirection!.Value), expected.DirectionDegrees), 0.0, 1e-12);
         }

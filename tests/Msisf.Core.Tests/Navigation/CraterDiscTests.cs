@@ -63,10 +63,10 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 
         Assert.True(CraterDisc.Of(new Crater(1, "1", null, 0.0, 0.0, 20e3), 1_737_400.0).TryProject(camera, out ImageEllipse ellipse));
 
-        Assert.Equal(400.5, ellipse.X, 1e-10);
-        Assert.Equal(300.5, ellipse.Y, 1e-10);
-        Assert.Equal(80.0, ellipse.SemiMajor, 1e-10);
-        Assert.Equal(80.0, ellipse.SemiMinor, 1e-10);
+        Assert.Equal(400.5, ellipse.X, Rounding.OfSolutions);
+        Assert.Equal(300.5, ellipse.Y, Rounding.OfSolutions);
+        Assert.Equal(80.0, ellipse.SemiMajor, Rounding.OfSolutions);
+        Assert.Equal(80.0, ellipse.SemiMinor, Rounding.OfSolutions);
     }
 
     /// <summary>The angle is from east towards north on the ground, so upwards in an image whose north is up.</summary>
@@ -79,8 +79,8 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
 
         Assert.True(CraterDisc.Of(crater, 1_737_400.0).TryProject(camera, out ImageEllipse ellipse));
 
-        Assert.Equal(-30.0, double.RadiansToDegrees(ellipse.Angle), 1e-9);
-        Assert.Equal(40.0, ellipse.SemiMinor, 1e-9);
+        Assert.Equal(-30.0, double.RadiansToDegrees(ellipse.Angle), Rounding.OfPlaces);
+        Assert.Equal(40.0, ellipse.SemiMinor, Rounding.OfPlaces);
     }
 
     [Fact]

@@ -54,9 +54,10 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                     found++;
                     RenderingPoint rim = default;
                     Assert.True(camera.TryProjectPoint(disc.RimAt(1.0), out rim));
-                    Assert.InRange(view.Ellipse.DistanceTo(rim.X, rim.Y), 0.0, 1e-9 * Math.Max(1.0, 100.0 / view.Ellipse.SemiMinor));
+                    Assert.InRange(
+                        view.Ellipse.DistanceTo(rim.X, rim.Y), 0.0, Rounding.OfPlaces * Math.Max(1.0, 100.0 / view.Ellipse.SemiMinor));
                     double normal = Vector3D.AngleBetween(disc.Up, camera.PositionBodyFixed - disc.Centre);
-                    Assert.Equal(normal, view.Emission, 1e-12);
+                    Assert.Equal(normal, view.Emission, Rounding.OfChains);
                 }
             }
         }

@@ -50,8 +50,8 @@ public class ImageEllipseTests
 
         // Last digits: the axes are 1,000 px and 0.001 px long.
         Assert.Equal(ellipse.SemiMajor, again.SemiMajor, 1e-10);
-        Assert.Equal(ellipse.SemiMinor, again.SemiMinor, 1e-15);
-        Assert.Equal(ellipse.Angle, again.Angle, 1e-15);
+        Assert.Equal(ellipse.SemiMinor, again.SemiMinor, Rounding.OfUnits);
+        Assert.Equal(ellipse.Angle, again.Angle, Rounding.OfUnits);
     }
 
     [Fact]
@@ -65,11 +65,11 @@ public class ImageEllipseTests
 
         // The points lie on the ellipse to their last digits: 1e-13 of 1,000 px.
         Assert.Equal(ellipse.X, found.X, 1e-10);
-        Assert.Equal(ellipse.Y, found.Y, 1e-10);
-        Assert.Equal(ellipse.SemiMajor, found.SemiMajor, 1e-10);
-        Assert.Equal(ellipse.SemiMinor, found.SemiMinor, 1e-10);
-        Assert.Equal(ellipse.Angle, found.Angle, 1e-12);
-        Assert.InRange(residual, 0.0, 1e-10);
+        Assert.Equal(ellipse.Y, found.Y, Rounding.OfSolutions);
+        Assert.Equal(ellipse.SemiMajor, found.SemiMajor, Rounding.OfSolutions);
+        Assert.Equal(ellipse.SemiMinor, found.SemiMinor, Rounding.OfSolutions);
+        Assert.Equal(ellipse.Angle, found.Angle, Rounding.OfChains);
+        Assert.InRange(residual, 0.0, Rounding.OfSolutions);
     }
 
     [Fact]

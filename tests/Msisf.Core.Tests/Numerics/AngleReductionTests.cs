@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Numerics;
@@ -38,7 +39,7 @@ public class AngleReductionTests
     public void ToFullTurn_AnyAngle_IsNotNegative(double angle, double expected)
     {
         double actual = AngleReduction.ToFullTurn(angle);
-        Assert.Equal(0.0, Math.IEEERemainder(actual - expected, 2.0 * Math.PI), 1e-15);
+        Assert.Equal(0.0, Math.IEEERemainder(actual - expected, 2.0 * Math.PI), Rounding.OfUnits);
         Assert.InRange(actual, 0.0, Math.BitDecrement(2.0 * Math.PI));
         Assert.False(double.IsNegative(actual));
     }

@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Numerics;
@@ -10,7 +11,8 @@ public sealed class Vector3DTests
     [InlineData(1e-300)]
     [InlineData(3.0)]
     public void AngleBetween_SmallAngles_KeepTheirDigits(double angle) =>
-        Assert.Equal(angle, Vector3D.AngleBetween(Vector3D.UnitX, new Vector3D(Math.Cos(angle), Math.Sin(angle), 0.0)), 1e-15 * angle);
+        Assert.Equal(
+            angle, Vector3D.AngleBetween(Vector3D.UnitX, new Vector3D(Math.Cos(angle), Math.Sin(angle), 0.0)), Rounding.OfUnits * angle);
 
     [Fact]
     public void AngleBetween_OppositeVectors_IsPi() =>
@@ -20,7 +22,7 @@ public sealed class Vector3DTests
     [InlineData(1e200)]
     [InlineData(1e-200)]
     public void Length_ExtremeComponents_NeitherOverflowNorVanish(double unit) =>
-        Assert.Equal(3.0, new Vector3D(unit, 2.0 * unit, 2.0 * unit).Length / unit, 1e-15);
+        Assert.Equal(3.0, new Vector3D(unit, 2.0 * unit, 2.0 * unit).Length / unit, Rounding.OfUnits);
 
     [Fact]
     public void Cross_NearlyParallelVectors_KeepsItsDigits()

@@ -33,7 +33,7 @@ public sealed class FramePreviewTests
 
         AssertPoint(-30.0, 40.0, view.SubSpacecraft);
         AssertPoint(-30.0, 40.0, view.Boresight!.Value.Point);
-        Assert.Equal(0.0, view.OffNadir, 1e-12);
+        Assert.Equal(0.0, view.OffNadir, Rounding.OfChains);
         Assert.Equal(new SphereShare(1.0, 1.0), view.Share);
 
         // A Sun without parallax: cos(zenith angle) = cos(30) cos(40), less the Moon's radius over the Sun's distance (4e-4 degrees).
@@ -57,7 +57,7 @@ public sealed class FramePreviewTests
         Assert.Null(view.Boresight);
         Assert.Null(view.PixelsPerCell(4));
         Assert.Equal(new SphereShare(0.0, null), view.Share);
-        Assert.Equal(Math.PI, view.OffNadir, 1e-12);
+        Assert.Equal(Math.PI, view.OffNadir, Rounding.OfChains);
         AssertPoint(0.0, 270.0, view.SubSpacecraft);
     }
 
@@ -131,7 +131,7 @@ public sealed class FramePreviewTests
 
         // The facets of the mesh are chords: in their middles up to 8.3 m below the mare's sphere.
         Assert.InRange(view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1000.0, 1008.3);
-        Assert.Equal(1.0, view.Share.Moon, 1e-12);
+        Assert.Equal(1.0, view.Share.Moon, Rounding.OfChains);
     }
 
     [Fact]
@@ -159,7 +159,7 @@ public sealed class FramePreviewTests
 
         Assert.Equal(isBeside, view.IsBesideMap);
         Assert.Equal(isBeside, view.Boresight is null);
-        Assert.Equal(isBeside ? 0.0 : 1.0, view.Share.Moon, 1e-12);
+        Assert.Equal(isBeside ? 0.0 : 1.0, view.Share.Moon, Rounding.OfChains);
     }
 
     /// <summary>The native renderer takes any distance; what is printed has no infinity.</summary>
@@ -171,7 +171,7 @@ public sealed class FramePreviewTests
 
         FramePreview view = FramePreview.Of(camera, Sun, terrain: null);
 
-        Assert.Equal(0.0, view.OffNadir, 1e-12);
+        Assert.Equal(0.0, view.OffNadir, Rounding.OfChains);
         Assert.Null(view.Boresight);
         Assert.Equal(new SphereShare(0.0, null), view.Share);
     }

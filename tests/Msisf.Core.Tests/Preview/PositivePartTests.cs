@@ -1,4 +1,5 @@
 using Msisf.Core.Preview;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Preview;
@@ -18,5 +19,5 @@ public sealed class PositivePartTests
     [InlineData(1.0, -2.0, -1.0, 1.0 / 6.0)]
     [InlineData(0.0, -1.0, -1.0, 0.0)]
     public void OfTriangle_IsTheAreaOfTheCorner(double a, double b, double c, double expected) =>
-        Assert.Equal(expected, PositivePart.OfTriangle(a, b, c), 1e-15);
+        Assert.Equal(expected, PositivePart.OfTriangle(a, b, c), Rounding.OfUnits);
 }

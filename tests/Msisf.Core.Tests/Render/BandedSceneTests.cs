@@ -163,9 +163,9 @@ public sealed class BandedSceneTests(RuggedTerrain rugged) : IClassFixture<Rugge
             .Zip(records.Where(record => record.V == y)))
         {
             Assert.Equal(expected.H, record.H);
-            Assert.Equal(expected.Point.Latitude, record.Point.Latitude, 1e-12);
-            Assert.Equal(expected.Point.Longitude, record.Point.Longitude, 1e-12);
-            Assert.Equal(expected.IlluminationDirection!.Value, record.IlluminationDirection!.Value, 1e-9);
+            Assert.Equal(expected.Point.Latitude, record.Point.Latitude, Rounding.OfChains);
+            Assert.Equal(expected.Point.Longitude, record.Point.Longitude, Rounding.OfChains);
+            Assert.Equal(expected.IlluminationDirection!.Value, record.IlluminationDirection!.Value, Rounding.OfPlaces);
             Assert.Equal(expected.Terrain?.Facet, record.Terrain?.Facet);
             Assert.Equal(expected.Terrain?.Light, record.Terrain?.Light);
         }

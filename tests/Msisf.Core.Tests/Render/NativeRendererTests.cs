@@ -108,7 +108,7 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
             double cosine = isSurface ? Vector3D.Dot(hit.NormalBodyFixed, (camera.PositionBodyFixed - hit.PointBodyFixed).Normalized())
                 : 0.0;
             Assert.Equal(isSurface ? new PixelIllumination(IlluminationState.Lit, 1.0) : default, light);
-            Assert.Equal(0.64 * cosine, frame.RadianceFactors[pixel], 1e-12);
+            Assert.Equal(0.64 * cosine, frame.RadianceFactors[pixel], Rounding.OfChains);
             surface += isSurface ? 1 : 0;
         });
         Assert.InRange(surface, 1000, 9999);

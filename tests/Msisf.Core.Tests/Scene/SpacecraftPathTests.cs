@@ -6,6 +6,7 @@ using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Ephemeris;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Scene;
@@ -22,8 +23,8 @@ public sealed class SpacecraftPathTests
 
         CameraState camera = path.At(1000.0);
 
-        Assert.InRange((camera.PositionBodyFixed - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, 1e-8);
-        Assert.InRange(((camera.MoonFromCamera * -Vector3D.UnitX) - -Vector3D.UnitX).Length, 0.0, 1e-15);
+        Assert.InRange((camera.PositionBodyFixed - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, Rounding.OfConvertedPlaces);
+        Assert.InRange(((camera.MoonFromCamera * -Vector3D.UnitX) - -Vector3D.UnitX).Length, 0.0, Rounding.OfUnits);
     }
 
     [Fact]

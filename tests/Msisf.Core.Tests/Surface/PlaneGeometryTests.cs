@@ -77,7 +77,7 @@ public sealed class PlaneGeometryTests
         (Vector3D north, Vector3D south) = geometry.LineBorders(cells);
         Assert.True(geometry.TryGetColumnBorders(cells, out Vector3D west, out Vector3D east));
         Vector3D middle = turned.DirectionOf(0.5, 16.0);
-        Assert.True(Vector3D.Dot(middle, cap.Centre) > 1.0 - 1e-9);
+        Assert.True(Vector3D.Dot(middle, cap.Centre) > 1.0 - Rounding.OfPlaces);
         Assert.All([north, south, west, east], border => Assert.True(Vector3D.Dot(border, middle) > 0.0));
         Assert.True(Vector3D.Dot(west, turned.DirectionOf(0.5, 7.0)) < 0.0 && Vector3D.Dot(east, turned.DirectionOf(0.5, 25.0)) < 0.0);
         Assert.True(Vector3D.Dot(north, turned.DirectionOf(-1.0, 16.0)) < 0.0 && Vector3D.Dot(south, turned.DirectionOf(2.0, 16.0)) < 0.0);
@@ -167,11 +167,11 @@ public sealed class PlaneGeometryTests
                 foreach (Vector3D corner in new[] { corners.NorthWest, corners.NorthEast, corners.SouthWest, corners.SouthEast })
                 {
                     Assert.InRange(corner.Length, bounds.Min - Tolerances.VertexLattice, bounds.Max + Tolerances.VertexLattice);
-                    Assert.True(Vector3D.Dot(corner.Normalized(), cap.Centre) >= cap.CosRadius - 1e-15);
+                    Assert.True(Vector3D.Dot(corner.Normalized(), cap.Centre) >= cap.CosRadius - Rounding.OfUnits);
                     Vector3D inBox = corner - box.Centre;
-                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfX)) <= box.HalfX.LengthSquared * (1.0 + 1e-12));
-                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfY)) <= box.HalfY.LengthSquared * (1.0 + 1e-12));
-                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfZ)) <= box.HalfZ.LengthSquared * (1.0 + 1e-12));
+                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfX)) <= box.HalfX.LengthSquared * (1.0 + Rounding.OfChains));
+                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfY)) <= box.HalfY.LengthSquared * (1.0 + Rounding.OfChains));
+                    Assert.True(Math.Abs(Vector3D.Dot(inBox, box.HalfZ)) <= box.HalfZ.LengthSquared * (1.0 + Rounding.OfChains));
                     foreach (Vector3D normal in new[] { west, east, north, south })
                     {
                         Assert.True(Vector3D.Dot(normal, corner) >= -Tolerances.VertexLattice);

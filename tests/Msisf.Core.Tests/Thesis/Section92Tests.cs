@@ -6,6 +6,7 @@ using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Thesis;
@@ -34,9 +35,10 @@ public class Section92Tests
 
         PixelRecord pixel = sampler.Sample().Single(record => record.H == h && record.V == 100);
 
-        Assert.InRange(double.RadiansToDegrees(pixel.Point.Latitude), latitude - 1e-12, latitude + 1e-12);
-        Assert.InRange(double.RadiansToDegrees(pixel.Point.Longitude), longitude - 1e-12, longitude + 1e-12);
-        Assert.InRange(double.RadiansToDegrees(pixel.IlluminationDirection!.Value), direction - 1e-12, direction + 1e-12);
+        Assert.InRange(double.RadiansToDegrees(pixel.Point.Latitude), latitude - Rounding.OfChains, latitude + Rounding.OfChains);
+        Assert.InRange(double.RadiansToDegrees(pixel.Point.Longitude), longitude - Rounding.OfChains, longitude + Rounding.OfChains);
+        Assert.InRange(
+            double.RadiansToDegrees(pixel.IlluminationDirection!.Value), direction - Rounding.OfChains, direction + Rounding.OfChains);
     }
 
     [Fact]
@@ -75,7 +77,7 @@ public class Section92Tests
 
         // x and y: steps 5 to 7 literally, with 50 digits (tests/reference/illumination.py).
         Assert.True(Camera.TryProject(local - Camera.PositionBodyFixed, out RenderingPoint projected));
-        Assert.InRange(double.Hypot(projected.X - x, projected.Y - y), 0.0, 1e-12);
+        Assert.InRange(double.Hypot(projected.X - x, projected.Y - y), 0.0, Rounding.OfChains);
     }
 
     [Theory]

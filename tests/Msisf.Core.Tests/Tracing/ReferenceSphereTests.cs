@@ -5,6 +5,7 @@ using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tracing;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Tracing;
@@ -40,7 +41,7 @@ public class ReferenceSphereTests
             new Ray(new Vector3D(Radius + distance, 0.6 * Radius, 0.0), new Vector3D(-1.0, 0.0, 0.0)), out Vector3D point);
 
         Assert.True(hit);
-        Assert.InRange((point - (Radius * new Vector3D(0.8, 0.6, 0.0))).Length, 0.0, 1e-9);
+        Assert.InRange((point - (Radius * new Vector3D(0.8, 0.6, 0.0))).Length, 0.0, Rounding.OfPlaces);
     }
 
     [Theory]

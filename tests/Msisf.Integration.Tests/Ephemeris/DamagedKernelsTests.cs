@@ -86,8 +86,8 @@ public sealed class DamagedKernelsTests : IDisposable
                 foreach (double time in TimesIn(cover))
                 {
                     RotationMatrix matrix = opened.Frames.FrameFromJ2000("TEST_CAMERA", time);
-                    Assert.Equal(1.0, matrix.Row0.Length, 1e-9);
-                    Assert.Equal(1.0, matrix.Row2.Length, 1e-9);
+                    Assert.Equal(1.0, matrix.Row0.Length, Rounding.OfPlaces);
+                    Assert.Equal(1.0, matrix.Row2.Length, Rounding.OfPlaces);
                 }
             }
 

@@ -95,7 +95,7 @@ public sealed partial class OtherProgramsTests : IDisposable
         int longitude = Array.IndexOf(lines[0], "boresight_longitude_deg");
         for (int k = 0; k < 4; k++)
         {
-            Assert.Equal(0.5 * k, double.Parse(lines[k + 1][longitude], CultureInfo.InvariantCulture), 1e-8);
+            Assert.Equal(0.5 * k, double.Parse(lines[k + 1][longitude], CultureInfo.InvariantCulture), Rounding.OfConvertedPlaces);
         }
     }
 

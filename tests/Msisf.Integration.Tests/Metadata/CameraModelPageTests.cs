@@ -75,7 +75,7 @@ public sealed partial class CameraModelPageTests : IDisposable
         static void AssertSame(UnitQuaternion expected, UnitQuaternion found)
         {
             UnitQuaternion turn = expected.Conjugate * found;
-            Assert.InRange(new Vector3D(turn.X, turn.Y, turn.Z).Length, 0.0, 1e-14);
+            Assert.InRange(new Vector3D(turn.X, turn.Y, turn.Z).Length, 0.0, Rounding.OfTurns);
         }
     }
 

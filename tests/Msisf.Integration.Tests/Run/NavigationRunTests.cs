@@ -110,15 +110,15 @@ public sealed class NavigationRunTests : IDisposable
             double[] point = [Value("x"), Value("y"), Value("z")];
             double[] inCamera =
                 [.. Enumerable.Range(0, 3).Select(row => t[row] + point.Select((part, i) => r[(3 * row) + i] * part).Sum())];
-            Assert.Equal(((k[0] * inCamera[0]) / inCamera[2]) + k[2] + 1.0, Value("h"), 1e-8);
-            Assert.Equal(((k[4] * inCamera[1]) / inCamera[2]) + k[5] + 1.0, Value("v"), 1e-8);
+            Assert.Equal(((k[0] * inCamera[0]) / inCamera[2]) + k[2] + 1.0, Value("h"), Rounding.OfConvertedPlaces);
+            Assert.Equal(((k[4] * inCamera[1]) / inCamera[2]) + k[5] + 1.0, Value("v"), Rounding.OfConvertedPlaces);
             Assert.Equal("yes", landmark.Attribute("visible")!.Value);
             string[] line = lines.Single(fields => fields[1] == landmark.Attribute("id")!.Value);
             Assert.All(landmark.Attributes(), attribute =>
                 Assert.Equal(attribute.Value, line[Array.IndexOf(lines[0], attribute.Name.LocalName)]));
         }
 
-        Assert.Equal(2500.0, Number(lines[2][Array.IndexOf(lines[0], "height")]), 1e-8);
+        Assert.Equal(2500.0, Number(lines[2][Array.IndexOf(lines[0], "height")]), Rounding.OfConvertedPlaces);
     }
 
     /// <summary>

@@ -40,7 +40,7 @@ public sealed class StatesTests : IDisposable
             ],
             _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
 
-        Assert.All(lines[0].Split(' '), error => Assert.InRange(double.Parse(error, CultureInfo.InvariantCulture), 0.0, 1e-14));
+        Assert.All(lines[0].Split(' '), error => Assert.InRange(double.Parse(error, CultureInfo.InvariantCulture), 0.0, Rounding.OfTurns));
         string[] words = lines[1].Split(' ');
         Assert.Equal(["POLYGON", "MSISF_CAMERA"], words[..2]);
         double[] corners = [.. words[2..].Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
@@ -80,7 +80,7 @@ public sealed class StatesTests : IDisposable
         {
             Assert.All(Enumerable.Range(1, 3), i => Assert.Equal(a[i], b[i], 2e-3)); // 1e-9 of the distance
             double sign = Math.Sign((a[4] * b[4]) + (a[5] * b[5]) + (a[6] * b[6]) + (a[7] * b[7]));
-            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], 1e-9));
+            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], Rounding.OfPlaces));
         }
 
         Assert.Equal((60, 40), (model.Width, model.Height));
@@ -88,7 +88,7 @@ public sealed class StatesTests : IDisposable
         double[] read = [model.FocalX, model.FocalY, model.PrincipalX, model.PrincipalY, model.Skew];
         foreach ((double expected, double actual) in written.Zip(read))
         {
-            Assert.Equal(expected, actual, 1e-9);
+            Assert.Equal(expected, actual, Rounding.OfPlaces);
         }
     }
 
@@ -119,7 +119,7 @@ public sealed class StatesTests : IDisposable
             Assert.Equal(a[0], b[0]);
             Assert.All(Enumerable.Range(1, 3), i => Assert.Equal(a[i], b[i], 2e-3)); // 1e-9 of the distance
             double sign = Math.Sign((a[4] * b[4]) + (a[5] * b[5]) + (a[6] * b[6]) + (a[7] * b[7]));
-            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], 1e-9));
+            Assert.All(Enumerable.Range(4, 4), i => Assert.Equal(a[i], sign * b[i], Rounding.OfPlaces));
             Assert.All(Enumerable.Range(8, 3), i => Assert.Equal(a[i], b[i], 5e-3)); // m/s: at the ends, of one side
         }
     }

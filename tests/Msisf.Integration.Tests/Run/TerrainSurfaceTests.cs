@@ -114,7 +114,7 @@ public sealed class TerrainSurfaceTests : IDisposable
         double latitude = Number(coordinates.Attribute("lat")!.Value) * Math.PI / 180.0;
         double longitude = Number(coordinates.Attribute("lon")!.Value) * Math.PI / 180.0;
         Vector3D direction = new(Math.Cos(latitude) * Math.Cos(longitude), Math.Cos(latitude) * Math.Sin(longitude), Math.Sin(latitude));
-        Assert.InRange(Vector3D.AngleBetween(direction, point) * 180.0 / Math.PI, 0.0, 1e-12);
+        Assert.InRange(Vector3D.AngleBetween(direction, point) * 180.0 / Math.PI, 0.0, Rounding.OfChains);
     }
 
     /// <summary>The facet that the ray meets first, whose plane holds the point and whose normal is the element's.</summary>
@@ -129,7 +129,7 @@ public sealed class TerrainSurfaceTests : IDisposable
         (Vector3D corner, _, _) = moon.Corners(facet.Row, facet.Column, facet.Half);
         Vector3D normal = moon.Normal(facet);
         Assert.InRange(Vector3D.Dot(normal, VectorIn(pixel, "Position") - corner), -PlaneTolerance, PlaneTolerance);
-        Assert.InRange((VectorIn(pixel, "Normal") - normal).Length, 0.0, 1e-15);
+        Assert.InRange((VectorIn(pixel, "Normal") - normal).Length, 0.0, Rounding.OfUnits);
 
         int tile = moon.TileOf(facet);
         int south = 85 - (5 * (tile / 72));

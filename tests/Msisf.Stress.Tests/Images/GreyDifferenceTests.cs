@@ -1,3 +1,4 @@
+using Msisf.TestSupport;
 using Msisf.TestSupport.Images;
 using Xunit;
 
@@ -12,7 +13,7 @@ public sealed class GreyDifferenceTests
         double[,] image = { { 0, 11, 97, 204 }, { 0, 0, 0, 0 } };
         GreyDifference difference = GreyDifference.Of(truth, image);
         Assert.Equal(0.25, difference.DifferingFraction); // 97 and 204 of 8
-        Assert.Equal(Math.Sqrt((1.0 + 9.0 + 16.0) / 8.0), difference.Rms, 1e-12);
+        Assert.Equal(Math.Sqrt((1.0 + 9.0 + 16.0) / 8.0), difference.Rms, Rounding.OfChains);
         Assert.Equal(4.0, difference.Largest);
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Numerics;
+using Msisf.TestSupport;
 using Msisf.TestSupport.Images;
 using Xunit;
 
@@ -14,7 +15,7 @@ public sealed class HitDistanceTests
         HitDistance distance = HitDistance.Of(truth, shown);
         Assert.Equal((3, 2), (distance.Pixels, distance.OneSided));
         Assert.Equal((1.0, 5.0), (distance.Median, distance.Largest));
-        Assert.Equal(Math.Sqrt(26.0 / 3.0), distance.Rms, 1e-12);
+        Assert.Equal(Math.Sqrt(26.0 / 3.0), distance.Rms, Rounding.OfChains);
     }
 
     [Fact]

@@ -47,8 +47,8 @@ public class InstrumentTests(ModulePage page) : IClassFixture<ModulePage>
         JsonElement segments = await page.CallAsync("contours", "segmentsOf", plane, 14);
 
         Assert.Equal(2, segments.GetArrayLength());
-        Assert.All(segments.EnumerateArray(), segment => Assert.Equal(2.4, segment[0].GetDouble(), 1e-12));
-        Assert.All(segments.EnumerateArray(), segment => Assert.Equal(2.4, segment[2].GetDouble(), 1e-12));
+        Assert.All(segments.EnumerateArray(), segment => Assert.Equal(2.4, segment[0].GetDouble(), Rounding.OfChains));
+        Assert.All(segments.EnumerateArray(), segment => Assert.Equal(2.4, segment[2].GetDouble(), Rounding.OfChains));
         Assert.Equal([1.0, 2.0, 2.0, 3.0], segments.EnumerateArray().SelectMany(
             segment => new[] { segment[1].GetDouble(), segment[3].GetDouble() }).Order());
     }
@@ -79,8 +79,8 @@ public class InstrumentTests(ModulePage page) : IClassFixture<ModulePage>
     {
         JsonElement place = await page.CallAsync("text", "placeOfText", text);
 
-        Assert.Equal(latitude, place.GetProperty("latitude").GetDouble(), 1e-9);
-        Assert.Equal(longitude, place.GetProperty("longitude").GetDouble(), 1e-9);
+        Assert.Equal(latitude, place.GetProperty("latitude").GetDouble(), Rounding.OfPlaces);
+        Assert.Equal(longitude, place.GetProperty("longitude").GetDouble(), Rounding.OfPlaces);
     }
 
     [RequiresTheory(Part.Chromium)]

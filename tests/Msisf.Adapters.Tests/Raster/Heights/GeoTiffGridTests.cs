@@ -52,7 +52,7 @@ public sealed class GeoTiffGridTests : IDisposable
             grid.ReadRadii(line, sample, radii);
             for (int i = 0; i < radii.Length; i++)
             {
-                Assert.Equal(offset + (factor * (line + ((sample + i) / 1024.0))), radii[i], 1e-9 * factor);
+                Assert.Equal(offset + (factor * (line + ((sample + i) / 1024.0))), radii[i], Rounding.OfPlaces * factor);
             }
         }
 
@@ -174,9 +174,9 @@ public sealed class GeoTiffGridTests : IDisposable
     {
         string path = Write(string.Empty, "pass");
         using GeoTiffFiles files = new(libraryPath: null);
-        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, 1e-9);
+        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, Rounding.OfPlaces);
         File.Delete(path);
-        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, 1e-9);
+        Assert.Equal(5.0, files.ResolutionOf(path).MetresPerPixel, Rounding.OfPlaces);
         using (GeoTiffGrid grid = files.Open(path))
         {
             Assert.Equal(280, grid.Lines);
@@ -231,7 +231,7 @@ public sealed class GeoTiffGridTests : IDisposable
             double[] numbers = [.. words.Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
             SelenographicPoint point = SelenographicPoint.Below(grid.Projection.DirectionOf(numbers[0], numbers[1]));
             Assert.Equal(numbers[2], double.RadiansToDegrees(point.Latitude), 1e-11);
-            Assert.Equal(numbers[3], double.RadiansToDegrees(point.Longitude), 1e-9);
+            Assert.Equal(numbers[3], double.RadiansToDegrees(point.Longitude), Rounding.OfPlaces);
             grid.ReadRadii((int)numbers[0], (int)numbers[1], radius);
             Assert.Equal(1_737_400.0 + numbers[4], radius[0]);
         }

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Raster.Heights;
@@ -34,7 +35,7 @@ public sealed class GeoTiffPlacementTests
     {
         PolarStereographic map = Assert.IsType<PolarStereographic>(
             Of("a.tif", 200, 200, Piece, South.Replace(from, to, StringComparison.Ordinal)).Projection);
-        Assert.Equal(scale, map.MetresPerPixel, 1e-9);
+        Assert.Equal(scale, map.MetresPerPixel, Rounding.OfPlaces);
         Assert.Equal((-100.5, -35400.5), (Math.Round(map.LineOffset, 6), Math.Round(map.SampleOffset, 6)));
     }
 
@@ -64,8 +65,8 @@ public sealed class GeoTiffPlacementTests
         GeoTiffPlacement placement = Of("a.tif", 100, 480, [-10.0, 0.25, 0.0, 60.0, 0.0, -0.25], Degrees);
         Assert.Equal(new GridWindow(120, 600, 1400, 1500), placement.Window);
         SelenographicPoint last = SelenographicPoint.Below(placement.Projection.DirectionOf(120, 1499));
-        Assert.Equal(15.0 - 0.125, double.RadiansToDegrees(last.Longitude), 1e-12);
-        Assert.Equal(60.0 - 0.125, double.RadiansToDegrees(last.Latitude), 1e-12);
+        Assert.Equal(15.0 - 0.125, double.RadiansToDegrees(last.Longitude), Rounding.OfChains);
+        Assert.Equal(60.0 - 0.125, double.RadiansToDegrees(last.Latitude), Rounding.OfChains);
     }
 
     [Fact]

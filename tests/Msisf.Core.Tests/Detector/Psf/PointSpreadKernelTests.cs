@@ -1,5 +1,6 @@
 using Msisf.Core.Detector.Psf;
 using Msisf.Core.Errors;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Detector.Psf;
@@ -33,7 +34,7 @@ public sealed class PointSpreadKernelTests
     {
         PointSpreadKernel kernel = PointSpreadKernel.Of(Spread(name), Cutoff);
         Assert.Equal(15, kernel.Size);
-        Assert.InRange(kernel.Weights.ToArray().Sum(), 1.0 - 1e-14, 1.0 + 1e-14);
+        Assert.InRange(kernel.Weights.ToArray().Sum(), 1.0 - Rounding.OfTurns, 1.0 + Rounding.OfTurns);
         Assert.InRange(At(kernel, 0, 0), pixels[0] - PixelPart, pixels[0] + PixelPart);
         Assert.InRange(At(kernel, 1, 0), pixels[1] - PixelPart, pixels[1] + PixelPart);
         Assert.InRange(At(kernel, -1, -2), pixels[2] - PixelPart, pixels[2] + PixelPart);

@@ -57,7 +57,7 @@ public sealed class GroundTreeTests
             if (found is { } ground)
             {
                 Assert.Equal(expected.RayParameter, ground.Distance, 1e-7);
-                Assert.True((expected.NormalBodyFixed - ground.Normal).Length < 1e-9);
+                Assert.True((expected.NormalBodyFixed - ground.Normal).Length < Rounding.OfPlaces);
                 Assert.False(tree.IsBlocked(start.PointBodyFixed, direction, ground.Distance - 1e-3));
             }
         }

@@ -39,7 +39,7 @@ public class AkimovReflectanceTests
     public void RadianceFactor_AtOpposition_IsTheAlbedoEverywhere()
     {
         AkimovReflectance law = new(0.3);
-        Assert.All([1.0, 0.5, 1e-3, 1e-9], cosine => Assert.Equal(0.3, law.RadianceFactor(cosine, cosine, 0.0), 1e-15));
+        Assert.All([1.0, 0.5, 1e-3, 1e-9], cosine => Assert.Equal(0.3, law.RadianceFactor(cosine, cosine, 0.0), Rounding.OfUnits));
     }
 
     [Theory]
@@ -56,7 +56,7 @@ public class AkimovReflectanceTests
 
         // One nanoradian off the limb: the law's slope there is of order 1.
         Assert.Equal(limit, law.RadianceFactor(Math.Sin(phase), 1e-9, haversine), 1e-8);
-        Assert.Equal(limit, law.RadianceFactor(Math.Sin(phase), 1e-300, haversine), 1e-12);
+        Assert.Equal(limit, law.RadianceFactor(Math.Sin(phase), 1e-300, haversine), Rounding.OfChains);
     }
 
     [Fact]

@@ -102,7 +102,7 @@ public sealed class AlbedoMatchTests
         sampler.Scale(points, camera, 1, moon, factorOfReference: 0.5, ofLaw);
         sampler.Scale(points, camera, 1, site, factorOfReference: 0.5, ofLaw, isSite: true);
 
-        Assert.All(places.Zip(points.Factors), pair => Assert.Equal(2.0 * pair.First.Expected / 0.5, pair.Second, 1e-12));
+        Assert.All(places.Zip(points.Factors), pair => Assert.Equal(2.0 * pair.First.Expected / 0.5, pair.Second, Rounding.OfChains));
     }
 
     [Fact]
@@ -110,7 +110,7 @@ public sealed class AlbedoMatchTests
     {
         AlbedoMap map = SyntheticMaps.Of(60, 40, Site, (_, _) => 7).Scaled(3.0, new ReferenceGeometry(30.0, 0.0, 30.0));
 
-        Assert.Equal(3e-4, map.Step, 1e-12);
+        Assert.Equal(3e-4, map.Step, Rounding.OfChains);
         Assert.Equal(new ReferenceGeometry(30.0, 0.0, 30.0), map.Reference);
         Assert.False(new Core.Render.Shading.RowShader(new Core.Surface.SurfaceModel(FunctionGrid.Hilly(4))).IsFlat(
             new NativeRenderOptions { Reflectance = new LambertReflectance(0.5), AlbedoSites = [map] }));

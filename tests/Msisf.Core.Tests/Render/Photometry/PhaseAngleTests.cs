@@ -1,4 +1,5 @@
 using Msisf.Core.Render.Photometry;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Photometry;
@@ -17,7 +18,7 @@ public class PhaseAngleTests
     /// <summary>hav(1e-9) = 2.5e-19 (1 - 1e-18 / 12 ...); a cosine of that angle is 1.</summary>
     [Fact]
     public void FromHaversine_NearOpposition_KeepsItsDigits() =>
-        Assert.InRange(PhaseAngle.FromHaversine(2.5e-19), 1e-9 * (1.0 - 1e-15), 1e-9 * (1.0 + 1e-15));
+        Assert.InRange(PhaseAngle.FromHaversine(2.5e-19), 1e-9 * (1.0 - Rounding.OfUnits), 1e-9 * (1.0 + Rounding.OfUnits));
 
     [Fact]
     public void HalfTangent_RightAngleAndBackwards_IsOneAndInfinite()

@@ -1,5 +1,6 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Render.Photometry;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Photometry;
@@ -95,7 +96,7 @@ public class ReflectanceFactoryTests
     [InlineData(0.0, 0.0, 0.0, 0.24833582182230244)]
     [InlineData(80.0, 70.0, 140.0, 0.007362198543372184)]
     public void Create_Nac_HasTheBrightnessOfItsFormula(double incidence, double emission, double phase, double expected) =>
-        Assert.Equal(expected, At(ReflectanceFactory.Create("nac", None), incidence, emission, phase), 1e-14);
+        Assert.Equal(expected, At(ReflectanceFactory.Create("nac", None), incidence, emission, phase), Rounding.OfTurns);
 
     private static double At(IReflectance law, double incidence, double emission, double phase)
     {

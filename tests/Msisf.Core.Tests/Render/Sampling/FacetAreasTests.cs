@@ -8,6 +8,7 @@ using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Sampling;
@@ -28,7 +29,7 @@ public sealed class FacetAreasTests(RuggedTerrain rugged) : IClassFixture<Rugged
     [InlineData(9.0, 1.0, 2.0, 0.0)]
     [InlineData(0.0, 0.0, 0.0, 0.0)] // two facets in one plane
     public void PartBeyond_ALine_IsTheAreaBeyondIt(double atCentre, double perColumn, double perRow, double expected) =>
-        Assert.Equal(expected, PartBeyond(atCentre, perColumn, perRow), 1e-15);
+        Assert.Equal(expected, PartBeyond(atCentre, perColumn, perRow), Rounding.OfUnits);
 
     [Fact]
     public void PartBeyond_RandomLines_AreThePartsOfManyPoints()

@@ -1,5 +1,6 @@
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Shadows;
@@ -40,7 +41,7 @@ public sealed class LightFrameTests
         Vector3D b = frame.FromBodyFixed(far);
         // m: some last digits of 1.7e6 m, each 2e-10.
         Assert.Equal(a.X, b.X, 1e-9);
-        Assert.Equal(a.Y, b.Y, 1e-9);
+        Assert.Equal(a.Y, b.Y, Rounding.OfPlaces);
         Assert.True(b.Z > a.Z + 5e5);
     }
 
@@ -55,8 +56,8 @@ public sealed class LightFrameTests
             LightFrame frame = new(1.5e11 * new Vector3D(x, y, z).Normalized(), towards);
             // Some last digits of 1, here and below.
             Assert.True((Vector3D.Cross(frame.AxisU, frame.AxisV) - frame.AxisW).Length < 1e-15);
-            Assert.Equal(1.0, frame.AxisU.Length, 1e-15);
-            Assert.Equal(0.0, Vector3D.Dot(frame.AxisU, frame.AxisW), 1e-15);
+            Assert.Equal(1.0, frame.AxisU.Length, Rounding.OfUnits);
+            Assert.Equal(0.0, Vector3D.Dot(frame.AxisU, frame.AxisW), Rounding.OfUnits);
         }
     }
 
@@ -64,6 +65,6 @@ public sealed class LightFrameTests
     public void Axes_Direction_LeansToIt()
     {
         LightFrame frame = new(1.5e11 * Vector3D.UnitX, new Vector3D(5.0, 3.0, 4.0));
-        Assert.True((frame.AxisU - new Vector3D(0.0, 0.6, 0.8)).Length < 1e-15);
+        Assert.True((frame.AxisU - new Vector3D(0.0, 0.6, 0.8)).Length < Rounding.OfUnits);
     }
 }

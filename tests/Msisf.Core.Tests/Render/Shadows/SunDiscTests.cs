@@ -2,6 +2,7 @@ using System.Numerics;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render.Shadows;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Render.Shadows;
@@ -16,7 +17,7 @@ public sealed class SunDiscTests
         SunDisc disc = new(Sun);
         Vector3D axis = Sun.Normalized();
         double angularRadius = Math.Atan2(695_700e3, Math.Sqrt(Sun.LengthSquared - (695_700e3 * 695_700e3))); // asin(R / D)
-        Assert.Equal(Math.Tan(angularRadius), disc.Slope, 1e-15);
+        Assert.Equal(Math.Tan(angularRadius), disc.Slope, Rounding.OfUnits);
         Assert.Equal(0.2655, angularRadius * 180.0 / Math.PI, 5e-4); // 16 minutes of arc at 1.003 au
         foreach (Vector3D point in disc.PointsBodyFixed)
         {

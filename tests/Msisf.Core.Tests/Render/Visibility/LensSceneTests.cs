@@ -128,7 +128,7 @@ public sealed class LensSceneTests
         Vector3D apart = hit.PointBodyFixed - expected.PointBodyFixed;
         double sine = Math.Abs(Vector3D.Dot(expected.NormalBodyFixed, direction)) / direction.Length;
         return hit.Facet == expected.Facet
-            && (hit.NormalBodyFixed - expected.NormalBodyFixed).Length < 1e-14
+            && (hit.NormalBodyFixed - expected.NormalBodyFixed).Length < Rounding.OfTurns
             && (apart.Length <= HitTolerance || apart.Length * sine <= AcrossTolerance);
     }
 }
