@@ -31,7 +31,6 @@ internal sealed class CommandLineProgram
 
     /// <summary>Runs one command.</summary>
     /// <param name="arguments">Arguments as passed to <c>main</c>.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {

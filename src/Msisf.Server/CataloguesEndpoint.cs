@@ -10,7 +10,6 @@ internal sealed class CataloguesEndpoint(IReadOnlyDictionary<string, string> pat
 {
     private readonly ConcurrentDictionary<string, Lazy<IReadOnlyList<Crater>>> _read = new(StringComparer.Ordinal);
 
-    /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context)
     {
         string name = (string)context.Request.RouteValues["name"]!;

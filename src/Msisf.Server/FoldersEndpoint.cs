@@ -18,8 +18,6 @@ internal sealed class FoldersEndpoint
     private readonly ProgramHost _host;
     private readonly Dictionary<string, Func<CancellationToken, Task<IReadOnlyList<ServedFrame>>>> _readers = new(StringComparer.Ordinal);
 
-    /// <param name="frames">Does the work.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     public FoldersEndpoint(FrameService frames, ProgramHost host)
     {
         (_frames, _host) = (frames, host);

@@ -20,8 +20,6 @@ internal sealed class FrameService : IDisposable
     private readonly RenderQueue _queue;
 
     /// <summary>Looks for the models and maps, and opens none.</summary>
-    /// <param name="settings">The server's settings.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="BadInputException">There is no elevation model.</exception>
     public FrameService(ServeSettings settings, ProgramHost host)
     {

@@ -54,7 +54,6 @@ internal sealed class HttpServer : IAsyncDisposable
         route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
 
     /// <summary>Starts a server.</summary>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">There is no elevation model, or the address can't be listened on.</exception>
     public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)
     {
@@ -192,13 +191,14 @@ internal sealed class HttpServer : IAsyncDisposable
         Get("/v1/names", new NamesEndpoint(host.Installation).AnswerAsync, new("Lists the Moon's named features.", AnswerForm.Json));
         Get("/v1/sun", new SunEndpoint(_frames).AnswerAsync, SunEndpoint.About);
         Get("/v1/sun/path", new SunPathEndpoint(_frames).AnswerAsync, SunPathEndpoint.About);
-        Post("/v1/ground", new GroundEndpoint(_frames).AnswerAsync, GroundEndpoint.About);
+        PointsEndpoints points = new(_frames);
+        Post("/v1/ground", points.GroundAsync, PointsEndpoints.AboutGround);
         Post("/v1/light", new LightEndpoint(_frames).AnswerAsync, LightEndpoint.About);
         Post(
             "/v1/trajectory", new TrajectoryEndpoint(_frames, host).AnswerAsync,
             new("Reads the states of a trajectory.", AnswerForm.Json));
-        Post("/v1/pixels", new PixelsEndpoint(_frames).AnswerAsync, PixelsEndpoint.About);
-        Post("/v1/points", new PointsEndpoint(_frames).AnswerAsync, PointsEndpoint.About);
+        Post("/v1/pixels", points.PixelsAsync, PointsEndpoints.AboutPixels);
+        Post("/v1/points", points.PointsAsync, PointsEndpoints.AboutPoints);
         Post("/v1/render", new RenderEndpoint(_frames).AnswerAsync, RenderEndpoint.About);
         Get(
             "/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync,

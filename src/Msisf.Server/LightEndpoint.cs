@@ -5,19 +5,16 @@ using Msisf.Core.Terrain;
 namespace Msisf.Server;
 
 /// <summary>POST /v1/light: the light of places over the month around a frame's time, hour by hour.</summary>
-/// <param name="frames">Does the work.</param>
 internal sealed class LightEndpoint(FrameService frames)
 {
     /// <summary>Places of one request: each takes a horizon.</summary>
     private const int MostPlaces = 10;
 
-    /// <summary>Describes the route.</summary>
     public static RouteText About { get; } = new("Says how places are lit over the month around a time.", AnswerForm.Json)
     {
         Body = ApiSchemas.OfPoints("points", "[latitude, longitude]: degrees; at most 10", least: 2, most: 2),
     };
 
-    /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {
         using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);

@@ -7,7 +7,6 @@ namespace Msisf.Server;
 /// <param name="frames">Knows them.</param>
 internal sealed class ModelsEndpoint(FrameService frames)
 {
-    /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
         Models = frames.Names.Models.All.Select(model => new

@@ -13,7 +13,6 @@ internal sealed class NamesEndpoint(Installation installation)
 {
     private readonly Lazy<(string Source, IReadOnlyList<Crater> Features)> _read = new(() => Read(installation));
 
-    /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
         _read.Value.Source,

@@ -16,7 +16,6 @@ internal sealed class OpenApiEndpoint
 
     /// <summary>Adds what the endpoint needs.</summary>
     /// <param name="services">The server's services.</param>
-    /// <param name="version">Version of the program.</param>
     public static void AddServices(IServiceCollection services, string version)
     {
         services.ConfigureHttpJsonOptions(json => (json.SerializerOptions.PropertyNamingPolicy, json.SerializerOptions.NumberHandling) =
@@ -46,7 +45,6 @@ internal sealed class OpenApiEndpoint
         });
     }
 
-    /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {
         if (_document is null)

@@ -5,16 +5,13 @@ using Msisf.App.Serving;
 namespace Msisf.Server;
 
 /// <summary>POST /v1/render: draws a frame, or one with each camera of a rig.</summary>
-/// <param name="frames">Does the work.</param>
 internal sealed class RenderEndpoint(FrameService frames)
 {
-    /// <summary>Describes the route.</summary>
     public static RouteText About { get; } = new("Draws a frame, or one with each of several cameras.", AnswerForm.All)
     {
         Body = ApiSchemas.OfRender,
     };
 
-    /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {
         AnswerForm form = AnswerForm.Of(context.Request.Headers.Accept);

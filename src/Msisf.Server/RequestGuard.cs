@@ -11,7 +11,6 @@ namespace Msisf.Server;
 /// Refuses requests that a page of another site makes a browser send (by its Origin, or by a name of its own for this computer), and those
 /// without the token. Puts the headers on every answer that keep a browser from mixing it with other sites.
 /// </summary>
-/// <param name="settings">The server's settings.</param>
 internal sealed class RequestGuard(ServeSettings settings)
 {
     /// <summary>Path that needs no token, so that it can be asked by whoever watches the server.</summary>

@@ -3,11 +3,9 @@ using System.Net.WebSockets;
 namespace Msisf.Server;
 
 /// <summary>GET /v1/stream: a WebSocket on which states go in and images come out.</summary>
-/// <param name="frames">Does the work.</param>
 /// <param name="stopping">The server ends.</param>
 internal sealed class StreamEndpoint(FrameService frames, CancellationToken stopping)
 {
-    /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {
         if (!context.WebSockets.IsWebSocketRequest)

@@ -13,12 +13,10 @@ internal sealed class SunEndpoint(FrameService frames)
 {
     private static readonly string[] Names = ["utc", "mjd", "latitude", "longitude", "ephemeris", "aberration"];
 
-    /// <summary>Describes the route.</summary>
     public static RouteText About { get; } = new(
         "Says where the Sun is at a time, and where it stands in the sky of a place.", AnswerForm.Json)
     { Query = Names };
 
-    /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context)
     {
         IQueryCollection query = context.Request.Query;

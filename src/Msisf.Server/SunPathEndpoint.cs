@@ -10,13 +10,11 @@ internal sealed class SunPathEndpoint(FrameService frames)
 
     private static readonly string[] Names = ["from", "to", "count"];
 
-    /// <summary>Describes the route.</summary>
     public static RouteText About { get; } = new("Says where the Sun is at evenly spaced times (MJD, UTC).", AnswerForm.Json)
     {
         Query = Names,
     };
 
-    /// <summary>Answers a request.</summary>
     public Task AnswerAsync(HttpContext context)
     {
         IQueryCollection query = context.Request.Query;

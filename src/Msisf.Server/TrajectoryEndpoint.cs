@@ -7,13 +7,10 @@ using Msisf.Core.Scene;
 namespace Msisf.Server;
 
 /// <summary>POST /v1/trajectory: the states of a batch file or an OEM that a client sends, or of an orbit at given times.</summary>
-/// <param name="frames">Does the work.</param>
-/// <param name="host">Output, log, clock and environment of the program.</param>
 internal sealed class TrajectoryEndpoint(FrameService frames, ProgramHost host)
 {
     private const int MostTimes = 1001;
 
-    /// <summary>Answers a request.</summary>
     public async Task AnswerAsync(HttpContext context)
     {
         using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);

@@ -39,7 +39,6 @@ internal sealed class FrameSystem : ISpaceFrames
     public RotationMatrix FrameFromJ2000(int frame, double tdbSeconds) => FromJ2000(NameOf(frame), tdbSeconds, 0);
 
     /// <summary>The class IDs of the CK frames on the way from a frame to one that is not of a CK.</summary>
-    /// <param name="frame">Name of the frame.</param>
     /// <exception cref="BadInputException">The frame is not known.</exception>
     public IReadOnlyList<int> AttitudesOf(string frame)
     {

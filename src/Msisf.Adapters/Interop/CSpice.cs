@@ -121,7 +121,6 @@ internal sealed class CSpice
 
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="frame">Name of the frame.</param>
     /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
     public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, string frame, double ephemerisSeconds)

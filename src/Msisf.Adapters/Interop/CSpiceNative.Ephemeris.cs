@@ -7,7 +7,6 @@ internal static partial class CSpiceNative
 {
     /// <param name="target">Name of the body.</param>
     /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
-    /// <param name="frame">Name of the frame.</param>
     /// <param name="correction">NONE, LT, LT+S, ...</param>
     /// <param name="observer">Name of the body.</param>
     /// <param name="positionKm">First of three elements.</param>
@@ -33,7 +32,6 @@ internal static partial class CSpiceNative
 
     /// <param name="target">NAIF's number of the body.</param>
     /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
-    /// <param name="frame">Name of the frame.</param>
     /// <param name="observer">NAIF's number of the body.</param>
     /// <param name="state">First of six elements: km, km/s.</param>
     /// <param name="lightTimeSeconds">One-way light time.</param>

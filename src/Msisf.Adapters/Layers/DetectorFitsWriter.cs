@@ -13,7 +13,6 @@ public static class DetectorFitsWriter
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="settings">The detector; goes into the header.</param>
     /// <param name="frame">Goes into the header.</param>
-    /// <param name="provenance">Goes there too.</param>
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     public static void Write(
         Stream stream, DetectorNumbers numbers, DetectorSettings settings, FrameMetadata frame, LayerProvenance provenance)

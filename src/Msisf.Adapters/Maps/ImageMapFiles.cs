@@ -48,7 +48,6 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
     /// <summary>Writes layers, each with its planes as bands.</summary>
     /// <param name="files">Receives the files.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="truth">What the pixels show.</param>
     /// <param name="provenance">Of the frame.</param>
     /// <param name="precision">Of real numbers.</param>
     /// <returns>Their paths.</returns>

@@ -27,7 +27,6 @@ internal sealed class RunSubmission
     /// <summary>Checks the run, writes its script and submits it; Slurm's reply is written to the host's results.</summary>
     /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
     /// <param name="call">The words of the call, for the head of the script.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">The run can't be made, Slurm is missing, or Slurm refuses the job.</exception>
     public static async Task<RunSubmission> SubmitAsync(
         OptionValues values, IReadOnlyList<string> call, ProgramHost host, CancellationToken cancellation)

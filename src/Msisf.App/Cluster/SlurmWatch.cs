@@ -23,7 +23,6 @@ internal sealed class SlurmWatch
     /// <summary>Prepares to follow the jobs of a script.</summary>
     /// <param name="run">The run whose script was submitted.</param>
     /// <param name="slurm">Calls the commands of Slurm.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="pause">Time between two checks.</param>
     /// <param name="patience">How long to wait for the result after all jobs ended, because files of other nodes may appear late.</param>
     public SlurmWatch(ConvertedRun run, SlurmProgram slurm, ProgramHost host, TimeSpan pause, TimeSpan patience) =>

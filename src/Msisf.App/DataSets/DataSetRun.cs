@@ -35,7 +35,6 @@ internal sealed class DataSetRun
     /// <param name="path">The data set's file.</param>
     /// <param name="line">Options of the command line.</param>
     /// <param name="words">Words of the call, for the head of a script.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; finished images are kept.</param>
     /// <returns>The exit code.</returns>
     /// <exception cref="MsisfException">It can't be made, or an image failed; then the others are complete.</exception>

@@ -15,7 +15,6 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
 
     /// <summary>Checks that the licence of each file that the user names is known, before anything is drawn.</summary>
     /// <param name="spec">Has the licences that the user knows.</param>
-    /// <param name="settings">The run's settings.</param>
     /// <exception cref="BadInputException">A licence is missing.</exception>
     public static void RequireLicences(DataSetSpec spec, RenderSettings settings, ElevationModel model, SurfaceInputs maps)
     {

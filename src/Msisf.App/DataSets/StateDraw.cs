@@ -34,7 +34,6 @@ internal sealed class StateDraw
     private readonly StateMaker _maker;
 
     /// <param name="spec">What the data set asks for.</param>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="scene">Terrain.</param>
     /// <param name="sun">The ephemeris; not used where each state has its Sun.</param>
     /// <param name="probe">Tells what an image will show.</param>

@@ -19,7 +19,6 @@ internal sealed class ViewProbe
     private readonly NativeDrawing _drawing;
 
     /// <summary>Prepares the small images.</summary>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="times">Receives the times.</param>
     public ViewProbe(RenderSettings settings, ElevationModel model, SurfaceInputs maps, RunTimes times)
     {

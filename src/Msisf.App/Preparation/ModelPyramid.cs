@@ -15,7 +15,6 @@ internal static class ModelPyramid
 {
     /// <summary>Makes the file.</summary>
     /// <param name="settings">Names the model.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <returns>Path of the file; null if the model needs none, which is logged.</returns>
     /// <exception cref="MsisfException">There is no such model, or the file can't be written.</exception>
@@ -44,7 +43,6 @@ internal static class ModelPyramid
 
     /// <summary>Checks the file against the model by reading both.</summary>
     /// <param name="settings">Names the model.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <returns>Path of the file; null if the model needs none, which is logged.</returns>
     /// <exception cref="MsisfException">There is no such model or no such file, or they differ.</exception>
     public static string? Verify(PyramidSettings settings, ProgramHost host, CancellationToken cancellation)

@@ -21,7 +21,6 @@ internal sealed record PreparedRun(IReadOnlyList<RunFrames> Cameras, ElevationMo
     /// <param name="trajectory">The positions of the camera, or of the body that carries several.</param>
     /// <param name="cameras">The run's other settings: those of each camera.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static PreparedRun Of(
         TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, EphemerisSource ephemeris, ProgramHost host,

@@ -25,7 +25,6 @@ internal sealed record RunFrames(
     /// <param name="cameras">The run's other settings: those of each camera.</param>
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <returns>Those of each camera.</returns>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<RunFrames> Read(
@@ -89,7 +88,6 @@ internal sealed record RunFrames(
     }
 
     /// <summary>Warns of a --fov that is most likely meant in another unit, and notes an unusual band.</summary>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public void WarnOfCamera(ProgramHost host, double referenceRadius)
     {

@@ -23,7 +23,6 @@ internal sealed class RunInputs : IDisposable
 
     /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     public RunInputs(Func<IReadOnlyList<string>> kernels, ProgramHost host, CancellationToken cancellation)
     {
         _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);

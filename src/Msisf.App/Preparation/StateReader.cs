@@ -23,7 +23,6 @@ internal sealed class StateReader
 
     /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
     /// <param name="scene">Terrain and Sun, for cameras that are placed or pointed by them.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     public StateReader(Func<IEphemeris> ephemeris, ISceneGeometry scene, ProgramHost host) =>
         (_ephemeris, _scene, _host) = (ephemeris, scene, host);
 

@@ -28,7 +28,6 @@ internal sealed record SurfaceInputs(
     }
 
     /// <summary>Opens the maps.</summary>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <exception cref="MsisfException">A map can't be used.</exception>
     public static SurfaceInputs Open(RenderSettings settings, ProgramHost host)

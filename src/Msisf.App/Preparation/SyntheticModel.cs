@@ -11,7 +11,6 @@ internal static class SyntheticModel
 {
     /// <summary>Writes the model.</summary>
     /// <param name="settings">Describes the model.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <returns>Path of the model's label.</returns>
     /// <exception cref="MsisfException">The base model is not suitable, or the folder can't be written.</exception>

@@ -18,10 +18,8 @@ internal static class ExposureSearch
     private const int Samples = 32;
 
     /// <summary>The settings with the exposure time that was found; the same settings if none is to be found.</summary>
-    /// <param name="settings">The run's settings.</param>
     /// <param name="states">The states of the whole run.</param>
     /// <param name="frames">The frames to make; their cameras are checked for the time in which the shutter is open.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="BadInputException">There is no such time, or a camera lies below the terrain.</exception>
     public static RenderSettings Resolve(
         RenderSettings settings, IReadOnlyList<SpacecraftState> states, IReadOnlyList<Frame> frames, ElevationModel model,

@@ -9,7 +9,6 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Rendering;
 
 /// <summary>Says about the frames of a run what their meta files and layers tell beside the image. Thread-safe.</summary>
-/// <param name="version">Version of the program.</param>
 /// <param name="inputs">The files that the frames are made from; may wait for their checksums.</param>
 internal sealed class FrameDescription(
     RenderSettings settings, ElevationModel model, string version, Func<IReadOnlyList<InputFile>> inputs)

@@ -11,7 +11,6 @@ internal static class PatternList
     /// <summary>Prints one line for each tile of each frame: step, tile, taken or not, reason; separated by tabs.</summary>
     /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <exception cref="MsisfException">The run can't be made.</exception>
     public static void Print(TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)

@@ -12,7 +12,6 @@ internal static class PatternRun
     /// <summary>Makes the meshes that the POV-Ray frames of a run include, and the summary of the model.</summary>
     /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two patterns.</param>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
@@ -41,7 +40,6 @@ internal static class PatternRun
 
     /// <summary>Makes all patterns of the whole Moon.</summary>
     /// <param name="settings">Selects the model and the form of the patterns.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work between two patterns.</param>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">There is no such model, or a pattern can't be written.</exception>

@@ -35,7 +35,6 @@ internal sealed class RenderRun
     /// <summary>Renders the frames; the paths of their files are written to the host's results.</summary>
     /// <param name="trajectory">The positions of the camera, or of the body that carries several.</param>
     /// <param name="cameras">The other settings: those of each camera.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work and ends POV-Ray; no incomplete file is left.</param>
     /// <returns>The files of all frames, including those that already existed.</returns>
     /// <exception cref="MsisfException">

@@ -24,7 +24,6 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     private const int KeyLength = 32;
 
     /// <summary>Collects the identity of a run.</summary>
-    /// <param name="version">Version of the program.</param>
     /// <param name="arguments">Arguments of the frames as text; see <see cref="FrameArguments.OfSettings"/>.</param>
     /// <param name="model">The elevation model.</param>
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>

@@ -21,7 +21,6 @@ internal static class SeriesMerge
     /// </summary>
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="settings">The files to make.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <returns>The state of the frames.</returns>
     /// <exception cref="MsisfException">

@@ -28,7 +28,6 @@ internal sealed class SeriesStatus
 
     /// <summary>Checks a folder quickly: compares the existence and lengths of the files with the manifest.</summary>
     /// <param name="folder">Folder of the outputs.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">The folder does not exist or contains no manifest of a run.</exception>
     public static SeriesStatus Read(string folder, ProgramHost host, CancellationToken cancellation) =>
         Of(folder, SeriesManifest.Read(folder, host.Log), new FrameChecker(folder, CheckDepth.Lengths), cancellation);

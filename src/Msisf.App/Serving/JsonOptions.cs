@@ -55,7 +55,6 @@ internal sealed class JsonOptions
     /// <param name="changes">Options that replace those; null for none.</param>
     /// <param name="needsPlace">Whether the options must say where the camera is.</param>
     /// <param name="names">The files that may be named.</param>
-    /// <param name="settings">The server's settings.</param>
     /// <param name="isOfSeveral">Whether other cameras have the options too, as with a rig file.</param>
     /// <exception cref="MsisfException">An option is unknown, not allowed, or wrong.</exception>
     public static RequestedFrame Read(

@@ -20,7 +20,6 @@ internal static class ServedBatch
     /// <summary>Reads the states as a run does; named columns may need the terrain.</summary>
     /// <param name="requested">Options, and the model whose terrain it is.</param>
     /// <param name="ephemeris">Where the Sun is, for cameras that are pointed by it.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">The file is wrong.</exception>
     public static IReadOnlyList<ServedFrame> Frames(
         string path, RequestedFrame requested, ServedEphemeris ephemeris, ProgramHost host, CancellationToken cancellation)

@@ -8,7 +8,6 @@ using Msisf.Core.Metadata;
 namespace Msisf.App.Serving;
 
 /// <summary>The ephemeris engines of a server, each opened once, and the checksums of what frames are made from. Thread-safe.</summary>
-/// <param name="host">Output, log, clock and environment of the program.</param>
 internal sealed class ServedEphemeris(ProgramHost host) : IDisposable
 {
     private readonly Lock _gate = new();

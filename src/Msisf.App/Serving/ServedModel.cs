@@ -27,7 +27,6 @@ internal sealed class ServedModel : IDisposable
     /// <param name="name">Name of its product.</param>
     /// <param name="path">Its label, or the file itself.</param>
     /// <param name="ldem">The <c>--ldem</c> that means it; null if a run finds it without.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     public ServedModel(
         string name, GridResolution resolution, bool isSynthetic, bool isWholeMoon, string path, string? ldem, ProgramHost host)
         : this(
@@ -68,7 +67,6 @@ internal sealed class ServedModel : IDisposable
 
     /// <summary>Several models as one surface.</summary>
     /// <param name="models">Two or more.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="blend">Which of two models gives way where they meet.</param>
     public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host, NestBlend blend)
     {
@@ -86,7 +84,6 @@ internal sealed class ServedModel : IDisposable
 
     /// <summary>The same model with invented detail. Its files stay those of this model, which closes them.</summary>
     /// <param name="detail">What is invented.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     public ServedModel With(RefineSettings detail, ProgramHost host) =>
         new(Name, Resolution, IsSynthetic, Ldem, () => Opened.Refined(detail, host, isClosedWithIt: false))
         {

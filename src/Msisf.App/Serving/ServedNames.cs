@@ -25,7 +25,6 @@ internal sealed class ServedNames : IDisposable
     private readonly ConcurrentDictionary<string, CameraFile> _cameraFiles = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
-    /// <param name="settings">The server's settings.</param>
     /// <param name="host">Knows the folder of the installation.</param>
     /// <exception cref="BadInputException">There is no elevation model.</exception>
     public ServedNames(ServeSettings settings, ProgramHost host)

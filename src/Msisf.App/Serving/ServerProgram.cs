@@ -14,7 +14,6 @@ internal static class ServerProgram
 
     /// <summary>Runs the server until it ends, or is cancelled.</summary>
     /// <param name="values">The options of msis serve.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Ends the server; it finishes what it is doing.</param>
     /// <param name="onAddress">Gets the address on which it listens; without it the server prints the address itself.</param>
     /// <returns>The server's exit code.</returns>

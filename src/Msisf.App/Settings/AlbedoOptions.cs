@@ -48,7 +48,6 @@ internal static partial class AlbedoOptions
         Default = SpectralBand.Default.Nanometres,
     };
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Checksum, Band]);
 
     /// <summary>Reads the options.</summary>

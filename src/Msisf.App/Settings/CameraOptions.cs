@@ -100,7 +100,6 @@ internal static class CameraOptions
         "Velocity over the Moon (m/s, ME/PA) and angular velocity about the camera's axes (rad/s, relative to ME/PA) during the exposure. "
             + "For a camera file that has a shutter, and no orbit");
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Where the camera is",
         [

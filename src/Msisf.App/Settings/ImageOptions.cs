@@ -32,6 +32,5 @@ internal static class ImageOptions
         "FILE", "Camera file, or a preset's name (msis cameras lists them): focal length, pixels and lens, in place of --fov, "
             + "--width and --height. A file without width or height needs that option");
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Image", [FieldOfView, Width, Height, Camera, RigOptions.Rig, .. ScanOptions.OfImage]);
 }

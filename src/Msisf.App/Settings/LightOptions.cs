@@ -51,6 +51,5 @@ internal static class LightOptions
         DefaultNote = "kernels/msisf.tm of the installation",
     };
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Light", [IgnoreSun, SunPosition, Aberration, Ephemeris, Kernels]);
 }

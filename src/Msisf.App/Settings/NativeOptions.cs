@@ -161,7 +161,6 @@ internal static class NativeOptions
     /// <summary>The options that are of use with layers only.</summary>
     public static IReadOnlyList<OptionSpec> OfLayers => [LayersFormat, LayersPrecision, LayersCompression];
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Native renderer",
         [

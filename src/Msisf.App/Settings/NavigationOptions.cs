@@ -80,7 +80,6 @@ internal static class NavigationOptions
     /// <summary>The options that are of use with a catalogue only.</summary>
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Flow, Stereo, FlowFormat])
     {
         Note = "Only with --renderer native.",

@@ -57,7 +57,6 @@ internal static class OutputOptions
         "--rendering-annotation", DecidesBytes.As(frame => frame.Settings.Annotate).OfRuns(),
         "Make a second image with the illumination directions and the scene's data drawn on it");
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Output", [Folder, Name, Annotation, CameraModelOptions.OfRun, MapOptions.Map, Surface, Grid, GridHorizontal, GridVertical]);
 }

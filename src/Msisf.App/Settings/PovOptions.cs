@@ -41,7 +41,6 @@ internal static class PovOptions
         IsOfOneCall = true,
     };
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("POV-Ray", [PatternRepository, Program, MoreOptions, Timeout, ListPatterns])
     {
         Note = "Only with --renderer povray.",

@@ -105,7 +105,6 @@ internal static partial class ServeOptions
     public static OptionGroup OfBasilisk { get; } = new(
         "Basilisk", [Basilisk, BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]);
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Server", [Listen, TokenFile, Certificate, CertificateKey, Hosts, MaxPixels, MaxMegabytes, Queue, TimeLimit]);
 

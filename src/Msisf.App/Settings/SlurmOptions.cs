@@ -69,7 +69,6 @@ internal static partial class SlurmOptions
         Default = 3,
     };
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new(
         "Slurm",
         [

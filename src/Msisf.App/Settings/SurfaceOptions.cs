@@ -71,7 +71,6 @@ internal static class SurfaceOptions
             $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
     };
 
-    /// <summary>The options of this class as a group of the help text.</summary>
     public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, NestBlend, Body, LevelOfDetail, LevelOfDetailError]);
 
     /// <summary>Reads which of two models gives way where they meet.</summary>

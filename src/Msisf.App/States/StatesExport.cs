@@ -16,7 +16,6 @@ internal static class StatesExport
     /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="settings">The run's other settings.</param>
     /// <param name="path">File or folder; null to print.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">The run can't be read, or the form can't hold it.</exception>
     public static void Write(
         TrajectorySettings trajectory, RenderSettings settings, StatesFormat format, string? path, ProgramHost host,

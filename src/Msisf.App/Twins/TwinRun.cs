@@ -37,7 +37,6 @@ internal sealed class TwinRun
 
     /// <summary>Draws and compares; the paths of the files are written to the host's results.</summary>
     /// <param name="line">The options of the call.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <exception cref="MsisfException">The label, its data or an option is wrong, or a file can't be written.</exception>
     public static Task RunAsync(OptionValues line, ProgramHost host, CancellationToken cancellation)

@@ -8,7 +8,6 @@ namespace Msisf.Cli.Help;
 internal static class ManualPage
 {
     /// <summary>The whole page.</summary>
-    /// <param name="version">Version of the program.</param>
     public static string Text(string version)
     {
         CommandSpec program = CommandTable.Render;

@@ -42,7 +42,6 @@ public sealed class SceneBlocks
     /// <param name="camera">The camera, without a lens.</param>
     /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
     /// <param name="rows">The rows of the image that matter; null for all.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     /// <returns>The blocks in order.</returns>
     /// <exception cref="BadInputException">The Sun is not outside the terrain, or a model is damaged.</exception>
     public IReadOnlyList<SceneBlock> Select(

@@ -17,7 +17,6 @@ public sealed class LayerSampler
     private readonly ConcurrentBag<Scratch> _idle = [];
 
     /// <summary>Prepares a frame.</summary>
-    /// <param name="truth">What the pixels show.</param>
     /// <param name="provenance">Resolution of the cells, and the band of the radiance.</param>
     public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
     {

@@ -26,7 +26,6 @@ public sealed class PixelSampler
 
     /// <summary>Prepares a frame on the terrain.</summary>
     /// <param name="grid">The grid of pixels in the image of the truth's camera.</param>
-    /// <param name="truth">What the pixels show.</param>
     /// <param name="pixelsPerDegree">
     /// Resolution of the elevation model, px/deg, at least 1; null for one that is not of latitude and longitude.
     /// </param>
@@ -42,7 +41,6 @@ public sealed class PixelSampler
 
     /// <summary>Prepares a frame on the terrain of several elevation models, whose facets have no tiles and name their model.</summary>
     /// <param name="grid">The grid of pixels in the image of the truth's camera.</param>
-    /// <param name="truth">What the pixels show.</param>
     public static PixelSampler OfSeveral(PixelGrid grid, IGroundTruth truth) =>
         new(grid, new TerrainPixels(truth, pixelsPerDegree: null, MoonConstants.ReferenceRadius, namesParts: true));
 

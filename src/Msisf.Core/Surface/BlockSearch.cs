@@ -37,7 +37,6 @@ internal sealed class BlockSearch<TFound>(SurfaceModel surface)
 
     /// <summary>Finds the blocks, always in the same order; of one that finer models have left in pieces, these.</summary>
     /// <param name="tester">What is looked for.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     /// <returns>Valid until the next search.</returns>
     public List<TFound> Find<TTester>(TTester tester, int threads, CancellationToken cancellation)
         where TTester : struct, IBlockTester<TFound>

@@ -47,7 +47,6 @@ internal sealed class BasiliskServer : IAsyncDisposable
 
     /// <summary>Starts a server.</summary>
     /// <param name="settings">Its settings, with those for Basilisk.</param>
-    /// <param name="host">Output, log, clock and environment of the program.</param>
     /// <exception cref="MsisfException">There is no elevation model or camera, or the address can't be listened on.</exception>
     public static BasiliskServer Start(ServeSettings settings, ProgramHost host)
     {

@@ -23,7 +23,6 @@ internal sealed class BasiliskSettings : IDisposable
     public StateRecord? Record { get; init; }
 
     /// <summary>Reads the files that the settings name, and tries the options.</summary>
-    /// <param name="settings">The server's settings.</param>
     /// <param name="frames">Reads the options.</param>
     /// <exception cref="MsisfException">A file or an option is wrong.</exception>
     public static BasiliskSettings Read(ServeSettings settings, FrameService frames)

@@ -7,8 +7,6 @@ namespace Msisf.App.Settings.Specs;
 /// generic code for types of other assemblies is compiled at each start of the program.
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Role">What the option decides.</param>
-/// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal abstract record ChoiceSpec(string Name, OptionRole Role, IReadOnlyList<Choice> Choices, string Help)
     : OptionSpec(Name, Role, Help)
 {

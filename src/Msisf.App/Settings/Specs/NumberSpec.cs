@@ -4,9 +4,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a finite number.</summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Role">What the option decides.</param>
 /// <param name="ValueName">Its unit or meaning, e.g. "DEGREES".</param>
-/// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record NumberSpec(string Name, OptionRole Role, string ValueName, string Help) : OptionSpec(Name, Role, Help)
 {
     public override string ValueName { get; } = ValueName;
@@ -77,9 +75,7 @@ internal readonly record struct NumberRange(double Min, double Max)
 /// it.
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Role">What the option decides.</param>
 /// <param name="Fields">Names of the numbers in their order; a single name for a list of any length.</param>
-/// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyList<string> Fields, string Help)
     : OptionSpec(Name, Role, Help)
 {

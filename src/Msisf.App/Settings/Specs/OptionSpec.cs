@@ -5,7 +5,6 @@ namespace Msisf.App.Settings.Specs;
 /// configuration keys, a frame's canonical arguments and the tables in docs are all made from these objects.
 /// </summary>
 /// <param name="Name">Long name with its dashes, e.g. "--fov".</param>
-/// <param name="Role">What the option decides.</param>
 /// <param name="Help">
 /// Description of the option: one sentence without a full stop. Choices, range and default are not included; they are added to it.
 /// </param>

@@ -2,9 +2,7 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a path; a relative path in a configuration file starts at that file's folder.</summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Role">What the option decides.</param>
 /// <param name="Kind">Kind of the path: file, folder or both.</param>
-/// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, string Help) : OptionSpec(Name, Role, Help)
 {
     /// <summary>Stands between several paths of a configuration file.</summary>

@@ -2,11 +2,9 @@ namespace Msisf.App.Settings.Specs;
 
 /// <summary>An option whose value is a whole number.</summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Role">What the option decides.</param>
 /// <param name="ValueName">Its unit or meaning, e.g. "PX".</param>
 /// <param name="Min">Minimum.</param>
 /// <param name="Max">Maximum; <see cref="int.MaxValue"/> for none.</param>
-/// <param name="Help">See <see cref="OptionSpec"/>.</param>
 internal sealed record WholeNumberSpec(string Name, OptionRole Role, string ValueName, int Min, int Max, string Help)
     : OptionSpec(Name, Role, Help)
 {

@@ -46,7 +46,6 @@ internal sealed class SampleChooser
     /// <param name="radianceFactors">I/F of each pixel's centre.</param>
     /// <param name="sunlight">The light there.</param>
     /// <param name="sampling">Error and grey levels.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Classify(
         VisibleSurface visible, double[] radianceFactors, PixelSunlight sunlight, AdaptiveSampling sampling, int threads,
         CancellationToken cancellation)
@@ -65,7 +64,6 @@ internal sealed class SampleChooser
 
     /// <summary>Chooses the pixels that are tried with all samples, and returns them in their order.</summary>
     /// <param name="error">Rms error that is asked for, levels of 255.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public List<int> ChooseTrials(double error, int threads, CancellationToken cancellation)
     {
         double allowed = Minor * error * error * _width * _height;
@@ -107,7 +105,6 @@ internal sealed class SampleChooser
     /// </summary>
     /// <param name="trials">The pixels that were tried.</param>
     /// <param name="radianceFactors">I/F of the pixels.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Spread(
         ReadOnlyMemory<byte> codes, List<int> trials, double[] radianceFactors, int threads, CancellationToken cancellation)
     {

@@ -15,7 +15,6 @@ internal sealed class DiscShader
     /// <summary>Completes the light on the pixels of a frame.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="sunlight">Has hidden points and cosines to the disc's centre; gets fractions, hidden flags and mean cosines.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Run(ISurfaceRows visible, SunDisc disc, PixelSunlight sunlight, int threads, CancellationToken cancellation) =>
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {

@@ -43,7 +43,6 @@ internal sealed class LightPass
     /// <param name="weight">Weight of the points in the sum.</param>
     /// <param name="sunlight">Receives the light on each point.</param>
     /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Run(
         ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)

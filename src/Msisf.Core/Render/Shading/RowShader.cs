@@ -87,7 +87,6 @@ internal sealed class RowShader
     /// <param name="options">Reflectance law and kind of normals.</param>
     /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
     /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; receives the sample's part.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Shade(
         ISurfaceRows visible,
         SceneLight light,

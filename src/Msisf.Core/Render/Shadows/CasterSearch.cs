@@ -37,7 +37,6 @@ internal sealed class CasterSearch
     /// <summary>Finds the blocks that may cast a shadow on a receiver; reads blocks that were not read yet.</summary>
     /// <param name="receivers">The receivers; not empty.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     /// <returns>The blocks; the list is valid until the next search.</returns>
     public IReadOnlyList<CellBlock> Find(IReceiverBounds receivers, double slope, int threads, CancellationToken cancellation) =>
         _search.Find(new Casters(new CasterBounds(receivers, slope, _maxRadius), _limits), threads, cancellation);

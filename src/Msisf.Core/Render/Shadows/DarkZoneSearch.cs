@@ -59,7 +59,6 @@ internal sealed class DarkZoneSearch
     /// <param name="receivers">The receivers; not empty.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
     /// <param name="casters">Number of blocks that may cast a shadow.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     /// <returns>
     /// The zones, valid until the next search; null if they would cost too much, or the surface is not closed.
     /// </returns>

@@ -21,7 +21,6 @@ internal sealed class DarkZones
     /// <param name="lowest">Lowest height of all terrain in each plane and column, m.</param>
     /// <param name="solidRadius">Radius of the sphere that is solid everywhere, m.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Compute(
         SectionGrid grid, ReadOnlyMemory<float> lowest, double solidRadius, double slope, int threads, CancellationToken cancellation)
     {

@@ -46,7 +46,6 @@ internal sealed class LensSamples
     /// <param name="model">The camera, with a lens.</param>
     /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
     /// <param name="offsetY">px down.</param>
-    /// <param name="threads">Maximum number of threads.</param>
     public void Prepare(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
         _model = null;

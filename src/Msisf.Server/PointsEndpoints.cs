@@ -1,0 +1,145 @@
+using System.Text.Json;
+using Msisf.App.Rendering;
+using Msisf.App.Serving;
+
+namespace Msisf.Server;
+
+/// <summary>POST /v1/ground, /v1/points and /v1/pixels: what the surface of a frame is at places, and where it lies in the image.</summary>
+internal sealed class PointsEndpoints(FrameService frames)
+{
+    public static RouteText AboutGround { get; } = new("Says how high the ground is at places of the Moon.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints("points", "[latitude, longitude]: degrees", least: 2, most: 2),
+    };
+
+    public static RouteText AboutPoints { get; } = new("Says where places of the Moon are seen in an image.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints(
+            "points",
+            "[latitude, longitude] or [latitude, longitude, height]: degrees, m over the sphere of 1737400 m",
+            least: 2,
+            most: 3),
+        Answer = ApiSchemas.OfList("pixels", ApiSchemas.ImagePoint, isNullable: false),
+    };
+
+    public static RouteText AboutPixels { get; } = new("Says what points of an image show.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints("pixels", "[x, y]: pixels from 1 for the middle of the first one, x right, y down", least: 2, most: 2),
+        Answer = ApiSchemas.OfList("points", ApiSchemas.SurfacePoint, isNullable: true),
+    };
+
+    /// <summary>The height of the ground at places, on the surface that a frame shows.</summary>
+    public async Task GroundAsync(HttpContext context)
+    {
+        double[] heights = await AnswersAsync(
+            context, "points", ["latitude", "longitude"], (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new { Heights = heights }).ConfigureAwait(false);
+    }
+
+    /// <summary>Where places are seen in an image.</summary>
+    public async Task PointsAsync(HttpContext context)
+    {
+        PixelReading[] pixels = await AnswersAsync(
+            context, "points", ["latitude", "longitude", "height"],
+            (truth, point) => truth.Of(point[0], point[1], point.Length > 2 ? point[2] : null)).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new { Pixels = pixels }).ConfigureAwait(false);
+    }
+
+    /// <summary>What points of an image show.</summary>
+    public async Task PixelsAsync(HttpContext context)
+    {
+        PointsRequest request = await ReadAsync(context, "pixels", ["x", "y"]).ConfigureAwait(false);
+        RequestedFrame frame = request.Frame;
+        SurfaceReading?[] points = await frames.RunAsync(
+            frame,
+            (session, threads, end) => Read(session, frame, request.Points, threads, end),
+            context.RequestAborted,
+            isLarge: !frame.IsTraceable && FrameService.IsLarge(frame.Settings)).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
+    }
+
+    private async Task<T[]> AnswersAsync<T>(HttpContext context, string name, string[] fields, Func<FrameTruth, double[], T> answer)
+    {
+        PointsRequest request = await ReadAsync(context, name, fields).ConfigureAwait(false);
+        return await frames.RunAsync(
+            request.Frame,
+            (session, _, end) =>
+            {
+                FrameTruth truth = session.TruthOf(session.Prepare(request.Frame.Place!, end));
+                return AtEach(request.Points, point => answer(truth, point), end);
+            },
+            context.RequestAborted).ConfigureAwait(false);
+    }
+
+    private async Task<PointsRequest> ReadAsync(HttpContext context, string name, string[] fields)
+    {
+        using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
+        frames.CollectWarnings();
+        return PointsRequest.Read(json.RootElement, name, fields, needed: 2, frames);
+    }
+
+    private static SurfaceReading?[] Read(
+        RenderSession session, RequestedFrame frame, IReadOnlyList<double[]> pixels, int threads, CancellationToken cancellation)
+    {
+        PreparedFrame prepared = session.Prepare(frame.Place!, cancellation);
+        FrameTruth truth = session.TruthOf(prepared);
+        SurfaceReading?[] readings = frame.IsTraceable
+            ? AtEach(pixels, pixel => truth.At(pixel[0], pixel[1]), cancellation)
+            : session.ReadDrawn(prepared, pixels, threads, cancellation);
+        return [.. readings.Zip(pixels, (reading, pixel) => reading is null ? null : truth.WithShade(reading, pixel[1]))];
+    }
+
+    private static T[] AtEach<T>(IReadOnlyList<double[]> points, Func<double[], T> answer, CancellationToken end) =>
+    [
+        .. points.Select(point =>
+        {
+            end.ThrowIfCancellationRequested();
+            return answer(point);
+        }),
+    ];
+}
+
+/// <summary>A request with a frame and a list of points.</summary>
+/// <param name="Points">The points, each with so many numbers as were asked for.</param>
+internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[]> Points)
+{
+    /// <summary>Reads a request.</summary>
+    /// <param name="json">Its body.</param>
+    /// <param name="name">Name of the list.</param>
+    /// <param name="fields">Names of the numbers of a point, those that may be left out last.</param>
+    /// <param name="needed">How many must be there.</param>
+    /// <param name="frames">Reads the frame.</param>
+    /// <exception cref="MsisfException">A member is missing, unknown or wrong.</exception>
+    public static PointsRequest Read(JsonElement json, string name, string[] fields, int needed, FrameService frames)
+    {
+        IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(json);
+        if (members.Keys.FirstOrDefault(key => key != "frame" && key != name) is { } unknown)
+        {
+            throw new UsageException($"'{unknown}' is not known here; the request has 'frame' and '{name}'.");
+        }
+
+        if (!members.TryGetValue("frame", out JsonElement frame) || !members.TryGetValue(name, out JsonElement list)
+            || list.ValueKind != JsonValueKind.Array)
+        {
+            throw new UsageException(
+                $"the request needs 'frame', the options of a frame, and '{name}', a list of [{string.Join(", ", fields)}].");
+        }
+
+        return new PointsRequest(
+            frames.Read(frame, isOfSeveral: true),
+            [.. list.EnumerateArray().Select((point, index) => PointOf(point, name, index, fields, needed))]);
+    }
+
+    private static double[] PointOf(JsonElement point, string name, int index, string[] fields, int needed)
+    {
+        double[]? numbers = point.ValueKind == JsonValueKind.Array && point.EnumerateArray().All(IsNumber)
+            ? [.. point.EnumerateArray().Select(number => number.GetDouble())]
+            : null;
+        return numbers is not null && numbers.Length >= needed && numbers.Length <= fields.Length
+            ? numbers
+            : throw new UsageException(Invariant($"'{name}', entry {index + 1}: the numbers [{string.Join(", ", fields)}] are needed."));
+    }
+
+    private static bool IsNumber(JsonElement value) =>
+        value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && double.IsFinite(number);
+}
