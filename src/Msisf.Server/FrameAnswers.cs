@@ -13,22 +13,18 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.Server;
 
 /// <summary>Draws a frame and writes the parts of its answer.</summary>
-internal sealed class FrameAnswers
+internal sealed class FrameAnswers(StreamPool pool)
 {
-    private readonly StreamPool _pool;
-
-    public FrameAnswers(StreamPool pool) => _pool = pool;
-
     /// <summary>An answer that is kept in memory until it is sent.</summary>
     /// <param name="room">bytes: left free before the content of each part.</param>
-    public Answer InMemory(int room = 0) => new(_pool, room);
+    public Answer InMemory(int room = 0) => new(pool, room);
 
     /// <summary>An answer that is sent while it is made, if it is too long for memory.</summary>
     /// <param name="plan">What it will hold.</param>
     /// <param name="response">Receives it.</param>
     /// <param name="isMultipart">Whether it has several parts.</param>
     public Answer For(AnswerPlan plan, HttpResponse response, bool isMultipart) =>
-        plan.IsSentAsMade ? new StreamedAnswer(_pool, response, isMultipart) : InMemory();
+        plan.IsSentAsMade ? new StreamedAnswer(pool, response, isMultipart) : InMemory();
 
     /// <summary>Draws a frame and writes its answer.</summary>
     /// <param name="answer">Receives it.</param>

@@ -14,14 +14,10 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Cluster;
 
 /// <summary>Converts a run to a script that makes it in pieces.</summary>
-internal sealed class RunConversion
+internal sealed class RunConversion(ProgramHost host)
 {
     /// <summary>Maximum number of characters of the call in a script's head; only a call with a long list of times is longer.</summary>
     private const int LongestCall = 2000;
-
-    private readonly ProgramHost _host;
-
-    public RunConversion(ProgramHost host) => _host = host;
 
     /// <summary>Checks the run, cuts it into pieces, and writes the script and the files that it needs.</summary>
     /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
@@ -67,12 +63,12 @@ internal sealed class RunConversion
                     + "one. Give seconds, or 'exposure-time' in the camera files.").About(NativeOptions.ExposureTime, RigOptions.Rig);
         }
 
-        using EphemerisSource ephemeris = new(settings, _host);
-        using PreparedRun run = PreparedRun.Of(trajectory, cameras, ephemeris, _host, cancellation);
-        using (SurfaceInputs maps = SurfaceInputs.Open(settings, _host))
+        using EphemerisSource ephemeris = new(settings, host);
+        using PreparedRun run = PreparedRun.Of(trajectory, cameras, ephemeris, host, cancellation);
+        using (SurfaceInputs maps = SurfaceInputs.Open(settings, host))
         {
             settings = ExposureSearch.Resolve(
-                settings, run.Cameras[0].States, run.Cameras[0].Frames, run.Model, maps, ephemeris.Engine, _host, cancellation);
+                settings, run.Cameras[0].States, run.Cameras[0].Frames, run.Model, maps, ephemeris.Engine, host, cancellation);
         }
 
         EphemerisChoice? engine = ephemeris.Opened?.Choice;
@@ -85,8 +81,8 @@ internal sealed class RunConversion
         {
             Path = path,
             Call = CallOf(call),
-            Version = _host.Version,
-            Launcher = _host.Installation.Launcher,
+            Version = host.Version,
+            Launcher = host.Installation.Launcher,
             WorkingFolder = Directory.GetCurrentDirectory(),
             Arguments = arguments.OfPiece(batchFile, engine, settings.Native.ExposureTime),
             HasJobs = settings.Jobs is not null,

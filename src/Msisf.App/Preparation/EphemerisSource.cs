@@ -7,17 +7,12 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.App.Preparation;
 
 /// <summary>The ephemeris engine of a run.</summary>
-internal sealed class EphemerisSource : IDisposable
+internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host) : IDisposable
 {
-    private readonly RenderSettings _settings;
-    private readonly ProgramHost _host;
-
-    public EphemerisSource(RenderSettings settings, ProgramHost host) => (_settings, _host) = (settings, host);
-
     private IReadOnlyList<string> KernelNames => KernelList.OnTop(
-        _settings.Body.IsMoon ? _host.Installation.MetaKernel : _host.Installation.BodiesMetaKernel,
-        _settings.Kernels,
-        _settings.TrajectoryKernels);
+        settings.Body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel,
+        settings.Kernels,
+        settings.TrajectoryKernels);
 
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
@@ -31,11 +26,11 @@ internal sealed class EphemerisSource : IDisposable
         if (Opened is null)
         {
             Opened = LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
-                _settings.Ephemeris, KernelNames, _host.Installation.Root, _host.Environment("MSISF_CSPICE"))
+                settings.Ephemeris, KernelNames, host.Installation.Root, host.Environment("MSISF_CSPICE"))
             {
-                Body = _settings.Body,
+                Body = settings.Body,
             }));
-            _host.Log.Note(Opened.Notice);
+            host.Log.Note(Opened.Notice);
             Orientation = NamedOrientation(Opened);
         }
 
@@ -58,7 +53,7 @@ internal sealed class EphemerisSource : IDisposable
     /// <exception cref="BadInputException">Two of them give different ones.</exception>
     private string? NamedOrientation(OpenedEphemeris opened)
     {
-        if (!_settings.Body.IsMoon || (_settings.Kernels.Count == 0 && _settings.TrajectoryKernels.Count == 0))
+        if (!settings.Body.IsMoon || (settings.Kernels.Count == 0 && settings.TrajectoryKernels.Count == 0))
         {
             return null;
         }
@@ -67,7 +62,7 @@ internal sealed class EphemerisSource : IDisposable
         {
             _ = opened.Catalogue;
         }
-        catch (BadInputException) when (!_settings.IsMission)
+        catch (BadInputException) when (!settings.IsMission)
         {
             return null; // CSPICE takes kernels that the built-in reader does not know
         }

@@ -11,7 +11,10 @@ namespace Msisf.App.Preparation;
 /// What is striking about the frames of a run and often a mistake: the Moon or the map not in the image, no lit ground, cells that are too
 /// wide, an epoch that is too far away. Each is said once.
 /// </summary>
-internal sealed class RunNotes
+/// <param name="resolution">Resolution of the elevation model, of several that of the finest.</param>
+/// <param name="hasSeveral">Whether there are several.</param>
+/// <param name="isRefined">Whether there is invented detail below it, so that no cell is wide.</param>
+internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool isRefined)
 {
     /// <summary>px: wider cells show as facets in the image.</summary>
     private const double WidestCell = 10.0;
@@ -30,9 +33,6 @@ internal sealed class RunNotes
     /// <summary>Maximum length of a list of steps; the steps of a frame here and there need more room than a line has.</summary>
     private const int LongestList = 60;
 
-    private readonly GridResolution _resolution;
-    private readonly bool _hasSeveral;
-    private readonly bool _isRefined;
     private readonly List<int> _withoutMoon = [];
     private readonly List<int> _besideMap = [];
     private readonly List<int> _unlit = [];
@@ -41,12 +41,6 @@ internal sealed class RunNotes
     private int _widestStep;
     private ModifiedJulianDate _first;
     private ModifiedJulianDate _last;
-
-    /// <param name="resolution">Resolution of the elevation model, of several that of the finest.</param>
-    /// <param name="hasSeveral">Whether there are several.</param>
-    /// <param name="isRefined">Whether there is invented detail below it, so that no cell is wide.</param>
-    public RunNotes(GridResolution resolution, bool hasSeveral, bool isRefined) =>
-        (_resolution, _hasSeveral, _isRefined) = (resolution, hasSeveral, isRefined);
 
     /// <summary>Name of the rig's camera, which the notes begin with; null without a rig.</summary>
     public string? Camera { get; init; }
@@ -95,7 +89,7 @@ internal sealed class RunNotes
             _unlit.Add(frame.Step);
         }
 
-        if (view.PixelsPerCell(_resolution) is { } cell && cell > _widestCell)
+        if (view.PixelsPerCell(resolution) is { } cell && cell > _widestCell)
         {
             (_widestCell, _widestStep) = (cell, frame.Step);
         }
@@ -128,13 +122,13 @@ internal sealed class RunNotes
                 : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
         }
 
-        if (_widestCell > WidestCell && !_isRefined)
+        if (_widestCell > WidestCell && !isRefined)
         {
             string step = _count == 1 ? string.Empty : Invariant($" at step {_widestStep}");
             string width = _widestCell < LargestTold
                 ? Invariant($"{_widestCell:F0}")
                 : Invariant($"more than {LargestTold:F0}");
-            string option = _hasSeveral || _resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
+            string option = hasSeveral || resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
             Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
         }
 

@@ -6,7 +6,10 @@ using Msisf.App.Series;
 namespace Msisf.App.Rendering;
 
 /// <summary>Makes a frame unless it already exists and is complete, or another process is making it. Thread-safe.</summary>
-internal sealed class FrameMaker
+/// <param name="render">Draws a frame with some threads and writes its files.</param>
+/// <param name="ledger">Records of the run's frames.</param>
+/// <param name="times">Receives the time of each frame that is made.</param>
+internal sealed class FrameMaker(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, FrameLedger ledger, FrameTimes times)
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
 
@@ -16,20 +19,6 @@ internal sealed class FrameMaker
     /// </summary>
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
-    private readonly Func<Frame, int, CancellationToken, Task<FrameOutputs>> _render;
-    private readonly FrameLedger _ledger;
-    private readonly FrameTimes _times;
-
-    /// <param name="render">Draws a frame with some threads and writes its files.</param>
-    /// <param name="ledger">Records of the run's frames.</param>
-    /// <param name="times">Receives the time of each frame that is made.</param>
-    public FrameMaker(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, FrameLedger ledger, FrameTimes times)
-    {
-        _render = render;
-        _ledger = ledger;
-        _times = times;
-    }
-
     /// <summary>Makes a frame, unless another process is making it.</summary>
     /// <param name="threads">Number of threads for drawing.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
@@ -37,7 +26,7 @@ internal sealed class FrameMaker
     /// <exception cref="MsisfException">The frame could not be made; the cause is in the manifest.</exception>
     public async Task<FrameOutputs?> TryMakeAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        using IDisposable? claim = _ledger.TryClaim(frame);
+        using IDisposable? claim = ledger.TryClaim(frame);
         return claim is null ? null : await MakeIfNeededAsync(frame, threads, cancellation).ConfigureAwait(false);
     }
 
@@ -60,16 +49,16 @@ internal sealed class FrameMaker
 
     private async Task<FrameOutputs> MakeIfNeededAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        if (_ledger.Check(frame).State == FrameState.Complete)
+        if (ledger.Check(frame).State == FrameState.Complete)
         {
-            return new FrameOutputs(_ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true);
+            return new FrameOutputs(ledger.PathsOf(frame), TileCount: 0, PatternsMade: 0, WasThere: true);
         }
 
         try
         {
             long start = Stopwatch.GetTimestamp();
-            FrameOutputs outputs = await _render(frame, threads, cancellation).ConfigureAwait(false);
-            _times.Add(frame, Stopwatch.GetElapsedTime(start));
+            FrameOutputs outputs = await render(frame, threads, cancellation).ConfigureAwait(false);
+            times.Add(frame, Stopwatch.GetElapsedTime(start));
             return outputs;
         }
         catch (Exception exception) when (exception is MsisfException or OutOfMemoryException)
@@ -77,7 +66,7 @@ internal sealed class FrameMaker
             MsisfException cause = exception as MsisfException
                 ?? new ExternalPartException(
                     "the memory does not suffice. Use a smaller --width and --height, or fewer --jobs.", exception);
-            _ledger.Failed(frame, cause.Message);
+            ledger.Failed(frame, cause.Message);
             if (cause == exception)
             {
                 throw;

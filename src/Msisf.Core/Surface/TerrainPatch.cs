@@ -1,14 +1,11 @@
 namespace Msisf.Core.Surface;
 
 /// <summary>The vertices of a block of cells, read from the model; one object is loaded for many blocks.</summary>
-internal sealed class TerrainPatch
+internal sealed class TerrainPatch(FacetMesh mesh)
 {
-    private readonly FacetMesh _mesh;
     private double[] _radii = [];
     private (double Sin, double Cos)[] _longitudes = [];
     private Vector3D[] _positions = [];
-
-    public TerrainPatch(FacetMesh mesh) => _mesh = mesh;
 
     /// <summary>Number of vertices from north to south.</summary>
     public int Lines { get; private set; }
@@ -38,7 +35,7 @@ internal sealed class TerrainPatch
             _longitudes = new (double, double)[Samples];
         }
 
-        if (!_mesh.IsClosed)
+        if (!mesh.IsClosed)
         {
             LoadMap(cells);
             return;
@@ -46,13 +43,13 @@ internal sealed class TerrainPatch
 
         for (int sample = 0; sample < Samples; sample++)
         {
-            _longitudes[sample] = Math.SinCos(FacetMesh.Longitude(cells.FirstSample + sample, _mesh.Samples));
+            _longitudes[sample] = Math.SinCos(FacetMesh.Longitude(cells.FirstSample + sample, mesh.Samples));
         }
 
         for (int line = 0; line < Lines; line++)
         {
-            _mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
-            (double sinLatitude, double cosLatitude) = Math.SinCos(FacetMesh.Latitude(cells.FirstLine + line, _mesh.Lines));
+            mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
+            (double sinLatitude, double cosLatitude) = Math.SinCos(FacetMesh.Latitude(cells.FirstLine + line, mesh.Lines));
             for (int sample = 0; sample < Samples; sample++)
             {
                 double across = _radii[sample] * cosLatitude;
@@ -66,11 +63,11 @@ internal sealed class TerrainPatch
     {
         for (int line = 0; line < Lines; line++)
         {
-            _mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
+            mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
             for (int sample = 0; sample < Samples; sample++)
             {
                 _positions[(line * Samples) + sample] =
-                    _radii[sample] * _mesh.Grid.Projection.DirectionOf(cells.FirstLine + line, cells.FirstSample + sample);
+                    _radii[sample] * mesh.Grid.Projection.DirectionOf(cells.FirstLine + line, cells.FirstSample + sample);
             }
         }
     }
