@@ -4,6 +4,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Render.Shadows;
 using Msisf.Core.Scene;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tracing;
@@ -48,12 +49,24 @@ public sealed class SunDiscAgreementTests
         PlaceHorizons horizons = survey.Find(directions, 0.0, threads: 2, advanced: null, CancellationToken.None);
         LightSurvey lights = new(survey, new LightConditions([given.Sun], [given.Sun]), tracer);
         PlaceLight[] inMaps = lights.Of(directions, horizons, threads: 2, advanced: null, CancellationToken.None);
+        SunDisc disc = new(given.Sun);
+        int beside = 0;
         for (int pixel = 0; pixel < pixels.Length; pixel++)
         {
             Assert.Equal(pixels[pixel].Hit.PointBodyFixed.Length + HorizonSurvey.LeastHeight, horizons.Radii[pixel], 1e-5);
+            Vector3D place = horizons.Radii[pixel] * directions[pixel];
+            if (disc.PointsBodyFixed.ToArray().Count(point => !tracer.TryTrace(new Ray(place, point - place), out _))
+                != (int)Math.Round(SunDisc.Points * pixels[pixel].Light.VisibleFraction))
+            {
+                beside++; // a joint of facets is so near that a millimetre over the ground counts
+                continue;
+            }
+
             double part = isFine ? lights.At(directions, horizons, pixel).Parts[0] : inMaps[pixel].DiscPart;
             Assert.Equal(pixels[pixel].Light.VisibleFraction, part, OfImages + ofLight);
         }
+
+        Assert.InRange(beside, 0, pixels.Length / 10);
     }
 
     private static IEnumerable<(SurfaceHit Hit, PixelIllumination Light)> PixelsOf(NativeFrame frame)
