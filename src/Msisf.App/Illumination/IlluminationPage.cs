@@ -58,11 +58,22 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
 
     private static string Number(double number) => number.ToString("F1", CultureInfo.InvariantCulture);
 
-    /// <summary>A column of the plot for each 1000th of the time, as high as the mean visible part.</summary>
-    private static string LightPlot(PointResult result)
+    /// <summary>A column of the plot for each 1000th of the time, as high as the mean visible part; dates below.</summary>
+    private string LightPlot(PointResult result)
     {
         const int Width = 1000;
+        const int Dates = 8;
         StringBuilder path = new();
+        StringBuilder axis = new("<text x=\"2\" y=\"10\">100 %</text>");
+        for (int date = 0; date < Dates; date++)
+        {
+            int x = date * Width / Dates;
+            string time = settings.Times[(int)((long)date * (settings.Times.Count - 1) / Dates)].ToIsoUtc();
+            axis.Append(
+                CultureInfo.InvariantCulture,
+                $"<path d=\"M{x} 100v4\" stroke=\"#000\"/><text x=\"{x + 2}\" y=\"113\">{time[..10]} {time[11..16]}</text>");
+        }
+
         for (int x = 0; x < Width; x++)
         {
             int first = (int)((long)x * result.Parts.Length / Width);
@@ -79,7 +90,8 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
             }
         }
 
-        return $"<svg width=\"{Width}\" height=\"100\" role=\"img\"><title>Light</title><path d=\"{path}\" stroke=\"#e08000\"/></svg>";
+        return $"<svg width=\"{Width}\" height=\"118\" font-size=\"10\" role=\"img\"><title>Light</title>"
+            + $"<path d=\"{path}\" stroke=\"#e08000\"/>{axis}</svg>";
     }
 
     private static string HorizonPlot(PointResult result, LightConditions conditions)

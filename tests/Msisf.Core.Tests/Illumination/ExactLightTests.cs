@@ -72,7 +72,7 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
     {
         foreach ((bool isFine, double tolerance) in ((bool, double)[])[(false, 0.02), (true, 0.01)])
         {
-            foreach (Case at in CasesOf(where, height, isFine, TestLength.Of(1, 30), TestLength.Of(2, 8)))
+            foreach (Case at in CasesOf(where, height, isFine, TestLength.Of(1, 30), TestLength.Of(2, 4)))
             {
                 (PlaceLight light, float[] parts) = LightsOf(at.Survey, at.Suns, isPoint: false, isExact: isFine)
                     .At(at.Directions, at.Horizons, at.Place);

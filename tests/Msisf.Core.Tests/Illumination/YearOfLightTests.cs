@@ -3,6 +3,7 @@ using Msisf.Core.Illumination;
 using Msisf.Core.Numerics;
 using Msisf.TestSupport;
 using Xunit;
+using Xunit.Abstractions;
 
 namespace Msisf.Core.Tests.Illumination;
 
@@ -10,7 +11,7 @@ namespace Msisf.Core.Tests.Illumination;
 /// A year of a map's cell, hour by hour, against what shares nothing with it: rays to a point Sun; and for a disc a horizon that is halved
 /// in each azimuth between rays that hit and rays that pass, with the disc summed over its columns.
 /// </summary>
-public sealed class YearOfLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
+public sealed class YearOfLightTests(HardPlaces hard, ITestOutputHelper output) : IClassFixture<HardPlaces>
 {
     private const int Hours = 8761;
     private const double Tolerance = 0.001;
@@ -45,8 +46,12 @@ public sealed class YearOfLightTests(HardPlaces hard) : IClassFixture<HardPlaces
         {
             double[] horizon = HorizonByRays(frame, TestLength.Of(4096, 65_536));
             (double area, bool isAny)[] seen = [.. _suns.Select(sun => PartOver(horizon, frame.ToLocal(sun - frame.PositionBodyFixed)))];
-            Assert.Equal(seen.Count(part => part.isAny) / (double)Hours, light.LitSteps / (double)Hours, Tolerance);
-            Assert.Equal(seen.Average(part => part.area), light.DiscPart, Tolerance);
+            double lit = seen.Count(part => part.isAny) / (double)Hours;
+            double disc = seen.Average(part => part.area);
+            output.WriteLine(FormattableString.Invariant(
+                $"{where}: lit {lit:F5}, differs by {light.LitSteps - (lit * Hours):F0} hours; disc {disc:F5}, by {light.DiscPart - disc:F6}"));
+            Assert.Equal(lit, light.LitSteps / (double)Hours, Tolerance);
+            Assert.Equal(disc, light.DiscPart, Tolerance);
             Assert.InRange(light.LitSteps, 1, Hours - 1);
         }
     }
