@@ -49,7 +49,7 @@ public sealed class YearOfLightTests(HardPlaces hard, ITestOutputHelper output) 
             double lit = seen.Count(part => part.isAny) / (double)Hours;
             double disc = seen.Average(part => part.area);
             output.WriteLine(FormattableString.Invariant(
-                $"{where}: lit {lit:F5}, differs by {light.LitSteps - (lit * Hours):F0} hours; disc {disc:F5}, by {light.DiscPart - disc:F6}"));
+                $"{where}: lit {lit:F5}, by {light.LitSteps - (lit * Hours):F0} hours off; disc {disc:F5}, by {light.DiscPart - disc:F6}"));
             Assert.Equal(lit, light.LitSteps / (double)Hours, Tolerance);
             Assert.Equal(disc, light.DiscPart, Tolerance);
             Assert.InRange(light.LitSteps, 1, Hours - 1);
