@@ -15,9 +15,8 @@ internal sealed class BaseSurface
     private readonly int _pixels;
     private readonly int _width;
     private readonly double[] _means;
-    private readonly int _coefficientWidth;
-    private readonly double[] _coefficients;
-    private readonly double[] _lineCoefficients;
+    private MeanSpline? _spline;
+    private double[] _lineCoefficients = [];
 
     /// <summary>Reads the base's heights over a block of pixels and the margin that interpolation needs.</summary>
     /// <param name="terrain">The model.</param>
@@ -34,9 +33,6 @@ internal sealed class BaseSurface
         _pixels = pixels;
         _width = pixels + (2 * Reach);
         _means = new double[(pixelLines + (2 * Reach)) * _width];
-        _coefficientWidth = PixelMeanKernel.CoefficientCount(pixels);
-        _coefficients = new double[PixelMeanKernel.CoefficientCount(pixelLines) * _coefficientWidth];
-        _lineCoefficients = new double[_coefficientWidth];
         for (int line = 0; line < pixelLines + (2 * Reach); line++)
         {
             terrain.Base.ReadHeights(firstPixelLine - Reach + line, firstPixel - Reach, _means.AsSpan(line * _width, _width));
@@ -79,20 +75,8 @@ internal sealed class BaseSurface
     /// <summary>Turns means into spline coefficients; call it before the first <see cref="ReadLine"/>.</summary>
     public void Prepare()
     {
-        double[] halfDone = new double[(_pixelLines + (2 * Reach)) * _coefficientWidth];
-        for (int line = 0; line < _pixelLines + (2 * Reach); line++)
-        {
-            _terrain.Kernel.Coefficients(
-                _means.AsSpan(line * _width, _width),
-                halfDone.AsSpan(line * _coefficientWidth, _coefficientWidth),
-                _pixels,
-                step: 1);
-        }
-
-        for (int column = 0; column < _coefficientWidth; column++)
-        {
-            _terrain.Kernel.Coefficients(halfDone.AsSpan(column), _coefficients.AsSpan(column), _pixelLines, _coefficientWidth);
-        }
+        _spline = new MeanSpline(_means, _pixelLines, _pixels, _terrain.Kernel);
+        _lineCoefficients = new double[_spline.Width];
     }
 
     /// <summary>One line of the surface plus the detail.</summary>
@@ -104,10 +88,11 @@ internal sealed class BaseSurface
     {
         int n = _terrain.SamplesPerPixel;
         (int first, double north, double middle, double south) = _terrain.Kernel.At((line / n) - _firstPixelLine, line % n);
-        ReadOnlySpan<double> rows = _coefficients.AsSpan(first * _coefficientWidth, 3 * _coefficientWidth);
-        for (int i = 0; i < _coefficientWidth; i++)
+        int width = _lineCoefficients.Length;
+        ReadOnlySpan<double> rows = _spline!.Rows(first, 3);
+        for (int i = 0; i < width; i++)
         {
-            _lineCoefficients[i] = (north * rows[i]) + (middle * rows[i + _coefficientWidth]) + (south * rows[i + (2 * _coefficientWidth)]);
+            _lineCoefficients[i] = (north * rows[i]) + (middle * rows[i + width]) + (south * rows[i + (2 * width)]);
         }
 
         int pixel = (firstSample / n) - _firstPixel;

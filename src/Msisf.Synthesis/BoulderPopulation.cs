@@ -150,7 +150,7 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopul
     /// <summary>The most boulders of a crater within a distance from a place, in those of the law over the same area.</summary>
     private static double PartOf(in PlacedCrater crater, Vector3D place, double within)
     {
-        double distance = (place - crater.Direction).Length;
+        double distance = Distance(place, crater.Direction);
         double nearest = Math.Max(distance - within, Innermost * crater.Radius) / crater.Radius;
         return nearest > Outermost || distance + within < Innermost * crater.Radius ? 0.0 : AtRim / (nearest * nearest * nearest);
     }
@@ -162,6 +162,8 @@ internal sealed class BoulderPopulation(ulong seed, double smallest, CraterPopul
     }
 
     private static double HalfDiagonal(CraterCell cell, Vector3D middle) => Math.Max(
-        Math.Max((DirectionOf(cell, 0.0, 0.0) - middle).Length, (DirectionOf(cell, 1.0, 0.0) - middle).Length),
-        Math.Max((DirectionOf(cell, 0.0, 1.0) - middle).Length, (DirectionOf(cell, 1.0, 1.0) - middle).Length));
+        Math.Max(Distance(DirectionOf(cell, 0.0, 0.0), middle), Distance(DirectionOf(cell, 1.0, 0.0), middle)),
+        Math.Max(Distance(DirectionOf(cell, 0.0, 1.0), middle), Distance(DirectionOf(cell, 1.0, 1.0), middle)));
+
+    private static double Distance(Vector3D a, Vector3D b) => Math.Sqrt((a - b).LengthSquared);
 }

@@ -35,6 +35,7 @@ internal sealed class CraterRays
     private const double LeastWidth = 0.08; // radii
     private const double MostWidth = 0.35;
     private const double Widening = 0.05; // radii a radius
+    private const double WithWidths = 1.1; // of the reach
     private const int Lanes = 4;
 
     private readonly Vector3D _centre;
@@ -60,7 +61,9 @@ internal sealed class CraterRays
             (double sin, double cos) = PortableMath.SinCosDegrees(360.0 * random.NextUniform());
             double length = LengthOf(random.NextUniform(), _reach);
             double width = LeastWidth + (random.NextUniform() * (MostWidth - LeastWidth));
-            _rays[i] = new Ray((cos * east) + (sin * north), (cos * north) - (sin * east), length, width);
+            Vector3D along = (cos * east) + (sin * north);
+            Vector3D middle = (_centre + (0.5 * (1.0 + length) * _radius * along)).Normalized();
+            _rays[i] = new Ray(along, (cos * north) - (sin * east), middle, length, width);
         }
     }
 
@@ -112,11 +115,15 @@ internal sealed class CraterRays
     /// <param name="factors">As the frame's directions.</param>
     public void AddTo(MapFrame frame, Span<float> factors)
     {
+        if (MapCraterStamp.Reached(_centre, WithWidths * _reach * _radius, frame) is null)
+        {
+            return;
+        }
+
         Add(frame, null, _centre, HaloReach, factors);
         foreach (Ray ray in _rays)
         {
-            Vector3D middle = (_centre + (0.5 * (1.0 + ray.Length) * _radius * ray.Along)).Normalized();
-            Add(frame, ray, middle, (0.5 * (ray.Length - 1.0)) + ray.Width + (Widening * ray.Length), factors);
+            Add(frame, ray, ray.Middle, (0.5 * (ray.Length - 1.0)) + ray.Width + (Widening * ray.Length), factors);
         }
     }
 
@@ -164,9 +171,10 @@ internal sealed class CraterRays
     /// <summary>A ray from the rim outwards.</summary>
     /// <param name="Along">Direction in which it goes, length 1.</param>
     /// <param name="Across">At right angles to it on the ground.</param>
+    /// <param name="Middle">Direction of its middle, length 1.</param>
     /// <param name="Length">Radii from the crater's centre.</param>
     /// <param name="Width">Half width, radii, without what it grows by.</param>
-    private sealed record Ray(Vector3D Along, Vector3D Across, double Length, double Width)
+    private sealed record Ray(Vector3D Along, Vector3D Across, Vector3D Middle, double Length, double Width)
     {
         /// <summary>Brightness at four places, in radii from the crater's centre.</summary>
         public Vector256<double> BrightnessAt(Vector256<double> x, Vector256<double> y, Vector256<double> z)

@@ -81,27 +81,43 @@ internal sealed class DetailLayer
         z.Fill(direction.Z);
         maria.Fill(mareFraction);
         heights.Clear();
+        AddTo(x, y, z, direction, 0.0, maria, heights);
+        return heights[0];
+    }
+
+    /// <summary>Adds the detail at places near each other.</summary>
+    /// <param name="x">x of their directions, body-fixed; a multiple of <see cref="TileFrame.VectorWidth"/> of them.</param>
+    /// <param name="y">y of the directions.</param>
+    /// <param name="z">z of the directions.</param>
+    /// <param name="middle">Direction in the middle of them.</param>
+    /// <param name="farthest">How far the farthest is from it, radii of the Moon.</param>
+    /// <param name="mareFraction">0 (highlands) to 1 (mare).</param>
+    /// <param name="heights">m.</param>
+    public void AddTo(
+        ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, Vector3D middle, double farthest,
+        ReadOnlySpan<float> mareFraction, Span<float> heights)
+    {
         foreach (NoiseOctave octave in _octaves)
         {
-            octave.AddTo(x, y, z, maria, heights);
+            octave.AddTo(x, y, z, mareFraction, heights);
         }
 
-        SelenographicPoint point = SelenographicPoint.Below(direction);
-        double latitude = double.RadiansToDegrees(point.Latitude);
-        double longitude = double.RadiansToDegrees(point.Longitude);
-        float height = heights[0];
-        foreach (PlacedCrater crater in _craters.PlacedNear(latitude, latitude, longitude, 0.0))
+        (double south, double north, double west, double width) = GroundPoints.Around(middle, 1.01 * farthest); // of a chord and its angle
+        foreach (PlacedCrater crater in _craters.PlacedNear(south, north, west, width))
         {
-            double square = (direction - crater.Direction).LengthSquared / (crater.Radius * crater.Radius);
-            height += (float)crater.Profile.HeightAt(Vector256.Create(square)).ToScalar();
+            if ((crater.Direction - middle).Length <= (Crater.Reach * crater.Radius) + farthest)
+            {
+                MapCraterStamp.AddTo(crater, x, y, z, heights, lines: 1, heights.Length, heights.Length);
+            }
         }
 
-        foreach (Boulder boulder in _boulders.Near(latitude, latitude, longitude, 0.0))
+        foreach (Boulder boulder in _boulders.Near(south, north, west, width))
         {
-            height += (float)boulder.HeightAt(direction);
+            for (int i = 0; i < heights.Length; i++)
+            {
+                heights[i] += (float)boulder.HeightAt(new Vector3D(x[i], y[i], z[i]));
+            }
         }
-
-        return height;
     }
 
     private static void AddTo(Boulder boulder, MapFrame frame, Span<float> heights)

@@ -33,10 +33,10 @@ internal static class DetailSpectrum
     // the law.
     private const double MinNoisePart = 0.15;
 
-    // Sharp rims, and craters up to two samples of the model, bring slopes of their own at 17 m on highlands (measured,
-    // tests/reference/refine_slopes.py): so much of the noise's amplitude is left there from this lattice spacing on, m.
-    private const double NoiseAmongLargeCraters = 0.75;
-    private const double LeastOfLargeCraters = 8.0;
+    // On highlands, craters up to two samples of the model and cells that keep their means bring slopes of their own over hundreds of
+    // metres (docs/invented-detail.md): so much of the noise's amplitude is left there from this lattice spacing on, m.
+    private const double NoiseAmongLargeCraters = 0.3;
+    private const double LeastOfLargeCraters = 256.0;
 
     /// <summary>Octaves from the base's spacing down to the output's.</summary>
     /// <param name="seed">The user's seed.</param>

@@ -27,6 +27,49 @@ internal sealed record GroundPoints(double[] X, double[] Y, double[] Z, double[]
             [double.RadiansToDegrees(point.Latitude)], [double.RadiansToDegrees(point.Longitude)]);
     }
 
+    /// <summary>Places spread evenly over a cell of a model.</summary>
+    /// <param name="model">The model.</param>
+    /// <param name="line">The cell's line.</param>
+    /// <param name="sample">Its sample.</param>
+    /// <param name="side">Places along each of its sides.</param>
+    public static GroundPoints Within(ITerrainGrid model, int line, int sample, int side)
+    {
+        int count = side * side;
+        GroundPoints points = new(new double[count], new double[count], new double[count], new double[count], new double[count]);
+        for (int i = 0; i < count; i++)
+        {
+            Vector3D direction = model.Projection.DirectionOf(
+                line - 0.5 + (((i / side) + 0.5) / side), sample - 0.5 + (((i % side) + 0.5) / side));
+            SelenographicPoint point = SelenographicPoint.Below(direction);
+            (points.X[i], points.Y[i], points.Z[i]) = (direction.X, direction.Y, direction.Z);
+            points.Latitudes[i] = double.RadiansToDegrees(point.Latitude);
+            points.Longitudes[i] = double.RadiansToDegrees(point.Longitude);
+        }
+
+        return points;
+    }
+
+    /// <summary>
+    /// degrees: latitudes and longitudes of a rectangle that holds all within an angle of a direction; the width is 360 if a pole may be
+    /// among them.
+    /// </summary>
+    /// <param name="middle">The direction, length 1.</param>
+    /// <param name="reach">rad.</param>
+    public static (double South, double North, double West, double Width) Around(Vector3D middle, double reach)
+    {
+        SelenographicPoint point = SelenographicPoint.Below(middle);
+        double latitude = double.RadiansToDegrees(point.Latitude);
+        double degrees = double.RadiansToDegrees(reach);
+        double sine = Math.Sin(reach) / Math.Cos(point.Latitude);
+        if (Math.Abs(latitude) + degrees >= 90.0 || sine >= 1.0)
+        {
+            return (Math.Max(latitude - degrees, -90.0), Math.Min(latitude + degrees, 90.0), 0.0, 360.0);
+        }
+
+        double half = double.RadiansToDegrees(Math.Atan2(sine, Math.Sqrt((1.0 - sine) * (1.0 + sine))));
+        return (latitude - degrees, latitude + degrees, double.RadiansToDegrees(point.Longitude) - half, 2.0 * half);
+    }
+
     /// <summary>Direction of a place.</summary>
     public Vector3D this[int index] => new(X[index], Y[index], Z[index]);
 }

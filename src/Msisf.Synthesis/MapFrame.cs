@@ -18,7 +18,8 @@ internal sealed class MapFrame
     public const int WholeSteps = 2 * Step;
 
     /// <summary>m: less than the steps of the surface's vertices.</summary>
-    public const double LeastShift = 1e-5;
+    /// <param name="cell">m: width of the surface's cells.</param>
+    public static double LeastShift(double cell) => 1e-5 * Math.Max(cell, 1.0);
 
     private static readonly (double First, double Second, double Third)[] SampleWeights =
         [.. Enumerable.Range(0, 2 * Step).Select(sample => Weights(sample / (double)Step))];
@@ -47,6 +48,15 @@ internal sealed class MapFrame
         {
             Vector3D direction = projection.DirectionOf(firstLine + (index / Stride), firstSample + (index % Stride));
             (X[index], Y[index], Z[index]) = (direction.X, direction.Y, direction.Z);
+        }
+
+        Middle = projection.DirectionOf(firstLine + (0.5 * lines), firstSample + (0.5 * Stride));
+        foreach (int line in new[] { firstLine, firstLine + lines })
+        {
+            foreach (int sample in new[] { firstSample, firstSample + Stride })
+            {
+                Farthest = Math.Max(Farthest, Vector3D.AngleBetween(Middle, projection.DirectionOf(line, sample)));
+            }
         }
 
         if (MayInterpolate(maxShift))
@@ -103,6 +113,12 @@ internal sealed class MapFrame
     /// <summary>degrees: how far they reach to the east of it, 360 if the pole is among them.</summary>
     public double Width { get; }
 
+    /// <summary>Direction of the middle of the block, body-fixed, length 1.</summary>
+    public Vector3D Middle { get; }
+
+    /// <summary>How far samples are from the middle at most, radii of the Moon.</summary>
+    public double Farthest { get; }
+
     /// <summary>degrees: the southernmost and the northernmost sample.</summary>
     public (double South, double North) LatitudeRange => (Latitudes.Min(), Latitudes.Max());
 
@@ -110,30 +126,7 @@ internal sealed class MapFrame
     /// degrees: latitudes and longitudes of a rectangle that holds all samples, whatever the middle of the map is; the width is 360 if a
     /// pole may be among them.
     /// </summary>
-    public (double South, double North, double West, double Width) Around()
-    {
-        Vector3D middle = Projection.DirectionOf(FirstLine + (0.5 * Lines), FirstSample + (0.5 * Stride)).Normalized();
-        double reach = 0.0;
-        foreach (int line in new[] { FirstLine, FirstLine + Lines })
-        {
-            foreach (int sample in new[] { FirstSample, FirstSample + Stride })
-            {
-                reach = Math.Max(reach, Vector3D.AngleBetween(middle, Projection.DirectionOf(line, sample)));
-            }
-        }
-
-        SelenographicPoint point = SelenographicPoint.Below(middle);
-        double latitude = double.RadiansToDegrees(point.Latitude);
-        double degrees = double.RadiansToDegrees(reach);
-        double sine = Math.Sin(reach) / Math.Cos(point.Latitude);
-        if (Math.Abs(latitude) + degrees >= 90.0 || sine >= 1.0)
-        {
-            return (Math.Max(latitude - degrees, -90.0), Math.Min(latitude + degrees, 90.0), 0.0, FullTurn);
-        }
-
-        double half = double.RadiansToDegrees(Math.Atan2(sine, Math.Sqrt((1.0 - sine) * (1.0 + sine))));
-        return (latitude - degrees, latitude + degrees, double.RadiansToDegrees(point.Longitude) - half, 2.0 * half);
-    }
+    public (double South, double North, double West, double Width) Around() => GroundPoints.Around(Middle, Farthest);
 
     private static (double Latitude, double Longitude) PlaceOf(Vector3D direction)
     {

@@ -33,7 +33,7 @@ internal sealed class ModelGround
     private readonly int _around;
     private readonly ConcurrentDictionary<double, DetailLayer> _layers = new();
     private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), double> _known = new();
-    private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), Func<double, double, double>> _splines = new();
+    private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), MeanSpline> _splines = new();
 
     /// <summary>Takes a model.</summary>
     /// <param name="model">The model.</param>
@@ -124,18 +124,18 @@ internal sealed class ModelGround
         }
 
         // Close to the ground whole blocks, and single places, lie in one cell.
-        Func<double, double, double> spline = down == 1 && across == 1
+        MeanSpline spline = down == 1 && across == 1
             ? _splines.GetOrAdd((meanCell, top, left), _ => New())
             : New();
         for (int i = 0; i < places.Length; i++)
         {
             if (weights[i] > 0.0)
             {
-                heights[i] = spline(places[i].Line + 0.5 - top, places[i].Sample + 0.5 - left);
+                heights[i] = spline.HeightAt(places[i].Line + 0.5 - top, places[i].Sample + 0.5 - left);
             }
         }
 
-        Func<double, double, double> New() => DetailMeans.Spline(
+        MeanSpline New() => new(
             Rest(top - Reach, down + (2 * Reach), left - Reach, across + (2 * Reach), meanCell), down, across, Kernel);
     }
 
