@@ -36,10 +36,10 @@ internal static class DetailMeans
         for (int i = 0; i < fractions.Length; i++)
         {
             fractions[i] = (float)maria.At(places.Latitudes[i], places.Longitudes[i]);
-            farthest = Math.Max(farthest, (places[i] - middle).Length);
+            farthest = Math.Max(farthest, (places[i] - middle).LengthSquared);
         }
 
-        layer.AddTo(places.X, places.Y, places.Z, middle, farthest, fractions, heights);
+        layer.AddTo(places.X, places.Y, places.Z, middle, Math.Sqrt(farthest), fractions, heights);
         double sum = 0.0;
         foreach (float height in heights)
         {

@@ -36,17 +36,40 @@ internal sealed record GroundPoints(double[] X, double[] Y, double[] Z, double[]
     {
         int count = side * side;
         GroundPoints points = new(new double[count], new double[count], new double[count], new double[count], new double[count]);
+        double First(int index) => index - 0.5 + (0.5 / side);
+        if (model.Projection is Equirectangular(var perDegree))
+        {
+            double[] longitudes = [.. Enumerable.Range(0, side).Select(i => (First(sample) + 0.5 + ((double)i / side)) / perDegree)];
+            (double Sin, double Cos)[] columns = [.. longitudes.Select(PortableMath.SinCosDegrees)];
+            for (int row = 0; row < side; row++)
+            {
+                double latitude = 90.0 - ((First(line) + 0.5 + ((double)row / side)) / perDegree);
+                (double sin, double cos) = PortableMath.SinCosDegrees(latitude);
+                for (int column = 0; column < side; column++)
+                {
+                    Vector3D direction = new(cos * columns[column].Cos, cos * columns[column].Sin, sin);
+                    points.Set((row * side) + column, direction, latitude, longitudes[column]);
+                }
+            }
+
+            return points;
+        }
+
         for (int i = 0; i < count; i++)
         {
             Vector3D direction = model.Projection.DirectionOf(
-                line - 0.5 + (((i / side) + 0.5) / side), sample - 0.5 + (((i % side) + 0.5) / side));
+                First(line) + ((double)(i / side) / side), First(sample) + ((double)(i % side) / side));
             SelenographicPoint point = SelenographicPoint.Below(direction);
-            (points.X[i], points.Y[i], points.Z[i]) = (direction.X, direction.Y, direction.Z);
-            points.Latitudes[i] = double.RadiansToDegrees(point.Latitude);
-            points.Longitudes[i] = double.RadiansToDegrees(point.Longitude);
+            points.Set(i, direction, double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
         }
 
         return points;
+    }
+
+    private void Set(int index, Vector3D direction, double latitude, double longitude)
+    {
+        (X[index], Y[index], Z[index]) = (direction.X, direction.Y, direction.Z);
+        (Latitudes[index], Longitudes[index]) = (latitude, longitude);
     }
 
     /// <summary>
