@@ -103,7 +103,8 @@ public sealed class GroundDetail : IGroundDetail
 
     private (MapFrame Frame, float[] MareFraction) BlockOf(PolarStereographic map, int firstLine, int firstSample, int side)
     {
-        MapFrame frame = new(map, firstLine, side, firstSample, side, side % MapFrame.WholeSteps == 0 ? MapFrame.LeastShift(map.MetresPerPixel) : 0.0);
+        double maxShift = side % MapFrame.WholeSteps == 0 ? MapFrame.LeastShift(map.MetresPerPixel) : 0.0;
+        MapFrame frame = new(map, firstLine, side, firstSample, side, maxShift);
         float[] maria = new float[frame.X.Length];
         _maria.Fill(frame, maria);
         return (frame, maria);
