@@ -28,38 +28,39 @@ public sealed class MapLevels : TerrainLevels
     /// </param>
     public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes, bool keepsGaps = false)
     {
-        // A map that has a level at hand has those above it from that one; without data a mean is another one if it must not be.
-        ITerrainGrid? stored = keepsGaps || !map.MayHaveGaps ? map.StoredLevel : null;
+        // What is kept of a map holds places without data; a mean is another one if there must be none.
+        IReadOnlyList<ITerrainGrid> stored = keepsGaps || !map.MayHaveGaps ? map.StoredLevels : [];
+        int firstStored = stored.Count == 0 ? int.MaxValue : map.Projection.Resolution.HalvingsTo(stored[0].Projection.Resolution);
+
         // The lines of polar maps are long: each line of a block lies on pages of its own, and the system maps fifteen neighbours with it.
         const int SamplesBetweenReleases = SparingSamplesBetweenReleases;
         LodCache cache = new(cacheBytes);
         List<ITerrainGrid> levels = [map];
-        while (HasNext(levels[^1]))
+        for (int count = CountOf(map); levels.Count < count;)
         {
-            int above = stored is null ? 0 : levels.Count - map.Projection.Resolution.HalvingsTo(stored.Projection.Resolution);
-            levels.Add(above switch
-            {
-                _ when stored is null || above < 0 =>
-                    new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps),
-                0 => stored,
-                _ => new ReducedGrid(stored, above, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps),
-            });
+            levels.Add(levels.Count >= firstStored
+                ? stored[levels.Count - firstStored]
+                : new ReducedGrid(map, levels.Count, levels[^1] as ReducedGrid, cache, SamplesBetweenReleases, keepsGaps));
         }
 
         return new MapLevels(levels);
     }
 
+    /// <summary>Number of levels of a map, itself included.</summary>
+    public static int CountOf(ITerrainGrid map)
+    {
+        int count = 1;
+        (GridWindow window, MapProjection? projection) = (map.Window.Halved(), map.Projection.Halved());
+        while (projection is not null && Math.Min(window.Lines, window.Samples) >= LeastSide
+            && (projection is not PolarStereographic polar || polar.Holds(window.Lines, window.Samples)))
+        {
+            count++;
+            (window, projection) = (window.Halved(), projection.Halved());
+        }
+
+        return count;
+    }
+
     /// <inheritdoc/>
     public override ITerrainGrid Grid(int level) => _levels[level];
-
-    private static bool HasNext(ITerrainGrid level)
-    {
-        GridWindow window = level.Window.Halved();
-        return Math.Min(window.Lines, window.Samples) >= LeastSide && level.Projection.Halved() switch
-        {
-            null => false,
-            PolarStereographic polar => polar.Holds(window.Lines, window.Samples),
-            _ => true,
-        };
-    }
 }

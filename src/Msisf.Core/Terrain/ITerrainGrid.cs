@@ -31,10 +31,10 @@ public interface ITerrainGrid : ITerrain
     bool MayHaveGaps => false;
 
     /// <summary>
-    /// A coarser level of the model that was computed before, as levels of maps are computed that keep places without
-    /// data; null if there is none.
+    /// Coarser levels of the model that were computed before, finest first, each half as fine as the one before, as levels of maps are
+    /// computed that keep places without data.
     /// </summary>
-    ITerrainGrid? StoredLevel => null;
+    IReadOnlyList<ITerrainGrid> StoredLevels => [];
 
     /// <summary>Tells which of consecutive samples of one line have no data; parameters as of <see cref="ReadRadii"/>.</summary>
     /// <param name="isGap">Receives whether a sample has no data.</param>

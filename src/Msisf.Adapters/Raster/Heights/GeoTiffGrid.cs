@@ -1,5 +1,5 @@
+using Msisf.Adapters.Raster.Levels;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
@@ -10,15 +10,12 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 {
-    private readonly RasterBlocks _blocks;
+    private readonly RasterContent _content;
     private readonly string _path;
     private readonly GeoTiffPlacement _placement;
     private readonly HeightRule _rule;
     private readonly bool _isRing;
-    private readonly Lock _gate = new();
     private UndeclaredGaps _gapsOfSource;
-    private RasterScan? _scan;
-    private StoredLevel? _level;
 
     private GeoTiffGrid(string path, OpenedRaster raster, Func<OpenedRaster> open, HeightOptions given)
     {
@@ -27,11 +24,13 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         Files = raster.File.Files();
         WarpedFrom = raster.IsWarped ? raster.File.Projection() : null;
         _rule = HeightRule.Of(path, raster.File, given, raster.Placement.Projection.Resolution.MetresPerPixel);
-        _blocks = new RasterBlocks(raster, open, _rule);
+        RasterBlocks blocks = new(raster, open, _rule);
         (Lines, Samples) = _placement.Projection is Equirectangular cylinder
             ? (180 * cylinder.PixelsPerDegree, 360 * cylinder.PixelsPerDegree)
-            : (_blocks.Height, _blocks.Width);
+            : (blocks.Height, blocks.Width);
         _isRing = _placement.Projection is Equirectangular && _placement.Window.Samples == Samples;
+        _content = new RasterContent(
+            blocks, new RasterPart(this, _rule, _placement.SphereRadius), hasLevels: !_isRing || _placement.RingStart == 0);
     }
 
     /// <inheritdoc/>
@@ -73,7 +72,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// </summary>
     public string? NoteOfGaps()
     {
-        UndeclaredGaps gaps = _gapsOfSource.Count > 0 ? _gapsOfSource : Scan().Undeclared;
+        UndeclaredGaps gaps = _gapsOfSource.Count > 0 ? _gapsOfSource : _content.Scan().Undeclared;
         return gaps.Count == 0 ? null : string.Create(
             CultureInfo.InvariantCulture,
             $"{ProductId}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
@@ -125,22 +124,15 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <exception cref="BadInputException">The file is damaged.</exception>
     public string? Prepare(string? cacheFolder, Func<FractionDisplay> start, CancellationToken cancellation = default)
     {
-        if (_scan is not null || !IsLarge)
+        if (!IsLarge)
         {
-            Scan(cancellation: cancellation);
+            _content.Scan(cancellation);
             return null;
         }
 
         try
         {
-            KeptScan kept = Kept(cacheFolder);
-            _scan = kept.Find()?.Scan;
-            if (_scan is null)
-            {
-                using FractionDisplay display = start();
-                kept.Write(Scan(display.Progress, cancellation));
-            }
-
+            _content.Prepare(this, Kept(cacheFolder), start, cancellation);
             return null;
         }
         catch (Exception exception) when (exception is ExternalPartException || exception.IsFileError())
@@ -150,64 +142,42 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     }
 
     /// <summary>Whether what was found by looking at all pixels is kept for other runs; fewer are looked at in some 0.1 s.</summary>
-    public bool IsLarge => (long)_blocks.Height * _blocks.Width >= RasterScanFile.LeastPixels;
+    public bool IsLarge => _content.IsLarge;
 
     /// <summary>The file in which that is kept; null if there is none that holds.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
-    public string? FindKept(string? cacheFolder) => Kept(cacheFolder).Find()?.Path;
+    public string? FindKept(string? cacheFolder) => _content.Find(this, Kept(cacheFolder));
 
-    /// <summary>Looks at all pixels again, and compares what is found with the file in which it is kept.</summary>
+    /// <summary>Looks at all pixels again, and compares what is found with the files in which it is kept.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
-    /// <returns>The file; null if there is none that holds.</returns>
+    /// <returns>The first file; null if there is none that holds.</returns>
     /// <exception cref="BadInputException">They differ.</exception>
-    public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) => Kept(cacheFolder).Find() is not { } kept ? null
-        : Scan(cancellation: cancellation).IsSameAs(kept.Scan) ? kept.Path
-        : throw new BadInputException($"{kept.Path}: does not hold what the pixels of {_path} are. Delete it, and make it again.");
+    public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) =>
+        _content.Verify(this, Kept(cacheFolder), cancellation);
 
-    private KeptScan Kept(string? cacheFolder) => new(
-        LdemSet.OfMap(ToLabel()).PlacesOf(RasterScanFile.Extension, cacheFolder),
-        RasterScanFile.Fingerprint(Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}")));
-
-    private RasterScan Scan(IProgress<double>? progress = null, CancellationToken cancellation = default)
+    private KeptRaster Kept(string? cacheFolder)
     {
-        if (Volatile.Read(ref _scan) is { } known)
-        {
-            return known;
-        }
-
-        lock (_gate)
-        {
-            try
-            {
-                return _scan ??= RasterScanner.Scan(_blocks, _placement.SphereRadius, _rule, HasLevel, progress, cancellation);
-            }
-            catch (AggregateException exception) when (exception.InnerExceptions.OfType<MsisfException>().FirstOrDefault() is { } first)
-            {
-                throw first;
-            }
-        }
+        LdemSet set = LdemSet.OfMap(ToLabel());
+        return new KeptRaster(
+            set.PlacesOf(RasterScanFile.Extension, cacheFolder), set.PlacesOf(PyramidFile.Extension, cacheFolder),
+            RasterScanFile.Fingerprint(Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}")));
     }
 
     /// <summary>The file as the label of a model, for its name, fingerprint and checksum.</summary>
     public LdemLabel ToLabel() => new(
-        _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _blocks.Height,
-        _blocks.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
+        _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _content.Blocks.Height,
+        _content.Blocks.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
         MoonConstants.MaxRelief, Polar: Projection as PolarStereographic)
     { OtherFiles = [.. Files.Skip(1)] };
 
     /// <inheritdoc/>
-    public bool MayHaveGaps => Scan().HasGaps;
+    public bool MayHaveGaps => _content.Scan().HasGaps;
 
     /// <inheritdoc/>
-    public ITerrainGrid? StoredLevel => Scan() is { Halvings: > 0 } scan
-        ? _level ??= new StoredLevel(this, scan.Halvings, scan.Level)
-        : null;
-
-    /// <summary>Whether the samples of coarser levels stand for whole squares of pixels, from the first on.</summary>
-    private bool HasLevel => Window is { FirstLine: 0, FirstSample: 0 } && _placement.Projection is PolarStereographic;
+    public IReadOnlyList<ITerrainGrid> StoredLevels => _content.Levels;
 
     /// <inheritdoc/>
-    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => Scan() is { HasGaps: true } scan
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => _content.Scan() is { HasGaps: true } scan
         && (_isRing || scan.Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples).Gaps > 0);
 
     /// <inheritdoc/>
@@ -218,7 +188,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             return null;
         }
 
-        ScannedSquare all = Scan().Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples);
+        ScannedSquare all = _content.Scan().Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples);
         return all.Min > all.Max ? null : new KnownBounds(
             _placement.SphereRadius + _rule.HeightOf(all.Min), _placement.SphereRadius + _rule.HeightOf(all.Max), _rule.Factor * all.Step);
     }
@@ -226,12 +196,12 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <inheritdoc/>
     public void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
-        RasterScan scan = Scan();
+        RasterScan scan = _content.Scan();
         int row = RowOf(line);
         for (int i = 0; i < isGap.Length;)
         {
             int column = ColumnOf(firstSample + i);
-            int count = _blocks.RunLength(column, isGap.Length - i);
+            int count = _content.Blocks.RunLength(column, isGap.Length - i);
             Span<bool> part = isGap.Slice(i, count);
             part.Clear();
             if (scan.Of(row, 1, column, count).Gaps > 0)
@@ -268,17 +238,17 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     }
 
     /// <summary>Closes the file.</summary>
-    public void Dispose() => _blocks.Dispose();
+    public void Dispose() => _content.Dispose();
 
     private ReadOnlySpan<float> RunAt(int row, int column, int most) =>
-        Volatile.Read(ref _scan) is { } scan && scan.Border.RunAt(row, column, most) is { IsEmpty: false } run
+        _content.Known is { } scan && scan.Border.RunAt(row, column, most) is { IsEmpty: false } run
             ? run
-            : _blocks.RunAt(row, column, most);
+            : _content.Blocks.RunAt(row, column, most);
 
     private int RowOf(int line)
     {
         int row = line - Window.FirstLine;
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)row, (uint)_blocks.Height, nameof(line));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)row, (uint)_content.Blocks.Height, nameof(line));
         return row;
     }
 
@@ -287,7 +257,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         int column = sample - (_isRing ? _placement.RingStart : Window.FirstSample);
         column += _isRing && column < 0 ? Samples : 0;
         column -= _isRing && column >= Samples ? Samples : 0;
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_blocks.Width, nameof(sample));
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_content.Blocks.Width, nameof(sample));
         return column;
     }
 

@@ -8,8 +8,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 internal sealed class RasterBlocks : IDisposable
 {
-    private const int BlockShift = RasterScan.SideShift;
-    private const int BlockSide = RasterScan.Side;
+    private const int BlockShift = SquareGrid.SideShift;
+    private const int BlockSide = SquareGrid.Side;
 
     /// <summary>Blocks that are kept, 128 MB; beyond that all are dropped.</summary>
     private const int MaxBlocks = 512;

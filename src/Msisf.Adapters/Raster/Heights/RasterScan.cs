@@ -1,18 +1,47 @@
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// What all pixels of a raster are: bounds of its squares of 256 pixels, a coarser level, its border, and how many pixels are no data
-/// though the file does not say so. Immutable once it is made.
+/// What all pixels of a raster are: bounds of squares of 256 pixels, its border, and how many pixels are no data though the file does not
+/// say so. Immutable once it is made.
 /// </summary>
-/// <param name="Rows">Squares from top to bottom.</param>
-/// <param name="Columns">Squares from left to right.</param>
+/// <param name="Layout">Where the squares lie.</param>
 /// <param name="Squares">The squares, row by row.</param>
 /// <param name="Undeclared">Pixels that can't be heights, which the file does not declare.</param>
-/// <param name="Halvings">How many times the resolution of the coarser level is halved; 0 if there is none.</param>
-/// <param name="Level">m over the reference radius, NaN without data: the level line by line.</param>
 /// <param name="Border">The outermost pixels, and those within.</param>
-internal sealed record RasterScan(
-    int Rows, int Columns, ScannedSquare[] Squares, UndeclaredGaps Undeclared, int Halvings, float[] Level, RasterBorder Border)
+internal sealed record RasterScan(SquareGrid Layout, ScannedSquare[] Squares, UndeclaredGaps Undeclared, RasterBorder Border)
+{
+    /// <summary>Whether any pixel has no data.</summary>
+    public bool HasGaps { get; } = Array.Exists(Squares, square => square.Gaps > 0);
+
+    /// <summary>Whether another scan has found the same.</summary>
+    public bool IsSameAs(RasterScan other) =>
+        (Layout, Undeclared) == (other.Layout, other.Undeclared) && Squares.AsSpan().SequenceEqual(other.Squares)
+        && Border.Values.AsSpan().SequenceEqual(other.Border.Values);
+
+    /// <summary>The squares of a rectangle of pixels together.</summary>
+    public ScannedSquare Of(int firstRow, int rows, int firstColumn, int columns)
+    {
+        ScannedSquare all = ScannedSquare.None;
+        int last = Layout.IndexOf(firstRow + rows - 1, firstColumn);
+        for (int row = Layout.IndexOf(firstRow, firstColumn); row <= last; row += Layout.Columns)
+        {
+            int end = row + Layout.ColumnOf(firstColumn + columns - 1) - Layout.ColumnOf(firstColumn);
+            for (int square = row; square <= end; square++)
+            {
+                all = all.With(Squares[square]);
+            }
+        }
+
+        return all;
+    }
+}
+
+/// <summary>Squares of 256 pixels of a raster, which begin where blocks of coarser levels do: at multiples of 256 of the whole grid.</summary>
+/// <param name="RowOffset">Pixels of the grid before the raster's first row in the first square, 0 to 255.</param>
+/// <param name="ColumnOffset">The same of its first column.</param>
+/// <param name="Rows">Squares from top to bottom.</param>
+/// <param name="Columns">Squares from left to right.</param>
+internal readonly record struct SquareGrid(int RowOffset, int ColumnOffset, int Rows, int Columns)
 {
     /// <summary>px: side of a square.</summary>
     public const int Side = 1 << SideShift;
@@ -20,29 +49,22 @@ internal sealed record RasterScan(
     /// <summary>Binary logarithm of <see cref="Side"/>.</summary>
     public const int SideShift = 8;
 
-    /// <summary>Whether any pixel has no data.</summary>
-    public bool HasGaps { get; } = Array.Exists(Squares, square => square.Gaps > 0);
-
-    /// <summary>Whether another scan has found the same.</summary>
-    public bool IsSameAs(RasterScan other) =>
-        (Rows, Columns, Undeclared, Halvings) == (other.Rows, other.Columns, other.Undeclared, other.Halvings)
-        && Squares.AsSpan().SequenceEqual(other.Squares) && Level.AsSpan().SequenceEqual(other.Level)
-        && Border.Values.AsSpan().SequenceEqual(other.Border.Values);
-
-    /// <summary>The squares of a rectangle of pixels together.</summary>
-    public ScannedSquare Of(int firstRow, int rows, int firstColumn, int columns)
+    /// <summary>The squares of a raster.</summary>
+    /// <param name="height">px.</param>
+    /// <param name="width">px.</param>
+    /// <param name="line">Line of its first row in the grid.</param>
+    /// <param name="sample">Sample of its first column.</param>
+    public static SquareGrid Of(int height, int width, int line, int sample)
     {
-        ScannedSquare all = ScannedSquare.None;
-        for (int row = firstRow >> SideShift; row <= (firstRow + rows - 1) >> SideShift; row++)
-        {
-            for (int column = firstColumn >> SideShift; column <= (firstColumn + columns - 1) >> SideShift; column++)
-            {
-                all = all.With(Squares[(row * Columns) + column]);
-            }
-        }
-
-        return all;
+        (int row, int column) = (line & (Side - 1), sample & (Side - 1));
+        return new SquareGrid(row, column, (row + height + Side - 1) >> SideShift, (column + width + Side - 1) >> SideShift);
     }
+
+    /// <summary>The column of squares in which a pixel lies.</summary>
+    public int ColumnOf(int column) => (ColumnOffset + column) >> SideShift;
+
+    /// <summary>Index of the square in which a pixel lies.</summary>
+    public int IndexOf(int row, int column) => (((RowOffset + row) >> SideShift) * Columns) + ColumnOf(column);
 }
 
 /// <summary>Bounds of the stored values of a square.</summary>

@@ -9,10 +9,9 @@ namespace Msisf.Adapters.Raster.Heights;
 /// damaged, or of a raster with other lengths, times or options, counts as missing.
 /// </summary>
 /// <remarks>
-/// Layout: a magic number, SHA-256 of what the raster is, SHA-256 of the rest; then little-endian: rows and columns of squares, halvings of
-/// the level (32-bit integers), undeclared pixels (64-bit count, line, sample, value), the squares (minimum, maximum, step: 32-bit floats;
-/// pixels without data: 32-bit integers), number of the level's samples and they (32-bit floats);
-/// rows and pixels of a row (32-bit integers), and the border's values (32-bit floats).
+/// Layout: a magic number, SHA-256 of what the raster is, SHA-256 of the rest; then little-endian: where the squares begin, their rows
+/// and columns (32-bit integers), undeclared pixels (64-bit count, line, sample, value), the squares (minimum, maximum, step: 32-bit
+/// floats; pixels without data: 32-bit integers); rows and pixels of a row (32-bit integers), and the border's values (32-bit floats).
 /// </remarks>
 internal static class RasterScanFile
 {
@@ -22,7 +21,7 @@ internal static class RasterScanFile
     /// <summary>Name of the file, behind that of the raster.</summary>
     public const string Extension = ".scan";
 
-    private static ReadOnlySpan<byte> Magic => "MSISFRS2"u8;
+    private static ReadOnlySpan<byte> Magic => "MSISFRS3"u8;
 
     /// <summary>What a raster is: lengths and times of its files, and what its pixels mean.</summary>
     /// <param name="meaning">Size, place and rule of the values.</param>
@@ -57,47 +56,36 @@ internal static class RasterScanFile
     }
 
     /// <summary>Writes a file.</summary>
-    /// <exception cref="ExternalPartException">The file system refuses.</exception>
-    public static void Write(string path, byte[] fingerprint, RasterScan scan)
-    {
-        FileErrors.ToExternalPart(
-            $"{path}: can't be written", () => Directory.CreateDirectory(Path.GetDirectoryName(Path.GetFullPath(path))!));
-        AtomicFile.Write(path, stream => HashedContent.Write(stream, Head(fingerprint), writer => Write(writer, scan)));
-    }
+    public static void Write(Stream stream, byte[] fingerprint, RasterScan scan) =>
+        HashedContent.Write(stream, Head(fingerprint), writer => Write(writer, scan));
 
     private static byte[] Head(byte[] fingerprint) => [.. Magic, .. fingerprint];
 
     private static RasterScan Read(BinaryReader reader)
     {
-        (int rows, int columns, int halvings) = (reader.ReadInt32(), reader.ReadInt32(), reader.ReadInt32());
+        SquareGrid layout = new(reader.ReadInt32(), reader.ReadInt32(), reader.ReadInt32(), reader.ReadInt32());
         UndeclaredGaps undeclared = new(reader.ReadInt64(), reader.ReadInt32(), reader.ReadInt32(), reader.ReadSingle());
-        ScannedSquare[] squares = new ScannedSquare[rows * columns];
+        ScannedSquare[] squares = new ScannedSquare[layout.Rows * layout.Columns];
         for (int i = 0; i < squares.Length; i++)
         {
             squares[i] = new ScannedSquare(reader.ReadSingle(), reader.ReadSingle(), reader.ReadSingle(), reader.ReadInt32());
         }
 
-        float[] level = ReadValues(reader, new float[reader.ReadInt32()]);
         RasterBorder border = new(reader.ReadInt32(), reader.ReadInt32());
-        ReadValues(reader, border.Values);
-        return new RasterScan(rows, columns, squares, undeclared, halvings, level, border);
-    }
-
-    private static float[] ReadValues(BinaryReader reader, float[] values)
-    {
-        for (int i = 0; i < values.Length; i++)
+        for (int i = 0; i < border.Values.Length; i++)
         {
-            values[i] = reader.ReadSingle();
+            border.Values[i] = reader.ReadSingle();
         }
 
-        return values;
+        return new RasterScan(layout, squares, undeclared, border);
     }
 
     private static void Write(BinaryWriter writer, RasterScan scan)
     {
-        writer.Write(scan.Rows);
-        writer.Write(scan.Columns);
-        writer.Write(scan.Halvings);
+        writer.Write(scan.Layout.RowOffset);
+        writer.Write(scan.Layout.ColumnOffset);
+        writer.Write(scan.Layout.Rows);
+        writer.Write(scan.Layout.Columns);
         writer.Write(scan.Undeclared.Count);
         writer.Write(scan.Undeclared.Line);
         writer.Write(scan.Undeclared.Sample);
@@ -110,26 +98,8 @@ internal static class RasterScanFile
             writer.Write(square.Gaps);
         }
 
-        writer.Write(scan.Level.Length);
-        Array.ForEach(scan.Level, writer.Write);
         writer.Write(scan.Border.Height);
         writer.Write(scan.Border.Width);
         Array.ForEach(scan.Border.Values, writer.Write);
     }
-}
-
-/// <summary>Where the scan of a raster is kept.</summary>
-/// <param name="Places">The possible places.</param>
-/// <param name="Fingerprint">What the raster is.</param>
-internal sealed record KeptScan(SidecarPlaces Places, byte[] Fingerprint)
-{
-    /// <summary>The kept scan with its file; null if there is none, or none of this raster.</summary>
-    public (string Path, RasterScan Scan)? Find() => Places.Read(
-        path => RasterScanFile.TryRead(path, Fingerprint) is { } scan ? Tuple.Create(path, scan) : null) is { } kept
-            ? (kept.Item1, kept.Item2)
-            : null;
-
-    /// <summary>Writes the scan.</summary>
-    /// <exception cref="ExternalPartException">The file system refuses.</exception>
-    public void Write(RasterScan scan) => RasterScanFile.Write(Places.ForWriting(), Fingerprint, scan);
 }

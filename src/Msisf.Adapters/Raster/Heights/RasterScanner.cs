@@ -1,130 +1,126 @@
+using System.Collections.Concurrent;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// Looks once at all pixels of a raster. It goes down strips of columns, several at a time; each reads the file for itself.
+/// Looks once at all pixels of a raster, band by band from the top. Several strips of a band are looked at at once; each reads the file for
+/// itself.
 /// </summary>
 internal sealed class RasterScanner
 {
-    private const int Side = RasterScan.Side;
-    private const int SideShift = RasterScan.SideShift;
-
     /// <summary>px: width of a strip; a file that is stored in whole rows has one strip.</summary>
-    private const int StripWidth = 16 * Side;
-
-    /// <summary>px: rows that are read together.</summary>
-    private const int ChunkLines = 2 * Side;
-
-    /// <summary>Samples of the coarser level at most: 16 MB.</summary>
-    private const long MostLevelSamples = 1L << 22;
+    private const int StripWidth = 4096;
 
     private readonly RasterBlocks _blocks;
-    private readonly double _sphere;
-    private readonly HeightRule _rule;
-    private readonly int _width;
-    private readonly int _strips;
-    private readonly int _columns;
+    private readonly RasterLevels _levels;
+    private readonly GridWindow _window;
+    private readonly SquareGrid _layout;
     private readonly ScannedSquare[] _squares;
-    private readonly float[][] _lastColumns;
-    private readonly float[][] _firstColumns;
-    private readonly int _halvings;
-    private readonly int _levelSamples;
-    private readonly float[] _level;
     private readonly RasterBorder _border;
+    private readonly float[] _lastRow;
+    private readonly ConcurrentBag<float[]> _buffers = [];
+    private readonly Lock _gate = new();
+    private UndeclaredGaps _undeclared = UndeclaredGaps.None;
 
-    private RasterScanner(RasterBlocks blocks, double sphere, HeightRule rule, bool hasLevel)
+    private RasterScanner(RasterBlocks blocks, GridWindow window, RasterLevels levels)
     {
-        (_blocks, _sphere, _rule) = (blocks, sphere, rule);
-        _width = blocks.HasWideBlocks ? blocks.Width : Math.Min(StripWidth, blocks.Width);
-        _strips = (blocks.Width + _width - 1) / _width;
-        _columns = (blocks.Width + Side - 1) >> SideShift;
-        _squares = new ScannedSquare[((blocks.Height + Side - 1) >> SideShift) * _columns];
+        (_blocks, _window, _levels) = (blocks, window, levels);
+        _layout = SquareGrid.Of(blocks.Height, blocks.Width, window.FirstLine, window.FirstSample);
+        _squares = new ScannedSquare[_layout.Rows * _layout.Columns];
         Array.Fill(_squares, ScannedSquare.None);
-        _lastColumns = new float[_strips][];
-        _firstColumns = new float[_strips][];
         _border = new RasterBorder(blocks.Height, blocks.Width);
-        while (hasLevel && SizeOf(blocks.Height) * (long)SizeOf(blocks.Width) > MostLevelSamples)
-        {
-            _halvings++;
-        }
-
-        hasLevel = _halvings > 0 && 1 << _halvings <= ChunkLines;
-        _halvings = hasLevel ? _halvings : 0;
-        _levelSamples = hasLevel ? SizeOf(blocks.Width) : 0;
-        _level = new float[hasLevel ? SizeOf(blocks.Height) * _levelSamples : 0];
+        _lastRow = new float[blocks.Width];
+        Array.Fill(_lastRow, float.NaN);
     }
 
     /// <summary>Looks at all pixels.</summary>
-    /// <param name="sphere">m: radius of the sphere over which the heights are.</param>
-    /// <param name="rule">What the stored values mean.</param>
-    /// <param name="hasLevel">Whether a coarser level is wanted, whose samples begin with the first pixel.</param>
+    /// <param name="window">Where they lie in the grid.</param>
+    /// <param name="levels">Makes the coarser levels.</param>
     /// <param name="progress">Receives the fraction that is done; null for nobody.</param>
     public static RasterScan Scan(
-        RasterBlocks blocks, double sphere, HeightRule rule, bool hasLevel, IProgress<double>? progress, CancellationToken cancellation)
+        RasterBlocks blocks, GridWindow window, RasterLevels levels, IProgress<double>? progress, CancellationToken cancellation)
     {
-        RasterScanner scanner = new(blocks, sphere, rule, hasLevel);
-        UndeclaredGaps undeclared = UndeclaredGaps.None;
-        Lock gate = new();
-        long done = 0;
+        RasterScanner scanner = new(blocks, window, levels);
         ParallelOptions options = new() { MaxDegreeOfParallelism = Environment.ProcessorCount, CancellationToken = cancellation };
-        Parallel.For(0, scanner._strips, options, strip =>
+        (int Start, int Count)[] strips =
+            blocks.HasWideBlocks ? [(0, blocks.Width)] : [.. Parts(blocks.Width, window.FirstSample, Math.Max(StripWidth, levels.Step))];
+        float[][] columns = new float[2 * strips.Length][];
+        foreach ((int row, int rows) in Parts(blocks.Height, window.FirstLine, levels.Step))
         {
-            UndeclaredGaps found = scanner.ScanStrip(strip, lines =>
+            levels.Begin(window.FirstLine + row, rows);
+            Parallel.For(0, strips.Length, options, strip => (columns[2 * strip], columns[(2 * strip) + 1]) =
+                scanner.ScanPart(row, rows, strips[strip].Start, strips[strip].Count));
+            for (int strip = 1; strip < strips.Length; strip++)
             {
-                cancellation.ThrowIfCancellationRequested();
-                progress?.Report(Interlocked.Add(ref done, lines) / ((double)blocks.Height * scanner._strips));
-            });
-            lock (gate)
-            {
-                undeclared = undeclared.With(found);
-            }
-        });
-        scanner.AddStepsBetweenStrips();
-        return new RasterScan(
-            scanner._squares.Length / scanner._columns, scanner._columns, scanner._squares, undeclared, scanner._halvings, scanner._level,
-            scanner._border);
-    }
-
-    private double RadiusOf(float value) => _sphere + _rule.HeightOf(value);
-
-    private int SizeOf(int pixels) => (pixels + (1 << _halvings) - 1) >> _halvings;
-
-    private UndeclaredGaps ScanStrip(int strip, Action<int> report)
-    {
-        int first = strip * _width;
-        int samples = Math.Min(_width, _blocks.Width - first);
-        float[] values = new float[(ChunkLines + 1) * samples]; // the first row is the last one of the chunk above
-        values.AsSpan(0, samples).Fill(float.NaN);
-        (_firstColumns[strip], _lastColumns[strip]) = (new float[_blocks.Height], new float[_blocks.Height]);
-        double[] means = new double[_halvings > 0 ? (ChunkLines / 2) * ((samples + 1) / 2) : 0];
-        UndeclaredGaps undeclared = UndeclaredGaps.None;
-        for (int line = 0; line < _blocks.Height; line += ChunkLines)
-        {
-            int lines = Math.Min(ChunkLines, _blocks.Height - line);
-            undeclared = undeclared.With(_blocks.Read(line, lines, first, samples, values.AsSpan(samples), samples));
-            for (int i = 0; i < lines; i++)
-            {
-                ReadOnlySpan<float> above = values.AsSpan(i * samples, samples);
-                ReadOnlySpan<float> row = values.AsSpan((i + 1) * samples, samples);
-                (_firstColumns[strip][line + i], _lastColumns[strip][line + i]) = (row[0], row[^1]);
-                _border.Take(line + i, first, row);
-                for (int start = 0; start < samples; start += Side)
-                {
-                    ref ScannedSquare square = ref _squares[(((line + i) >> SideShift) * _columns) + ((first + start) >> SideShift)];
-                    square = square.With(Of(row, above, start, Math.Min(Side, samples - start)));
-                }
+                scanner.AddSteps(row, strips[strip].Start, columns[(2 * strip) - 1], columns[2 * strip]);
             }
 
-            Reduce(values.AsSpan(samples), means, line, lines, first, samples);
-            values.AsSpan(lines * samples, samples).CopyTo(values);
-            report(lines);
+            levels.Write(window.FirstLine + row, rows);
+            progress?.Report((row + rows) / (double)blocks.Height);
         }
 
-        return undeclared;
+        return new RasterScan(scanner._layout, scanner._squares, scanner._undeclared, scanner._border);
+    }
+
+    /// <summary>Cuts a side where the grid's coordinate is a multiple of a step.</summary>
+    private static IEnumerable<(int Start, int Count)> Parts(int size, int first, int step)
+    {
+        for (int start = 0, count; start < size; start += count)
+        {
+            count = Math.Min(step - ((first + start) & (step - 1)), size - start);
+            yield return (start, count);
+        }
+    }
+
+    /// <summary>Looks at a part.</summary>
+    /// <returns>Its first and its last column.</returns>
+    private (float[] First, float[] Last) ScanPart(int row, int rows, int first, int count)
+    {
+        float[] values = _buffers.TryTake(out float[]? used) && used.Length >= (rows + 1) * count ? used : new float[(rows + 1) * count];
+        _lastRow.AsSpan(first, count).CopyTo(values); // the first row is the last one above
+        UndeclaredGaps undeclared = _blocks.Read(row, rows, first, count, values.AsSpan(count), count);
+        (float[] firstColumn, float[] lastColumn) = (new float[rows], new float[rows]);
+        bool hasGaps = false;
+        for (int i = 0; i < rows; i++)
+        {
+            ReadOnlySpan<float> above = values.AsSpan(i * count, count);
+            ReadOnlySpan<float> here = values.AsSpan((i + 1) * count, count);
+            (firstColumn[i], lastColumn[i]) = (here[0], here[^1]);
+            _border.Take(row + i, first, here);
+            foreach ((int start, int samples) in Parts(count, _window.FirstSample + first, SquareGrid.Side))
+            {
+                ScannedSquare part = Of(here, above, start, samples);
+                hasGaps |= part.Gaps > 0;
+                ref ScannedSquare square = ref _squares[_layout.IndexOf(row + i, first + start)];
+                square = square.With(part);
+            }
+        }
+
+        _levels.Reduce(new GridWindow(
+            _window.FirstLine + row, _window.FirstLine + row + rows, _window.FirstSample + first, _window.FirstSample + first + count),
+            values.AsMemory(count, rows * count), hasGaps);
+        values.AsSpan(rows * count, count).CopyTo(_lastRow.AsSpan(first));
+        _buffers.Add(values);
+        lock (_gate)
+        {
+            _undeclared = _undeclared.With(undeclared);
+        }
+
+        return (firstColumn, lastColumn);
+    }
+
+    /// <summary>Adds the steps from one strip to the next.</summary>
+    private void AddSteps(int row, int column, float[] west, float[] east)
+    {
+        for (int i = 0; i < west.Length; i++)
+        {
+            float step = Math.Abs(east[i] - west[i]);
+            ref ScannedSquare square = ref _squares[_layout.IndexOf(row + i, column)];
+            square = step > square.Step ? square with { Step = step } : square;
+        }
     }
 
     /// <summary>Bounds of a part of a row. Places without data count for nothing: a comparison with NaN is false.</summary>
@@ -168,68 +164,6 @@ internal sealed class RasterScanner
             widest = Math.Abs(value - west) > widest ? Math.Abs(value - west) : widest;
             widest = Math.Abs(value - north) > widest ? Math.Abs(value - north) : widest;
             gaps += float.IsNaN(value) ? 1 : 0;
-        }
-    }
-
-    private void AddStepsBetweenStrips()
-    {
-        for (int strip = 1; strip < _strips; strip++)
-        {
-            for (int line = 0; line < _blocks.Height; line++)
-            {
-                float step = Math.Abs(_firstColumns[strip][line] - _lastColumns[strip - 1][line]);
-                ref ScannedSquare square = ref _squares[((line >> SideShift) * _columns) + ((strip * _width) >> SideShift)];
-                square = step > square.Step ? square with { Step = step } : square;
-            }
-        }
-    }
-
-    /// <summary>Computes the samples of the coarser level that stand for a chunk, in the steps of <see cref="BlockReducer"/>.</summary>
-    private void Reduce(ReadOnlySpan<float> values, double[] means, int line, int lines, int first, int samples)
-    {
-        if (_halvings == 0)
-        {
-            return;
-        }
-
-        int stride = (samples + 1) / 2;
-        double reference = MoonConstants.ReferenceRadius;
-        (int height, int width) = ((lines + 1) / 2, stride);
-        for (int row = 0; row < height; row++)
-        {
-            ReadOnlySpan<float> north = values.Slice(2 * row * samples, samples);
-            ReadOnlySpan<float> south = values.Slice(Math.Min((2 * row) + 1, lines - 1) * samples, samples);
-            for (int i = 0; i < width; i++)
-            {
-                int right = Math.Min((2 * i) + 1, samples - 1);
-                means[(row * stride) + i] = BlockReducer.MeanOf(
-                    RadiusOf(north[2 * i]), RadiusOf(south[2 * i]), RadiusOf(north[right]), RadiusOf(south[right]), reference);
-            }
-        }
-
-        for (int halving = 1; halving < _halvings; halving++)
-        {
-            (int below, int rightmost) = (height - 1, width - 1);
-            (height, width) = ((height + 1) / 2, (width + 1) / 2);
-            for (int row = 0; row < height; row++)
-            {
-                (int north, int south) = (2 * row * stride, Math.Min((2 * row) + 1, below) * stride);
-                for (int i = 0; i < width; i++)
-                {
-                    int right = Math.Min((2 * i) + 1, rightmost);
-                    means[(row * stride) + i] = BlockReducer.MeanOf(
-                        means[north + (2 * i)], means[south + (2 * i)], means[north + right], means[south + right], reference);
-                }
-            }
-        }
-
-        for (int row = 0; row < height; row++)
-        {
-            int start = (((line >> _halvings) + row) * _levelSamples) + (first >> _halvings);
-            for (int i = 0; i < width; i++)
-            {
-                _level[start + i] = (float)(means[(row * stride) + i] - reference);
-            }
         }
     }
 }

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Lod;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Levels;
 
@@ -19,7 +20,7 @@ public sealed class ModelLevels : IDisposable
 
     /// <summary>The places for the sidecar of a model.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
-    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => set.PlacesOf(".pyramid", cacheFolder);
+    public static SidecarPlaces PlacesOf(LdemSet set, string? cacheFolder) => set.PlacesOf(PyramidFile.Extension, cacheFolder);
 
     /// <summary>Opens the levels; no sample is read.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
@@ -41,7 +42,7 @@ public sealed class ModelLevels : IDisposable
             return opened;
         });
         return new ModelLevels(
-            LodLevels.Open(image, file?.Levels, cacheBytes, samplesBetweenReleases), file, file is null ? warning : null);
+            LodLevels.Open(image, file?.Levels.Cast<IGlobalGrid>().ToArray(), cacheBytes, samplesBetweenReleases), file, file is null ? warning : null);
     }
 
     /// <summary>Unmaps the sidecar; the model stays open.</summary>

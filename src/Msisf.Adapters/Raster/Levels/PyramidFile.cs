@@ -7,30 +7,53 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Levels;
 
 /// <summary>A model's sidecar (docs/elevation-models.md), mapped into memory. Don't use its levels after it is disposed.</summary>
-public sealed unsafe class PyramidFile : IDisposable
+public sealed class PyramidFile : IDisposable
 {
+    /// <summary>Name of the file, behind that of the model.</summary>
+    public const string Extension = ".pyramid";
+
     private readonly PyramidHeader _header;
     private readonly MappedFile _file;
     private readonly PyramidLevel[] _levels;
 
-    private PyramidFile(string path, PyramidHeader header, FileStream stream, uint[] checksums, IGlobalGrid source)
+    private PyramidFile(
+        string path, PyramidHeader header, FileStream stream, uint[] checksums, PyramidLayout layout, ITerrainGrid source)
     {
-        (FilePath, _header, _file) = (path, header, new MappedFile(stream));
-        PyramidLayout layout = new(header.PixelsPerDegree);
-        _levels = [.. Enumerable.Range(0, layout.LevelCount).Select(index => new PyramidLevel(
-            source, PyramidLayout.FirstLevel + index, path, (float*)(_file.Start + layout.OffsetOf(layout.FirstBlockOf(index))),
-            checksums, layout.FirstBlockOf(index)))];
+        (FilePath, _header, Layout, _file) = (path, header, layout, new MappedFile(stream));
+        _levels = [.. Enumerable.Range(0, layout.LevelCount).Select(index =>
+        {
+            StoredBlocks blocks = new(
+                path, _file, layout.OffsetOf(layout.FirstBlockOf(index)), checksums.AsMemory(layout.FirstBlockOf(index)));
+            return source is IGlobalGrid moon
+                ? new MoonPyramidLevel(moon, layout.FirstLevel + index, blocks)
+                : new PyramidLevel(source, layout.FirstLevel + index, blocks);
+        })];
     }
 
     /// <summary>Where it is.</summary>
     public string FilePath { get; }
 
-    /// <summary>The stored levels, finest first: level 2 of the model and all coarser ones.</summary>
-    public IReadOnlyList<IGlobalGrid> Levels => _levels;
+    /// <summary>The stored levels, finest first: level 2 of a model of the whole Moon and all coarser ones.</summary>
+    public IReadOnlyList<ITerrainGrid> Levels => _levels;
+
+    /// <summary>What is where in the file.</summary>
+    internal PyramidLayout Layout { get; }
+
+    /// <summary>SHA-256 of the blocks' check sums.</summary>
+    internal byte[] ChecksumsHash => _header.ChecksumsHash;
 
     /// <summary>Opens a sidecar if it is complete and of this model. Neither its samples nor the model's are read for that.</summary>
     /// <param name="problem">Why it can't be used; null if it can, or if there is none.</param>
-    public static PyramidFile? TryOpen(string path, LdemImage image, out string? problem)
+    public static PyramidFile? TryOpen(string path, LdemImage image, out string? problem) => TryOpen(
+        path, image, SummarySource.Of(image.Set).Fingerprint(), _ => PyramidLayout.OfMoon(image.PixelsPerDegree), out problem);
+
+    /// <summary>Opens the sidecar of a map.</summary>
+    /// <param name="fingerprint">Of the map.</param>
+    internal static PyramidFile? TryOpenOfMap(string path, ITerrainGrid map, byte[] fingerprint) => TryOpen(
+        path, map, fingerprint, firstLevel => PyramidLayout.OfMap(map, long.MaxValue).From(firstLevel), out _);
+
+    private static PyramidFile? TryOpen(
+        string path, ITerrainGrid model, byte[] fingerprint, Func<int, PyramidLayout> layoutFrom, out string? problem)
     {
         problem = null;
         FileStream? stream = null;
@@ -40,7 +63,7 @@ public sealed unsafe class PyramidFile : IDisposable
             if (File.Exists(path))
             {
                 stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
-                (file, problem) = Open(path, stream, image);
+                (file, problem) = Open(path, stream, model, fingerprint, layoutFrom);
             }
         }
         catch (Exception exception) when (exception.IsFileError())
@@ -63,7 +86,7 @@ public sealed unsafe class PyramidFile : IDisposable
     /// <exception cref="BadInputException">A block is damaged, or the model's samples are others.</exception>
     public void Verify(LdemImage image, CancellationToken cancellation)
     {
-        Array.ForEach(_levels, level => level.Verify());
+        VerifyBlocks();
         using LdemContentHash content = new(image);
         for (int line = 0; line < image.Lines; line += image.PixelsPerDegree)
         {
@@ -78,10 +101,15 @@ public sealed unsafe class PyramidFile : IDisposable
         }
     }
 
+    /// <summary>Reads all blocks and compares them with their checksums.</summary>
+    /// <exception cref="BadInputException">A block is damaged.</exception>
+    internal void VerifyBlocks() => Array.ForEach(_levels, level => level.Verify());
+
     /// <summary>Unmaps the file.</summary>
     public void Dispose() => _file.Dispose();
 
-    private static (PyramidFile? File, string? Problem) Open(string path, FileStream stream, LdemImage image)
+    private static (PyramidFile? File, string? Problem) Open(
+        string path, FileStream stream, ITerrainGrid model, byte[] fingerprint, Func<int, PyramidLayout> layoutFrom)
     {
         Span<byte> head = stackalloc byte[PyramidHeader.Bytes];
         int length = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
@@ -90,12 +118,13 @@ public sealed unsafe class PyramidFile : IDisposable
             return (null, "it is damaged, or no pyramid of this version");
         }
 
-        if (header.PixelsPerDegree != image.PixelsPerDegree || !header.Fingerprint.SequenceEqual(SummarySource.Of(image.Set).Fingerprint()))
+        PyramidLayout layout = layoutFrom(header.FirstLevel);
+        if ((header.PixelsPerDegree, header.FirstLevel) != (layout.PixelsPerDegree, layout.FirstLevel)
+            || !header.Fingerprint.SequenceEqual(fingerprint))
         {
-            return (null, $"it is of another model, or {image.ProductId} was changed or copied since");
+            return (null, $"it is of another model, or {model.ProductId} was changed or copied since");
         }
 
-        PyramidLayout layout = new(header.PixelsPerDegree);
         if (stream.Length != layout.FileBytes)
         {
             return (null, FormattableString.Invariant($"it has {stream.Length} bytes, {layout.FileBytes} expected"));
@@ -105,61 +134,34 @@ public sealed unsafe class PyramidFile : IDisposable
         stream.Position = PyramidLayout.ChecksumsOffset;
         stream.ReadExactly(MemoryMarshal.AsBytes(checksums.AsSpan()));
         return SHA256.HashData(MemoryMarshal.AsBytes(checksums.AsSpan())).AsSpan().SequenceEqual(header.ChecksumsHash)
-            ? (new PyramidFile(path, header, stream, checksums, image), null)
+            ? (new PyramidFile(path, header, stream, checksums, layout, model), null)
             : (null, "it is damaged");
     }
 }
 
-/// <summary>One level of a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
-internal sealed unsafe class PyramidLevel : BlockedGrid, IGlobalGrid
+/// <summary>The blocks of a level in a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
+/// <param name="path">For messages.</param>
+/// <param name="offset">Of the level's first block in the file, bytes.</param>
+/// <param name="checksums">Of the level's blocks, and of those behind them.</param>
+internal sealed unsafe class StoredBlocks(string path, MappedFile file, long offset, Memory<uint> checksums)
 {
-    private readonly string _path;
-    private readonly float* _blocks;
-    private readonly uint[] _checksums;
-    private readonly int _firstBlock;
-    private readonly bool[] _isChecked;
+    private readonly bool[] _isChecked = new bool[checksums.Length];
 
-    /// <param name="source">The model.</param>
-    /// <param name="level">How many times the model's resolution is halved.</param>
-    /// <param name="path">For messages.</param>
-    /// <param name="blocks">The level's first block; valid as long as the level is used.</param>
-    /// <param name="checksums">Of all levels' blocks.</param>
-    /// <param name="firstBlock">Number of the level's first block among them.</param>
-    public PyramidLevel(IGlobalGrid source, int level, string path, float* blocks, uint[] checksums, int firstBlock)
-        : base(source, level)
+    /// <summary>The heights of a block.</summary>
+    /// <param name="level">Resolution of the level, for messages.</param>
+    /// <exception cref="BadInputException">It is damaged.</exception>
+    public ReadOnlySpan<float> HeightsOf(int block, GridResolution level)
     {
-        PixelsPerDegree = source.PixelsPerDegree >> level;
-        (_path, _checksums, _firstBlock) = (path, checksums, firstBlock);
-        _blocks = blocks;
-        _isChecked = new bool[Layout.Blocks];
-    }
-
-    /// <inheritdoc/>
-    public int PixelsPerDegree { get; }
-
-    /// <summary>Checks all blocks.</summary>
-    /// <exception cref="BadInputException">One is damaged.</exception>
-    public void Verify()
-    {
-        for (int block = 0; block < _isChecked.Length; block++)
-        {
-            HeightsOf(block / Layout.BlockColumns, block % Layout.BlockColumns);
-        }
-    }
-
-    /// <inheritdoc/>
-    protected override ReadOnlySpan<float> HeightsOf(int row, int column)
-    {
-        int block = (row * Layout.BlockColumns) + column;
-        ReadOnlySpan<float> heights = new(_blocks + ((long)block * LodLayout.BlockSamples), LodLayout.BlockSamples);
+        ReadOnlySpan<float> heights =
+            new((float*)(file.Start + offset) + ((long)block * LodLayout.BlockSamples), LodLayout.BlockSamples);
 
         // Two threads may check the same block; that does no harm.
         if (!_isChecked[block])
         {
-            if (PyramidLayout.ChecksumOf(heights) != _checksums[_firstBlock + block])
+            if (PyramidLayout.ChecksumOf(heights) != checksums.Span[block])
             {
                 throw new BadInputException(
-                    $"{_path}: block {block} of the level of {PixelsPerDegree} px/deg is damaged. "
+                    $"{path}: block {block} of the level of {level} is damaged. "
                         + $"Delete the file, or make it again with 'msis ldem pyramid'.");
             }
 
@@ -168,4 +170,39 @@ internal sealed unsafe class PyramidLevel : BlockedGrid, IGlobalGrid
 
         return heights;
     }
+
+    /// <summary>Releases the pages that were read.</summary>
+    public void ReleasePages() => file.ReleasePages();
+}
+
+/// <summary>One level of a mapped sidecar. Safe for several threads.</summary>
+/// <param name="source">The model.</param>
+/// <param name="level">How many times the model's resolution is halved.</param>
+/// <param name="blocks">Valid as long as the level is used.</param>
+internal class PyramidLevel(ITerrainGrid source, int level, StoredBlocks blocks) : BlockedGrid(source, level, keepsGaps: true), ITerrainGrid
+{
+    /// <inheritdoc/>
+    public void ReleasePages() => blocks.ReleasePages();
+
+    /// <summary>Checks all blocks.</summary>
+    /// <exception cref="BadInputException">One is damaged.</exception>
+    public void Verify()
+    {
+        for (int block = 0; block < Layout.Blocks; block++)
+        {
+            blocks.HeightsOf(block, Projection.Resolution);
+        }
+    }
+
+    /// <inheritdoc/>
+    protected sealed override ReadOnlySpan<float> HeightsOf(int row, int column) =>
+        blocks.HeightsOf((row * Layout.BlockColumns) + column, Projection.Resolution);
+}
+
+/// <summary>One level of a mapped sidecar of a model of the whole Moon.</summary>
+/// <inheritdoc cref="PyramidLevel"/>
+internal sealed class MoonPyramidLevel(IGlobalGrid source, int level, StoredBlocks blocks) : PyramidLevel(source, level, blocks), IGlobalGrid
+{
+    /// <inheritdoc/>
+    public int PixelsPerDegree { get; } = source.PixelsPerDegree >> level;
 }

@@ -12,29 +12,8 @@ namespace Msisf.Adapters.Raster.Levels;
 /// Makes the sidecar of a model: its levels of detail from the second on. The model is read and hashed once, from north to south; memory
 /// holds two rows of blocks per level.
 /// </summary>
-public sealed class PyramidWriter
+public static class PyramidWriter
 {
-    private readonly LdemImage _image;
-    private readonly PyramidLayout _layout;
-    private readonly PyramidBands[] _levels;
-    private readonly BlockReducer[] _reducers;
-    private readonly uint[] _checksums;
-    private readonly ParallelOptions _options;
-
-    private PyramidWriter(LdemImage image, int threads, CancellationToken cancellation)
-    {
-        _image = image;
-        _layout = new PyramidLayout(image.PixelsPerDegree);
-        _levels = [.. Enumerable.Range(PyramidLayout.FirstLevel, _layout.LevelCount).Select(level => new PyramidBands(image, level))];
-        _reducers =
-        [
-            new BlockReducer(image, PyramidLayout.FirstLevel),
-            .. _levels.SkipLast(1).Select(below => new BlockReducer(below, 1)),
-        ];
-        _checksums = new uint[_layout.BlockCount];
-        _options = new ParallelOptions { MaxDegreeOfParallelism = Math.Max(1, threads), CancellationToken = cancellation };
-    }
-
     /// <summary>Writes the sidecar completely or not at all. The same model gives the same levels.</summary>
     /// <param name="path">The sidecar's name; an older one is replaced.</param>
     /// <param name="threads">How many threads compute at most.</param>
@@ -44,17 +23,18 @@ public sealed class PyramidWriter
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
     public static void Write(LdemImage image, string path, int threads, IProgress<double>? progress, CancellationToken cancellation)
     {
-        if (new PyramidLayout(image.PixelsPerDegree).LevelCount < 1)
+        PyramidLayout layout = PyramidLayout.OfMoon(image.PixelsPerDegree);
+        if (layout.LevelCount < 1)
         {
             throw new BadInputException(
                 $"{image.Set.Location}: a model of {image.PixelsPerDegree} px/deg has no levels that are worth a file. It needs none.");
         }
 
         byte[] fingerprint = SummarySource.Of(image.Set).Fingerprint();
-        PyramidWriter writer = new(image, threads, cancellation);
+        ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Max(1, threads), CancellationToken = cancellation };
         try
         {
-            AtomicFile.Write(path, stream => writer.WriteFile(stream, fingerprint, progress));
+            AtomicFile.Write(path, stream => WriteFile(image, layout, stream, fingerprint, options, progress));
         }
         catch (AggregateException exception) when (
             exception.Flatten().InnerExceptions.FirstOrDefault(inner => inner is MsisfException or OperationCanceledException) is { } first)
@@ -63,44 +43,84 @@ public sealed class PyramidWriter
         }
     }
 
-    private void WriteFile(Stream stream, byte[] fingerprint, IProgress<double>? progress)
+    private static void WriteFile(
+        LdemImage image, PyramidLayout layout, Stream stream, byte[] fingerprint, ParallelOptions options, IProgress<double>? progress)
     {
-        stream.SetLength(_layout.FileBytes);
-        using LdemContentHash content = new(_image);
-        int bandLines = LodLayout.Side << PyramidLayout.FirstLevel;
-        int rows = _levels[0].Rows;
-        for (int row = 0; row < rows; row++)
+        PyramidRows rows = new(image, layout, stream, options);
+        BlockReducer reducer = new(image, layout.FirstLevel);
+        using LdemContentHash content = new(image);
+        int bandLines = LodLayout.Side << layout.FirstLevel;
+        for (int row = 0; row < rows.Count; row++)
         {
             Parallel.Invoke(
-                () => content.Append(row * bandLines, Math.Min(bandLines, _image.Lines - (row * bandLines))),
-                () => _levels[0].Fill(row, _reducers[0], _options));
-            WriteRow(stream, 0, row);
-            progress?.Report((row + 1.0) / rows);
+                () => content.Append(row * bandLines, Math.Min(bandLines, image.Lines - (row * bandLines))),
+                () => rows.Finest.Fill(row, reducer, options));
+            rows.Write(row);
+            progress?.Report((row + 1.0) / rows.Count);
         }
 
-        if (!SummarySource.Of(_image.Set).Fingerprint().SequenceEqual(fingerprint))
+        if (!SummarySource.Of(image.Set).Fingerprint().SequenceEqual(fingerprint))
         {
             throw new BadInputException(
-                $"{_image.Set.Location}: the model was changed while it was read. Start again when it is complete.");
+                $"{image.Set.Location}: the model was changed while it was read. Start again when it is complete.");
         }
 
-        ReadOnlySpan<byte> checksums = MemoryMarshal.AsBytes(_checksums.AsSpan());
-        stream.Position = 0;
-        stream.Write(new PyramidHeader(_image.PixelsPerDegree, fingerprint, content.Finish(), SHA256.HashData(checksums)).ToBytes());
-        stream.Position = PyramidLayout.ChecksumsOffset;
-        stream.Write(checksums);
+        rows.Finish(fingerprint, content.Finish());
+    }
+}
+
+/// <summary>Writes a sidecar row of blocks by row of blocks, from which those of the coarser levels follow.</summary>
+internal sealed class PyramidRows
+{
+    private readonly PyramidLayout _layout;
+    private readonly Stream _stream;
+    private readonly PyramidBands[] _levels;
+    private readonly BlockReducer[] _reducers;
+    private readonly uint[] _checksums;
+    private readonly ParallelOptions _options;
+
+    /// <summary>Begins a file.</summary>
+    /// <param name="stream">It, empty.</param>
+    public PyramidRows(ITerrainGrid model, PyramidLayout layout, Stream stream, ParallelOptions options)
+    {
+        (_layout, _stream, _options) = (layout, stream, options);
+        _levels = [.. Enumerable.Range(layout.FirstLevel, layout.LevelCount).Select(level => new PyramidBands(model, level))];
+        _reducers = [.. _levels.SkipLast(1).Select(below => new BlockReducer(below, 1, keepsGaps: true))];
+        _checksums = new uint[layout.BlockCount];
+        stream.SetLength(layout.FileBytes);
     }
 
-    /// <summary>Writes a row of blocks, and the row of the next level that it completes.</summary>
-    private void WriteRow(Stream stream, int level, int row)
+    /// <summary>The finest level of the file, whose rows are to be filled one after the other.</summary>
+    public PyramidBands Finest => _levels[0];
+
+    /// <summary>Its number of rows of blocks.</summary>
+    public int Count => Finest.Rows;
+
+    /// <summary>Writes a row of its blocks, which is filled, and those of coarser levels that this completes.</summary>
+    public void Write(int row) => Write(0, row);
+
+    /// <summary>Writes the head.</summary>
+    public void Finish(byte[] fingerprint, byte[] contentHash)
+    {
+        _stream.Position = 0;
+        _stream.Write(new PyramidHeader(
+            _layout.PixelsPerDegree, _layout.FirstLevel, fingerprint, contentHash, ChecksumsHash()).ToBytes());
+        _stream.Position = PyramidLayout.ChecksumsOffset;
+        _stream.Write(MemoryMarshal.AsBytes(_checksums.AsSpan()));
+    }
+
+    /// <summary>SHA-256 of the check sums of the blocks that were written.</summary>
+    public byte[] ChecksumsHash() => SHA256.HashData(MemoryMarshal.AsBytes(_checksums.AsSpan()));
+
+    private void Write(int level, int row)
     {
         PyramidBands bands = _levels[level];
         int firstBlock = _layout.FirstBlockOf(level) + (row * bands.Columns);
         Span<float> heights = bands.Row(row);
-        if (level + 1 < _levels.Length && ((row & 1) == 1 || row == bands.Rows - 1))
+        if (level + 1 < _levels.Length && bands.RowAbove(row) is var above && (row == bands.Rows - 1 || bands.RowAbove(row + 1) != above))
         {
-            _levels[level + 1].Fill(row / 2, _reducers[level + 1], _options);
-            WriteRow(stream, level + 1, row / 2);
+            _levels[level + 1].Fill(above, _reducers[level], _options);
+            Write(level + 1, above);
         }
 
         for (int column = 0; column < bands.Columns; column++)
@@ -109,8 +129,8 @@ public sealed class PyramidWriter
                 heights.Slice(column * LodLayout.BlockSamples, LodLayout.BlockSamples));
         }
 
-        stream.Position = _layout.OffsetOf(firstBlock);
-        stream.Write(MemoryMarshal.AsBytes(heights));
+        _stream.Position = _layout.OffsetOf(firstBlock);
+        _stream.Write(MemoryMarshal.AsBytes(heights));
     }
 }
 
@@ -121,8 +141,8 @@ internal sealed class PyramidBands : BlockedGrid
 
     /// <param name="source">The model.</param>
     /// <param name="level">How many times its resolution is halved.</param>
-    public PyramidBands(IGlobalGrid source, int level)
-        : base(source, level)
+    public PyramidBands(ITerrainGrid source, int level)
+        : base(source, level, keepsGaps: true)
     {
         int samples = Layout.BlockColumns * LodLayout.BlockSamples;
         _bands = [new float[samples], new float[samples]];
@@ -137,25 +157,42 @@ internal sealed class PyramidBands : BlockedGrid
     /// <summary>The samples of a row of blocks, one block after the other.</summary>
     public Span<float> Row(int row) => _bands[row & 1];
 
+    /// <summary>The samples of a block.</summary>
+    public Span<float> Block(int row, int column) => Row(row).Slice(column * LodLayout.BlockSamples, LodLayout.BlockSamples);
+
+    /// <summary>The row of blocks of the next level that a row belongs to.</summary>
+    public int RowAbove(int row) => Layout.Halved().RowOf(Layout.SamplesOf(row, 0).FirstLine >> 1);
+
+    /// <summary>The row of blocks in which a line of the model is.</summary>
+    /// <param name="halvings">Number of this level.</param>
+    public int RowOf(int modelLine, int halvings) => Layout.RowOf(modelLine >> halvings);
+
+    /// <summary>The column of blocks in which a sample of the model is.</summary>
+    /// <param name="halvings">Number of this level.</param>
+    public int ColumnOf(int modelSample, int halvings) => Layout.ColumnOf(modelSample >> halvings);
+
+    /// <summary>Makes room for a row of blocks; what blocks lack at the end of a model is zero in the file.</summary>
+    public void Begin(int row)
+    {
+        if (Layout.SamplesOf(row, 0).Lines < LodLayout.Side)
+        {
+            Row(row).Clear();
+        }
+    }
+
     /// <summary>Computes a row of blocks.</summary>
     public void Fill(int row, BlockReducer reducer, ParallelOptions options)
     {
-        float[] band = _bands[row & 1];
-        if (Layout.SamplesOf(row, 0).Lines < LodLayout.Side)
-        {
-            Array.Clear(band); // what the last blocks lack is zero in the file
-        }
-
+        Begin(row);
         Parallel.For(
             0,
             Columns,
             options,
-            column => reducer.Reduce(row, column, band.AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples)));
+            column => reducer.Reduce(row, column, Block(row, column)));
     }
 
     /// <inheritdoc/>
-    protected override ReadOnlySpan<float> HeightsOf(int row, int column) =>
-        _bands[row & 1].AsSpan(column * LodLayout.BlockSamples, LodLayout.BlockSamples);
+    protected override ReadOnlySpan<float> HeightsOf(int row, int column) => Block(row, column);
 }
 
 /// <summary>

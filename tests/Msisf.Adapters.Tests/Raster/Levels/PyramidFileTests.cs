@@ -41,7 +41,7 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
 
         Assert.Equal(Sidecar, stored.Sidecar?.FilePath);
         Assert.Null(stored.Warning);
-        Assert.Equal([2, 1], stored.Sidecar!.Levels.Select(level => level.PixelsPerDegree));
+        Assert.Equal([2, 1], stored.Sidecar!.Levels.Select(level => ((IGlobalGrid)level).PixelsPerDegree));
         for (int level = 1; level < computed.Count; level++)
         {
             Assert.Equal(Everything(computed.Level(level)), Everything(stored.Levels.Level(level)));
@@ -145,7 +145,7 @@ public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTes
     {
         using LdemImage image = Open();
         Make(image);
-        Damage((int)new PyramidLayout(Resolution).OffsetOf(13) + 5000);
+        Damage((int)PyramidLayout.OfMoon(Resolution).OffsetOf(13) + 5000);
         using ModelLevels levels = ModelLevels.Open(image, null);
         double[] radii = new double[2];
 
