@@ -91,7 +91,7 @@ internal sealed class DataSetRun
     private DrawnStates Draw(CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(_settings, _host);
-        using ModelOnDemand model = new(_settings, _host);
+        using ModelOnDemand model = new(_settings, _host, cancellation);
         using SurfaceInputs maps = SurfaceInputs.Open(_settings, _host);
         _ = NavigationInputs.Open(_settings.Native.Navigation, model.Opened.Grid.ReferenceRadius); // a wrong list is found now
         DataSetSource.RequireLicences(_spec, _settings, model.Opened, maps);

@@ -60,7 +60,7 @@ internal sealed class IlluminationRun
     public static void Run(IlluminationSettings settings, RenderSettings models, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(models, host);
-        using ModelOnDemand model = new(models, host);
+        using ModelOnDemand model = new(models, host, cancellation);
         FileErrors.ToExternalPart($"{settings.Folder}: the folder can't be made", () => Directory.CreateDirectory(settings.Folder));
         IlluminationRun run = new(settings, models, model.Opened, ephemeris.Engine(), host, cancellation);
         run.Tell();

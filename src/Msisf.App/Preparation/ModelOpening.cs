@@ -22,14 +22,16 @@ internal static class ModelOpening
     /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
     /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <param name="body">The body of which it must be; null for the Moon.</param>
+    /// <param name="cancellation">Ends the first look at a large raster.</param>
     public static ElevationModel Open(
-        string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null)
+        string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null,
+        CancellationToken cancellation = default)
     {
         if (explicitPath is not null)
         {
             ModelPath model = ModelPath.Parse(explicitPath);
             return MovedModel.Of(model, RasterFiles.IsForGdal(model.Path)
-                ? OpenRaster(model, host)
+                ? OpenRaster(model, host, cancellation)
                 : OpenLdem(model.Path, resolution, isSparing, host, body));
         }
 
@@ -66,8 +68,10 @@ internal static class ModelOpening
     /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
     /// <param name="host">Receives log messages.</param>
+    /// <param name="cancellation">Ends the first look at a large raster.</param>
     /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
-    public static ElevationModel OpenSeveral(IReadOnlyList<string> paths, NestBlend blend, bool hasLevels, ProgramHost host)
+    public static ElevationModel OpenSeveral(
+        IReadOnlyList<string> paths, NestBlend blend, bool hasLevels, ProgramHost host, CancellationToken cancellation = default)
     {
         List<ElevationModel> opened = [];
         try
@@ -78,7 +82,7 @@ internal static class ModelOpening
                 GridResolution resolution = RasterFiles.IsForGdal(file) || LdemCatalog.TryReadMap(file) is not { Polar: { } polar }
                     ? LdemResolutionOf(file)
                     : polar.Resolution;
-                opened.Add(Open(path, resolution, isSparing: false, host));
+                opened.Add(Open(path, resolution, isSparing: false, host, cancellation: cancellation));
             }
 
             return SurfaceOptions.Ldem.NamedInErrors(() =>
@@ -124,7 +128,8 @@ internal static class ModelOpening
         return new ElevationModel(image, set, image);
     });
 
-    private static ElevationModel OpenRaster(ModelPath model, ProgramHost host) => SurfaceOptions.Ldem.NamedInErrors(() =>
+    private static ElevationModel OpenRaster(
+        ModelPath model, ProgramHost host, CancellationToken cancellation) => SurfaceOptions.Ldem.NamedInErrors(() =>
     {
         GeoTiffGrid grid = host.GeoTiffs.Open(model.Path, model.Heights);
         LdemSet set = LdemSet.OfMap(grid.ToLabel());
@@ -135,7 +140,7 @@ internal static class ModelOpening
                 $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
         }
 
-        if (grid.Prepare(CacheFolder.Of(host), () => Display(grid.ProductId, host)) is { } warning)
+        if (grid.Prepare(CacheFolder.Of(host), () => Display(grid.ProductId, host), cancellation) is { } warning)
         {
             host.Log.Warning(warning);
         }

@@ -26,7 +26,7 @@ internal sealed record PreparedRun(IReadOnlyList<RunFrames> Cameras, ElevationMo
         TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, EphemerisSource ephemeris, ProgramHost host,
         CancellationToken cancellation)
     {
-        ModelOnDemand model = new(cameras[0], host);
+        ModelOnDemand model = new(cameras[0], host, cancellation);
         try
         {
             IReadOnlyList<RunFrames> run = RunFrames.Read(trajectory, cameras, ephemeris, model, host, cancellation);

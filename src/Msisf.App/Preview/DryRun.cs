@@ -23,7 +23,7 @@ internal static class DryRun
         TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, ProgramHost host, CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(cameras[0], host);
-        using ModelOnDemand onDemand = new(cameras[0], host);
+        using ModelOnDemand onDemand = new(cameras[0], host, cancellation);
         IReadOnlyList<RunFrames> run = RunFrames.Read(trajectory, cameras, ephemeris, onDemand, host, cancellation);
         return [.. run.SelectMany(camera => Of(trajectory, camera, onDemand, ephemeris, host, cancellation)).OrderBy(row => row.Step)];
     }

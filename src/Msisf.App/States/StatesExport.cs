@@ -22,7 +22,7 @@ internal static class StatesExport
         CancellationToken cancellation)
     {
         using EphemerisSource ephemeris = new(settings, host);
-        using ModelOnDemand model = new(settings, host);
+        using ModelOnDemand model = new(settings, host, cancellation);
         RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {

@@ -26,8 +26,15 @@ public sealed class MapLevels : TerrainLevels
     /// Whether levels have places without data, for coarser models to fill; a coarse sample has none only if none of its samples has.
     /// Without it such a place is an error.
     /// </param>
+    /// <remarks>Those of a map that is raised are the levels of the map, raised: what is kept of it serves them too.</remarks>
     public static MapLevels Open(ITerrainGrid map, long cacheBytes = DefaultCacheBytes, bool keepsGaps = false)
     {
+        if (map is OffsetGrid raised)
+        {
+            return new MapLevels([.. Open(raised.Source, cacheBytes, keepsGaps)._levels.Select(
+                (level, index) => index == 0 ? map : new OffsetGrid(level, raised.Offset))]);
+        }
+
         // What is kept of a map holds places without data; a mean is another one if there must be none.
         IReadOnlyList<ITerrainGrid> stored = keepsGaps || !map.MayHaveGaps ? map.StoredLevels : [];
         int firstStored = stored.Count == 0 ? int.MaxValue : map.Projection.Resolution.HalvingsTo(stored[0].Projection.Resolution);

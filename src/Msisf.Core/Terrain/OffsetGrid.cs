@@ -5,6 +5,12 @@ namespace Msisf.Core.Terrain;
 /// <param name="offset">m.</param>
 public sealed class OffsetGrid(ITerrainGrid grid, double offset) : ITerrainGrid
 {
+    /// <summary>The model as it is.</summary>
+    public ITerrainGrid Source => grid;
+
+    /// <summary>m.</summary>
+    public double Offset => offset;
+
     /// <inheritdoc/>
     public string ProductId => grid.ProductId;
 

@@ -56,6 +56,11 @@ public sealed class ShiftedGrid : ITerrainGrid
     /// <inheritdoc/>
     public bool HoldsMeans => _grid.HoldsMeans;
 
+    /// <inheritdoc/>
+    /// <remarks>Of a polar map they are the map's own, at other places.</remarks>
+    public IReadOnlyList<ITerrainGrid> StoredLevels =>
+        Projection is PolarStereographic ? [.. _grid.StoredLevels.Select(level => new ShiftedGrid(level, HalvedTo(level), 0.0, 0.0))] : [];
+
     private bool IsBetween => _below > 0.0 || _beside > 0.0;
 
     /// <summary>The map at another place.</summary>
@@ -171,6 +176,17 @@ public sealed class ShiftedGrid : ITerrainGrid
 
     private static BadInputException TooFar(ITerrainGrid grid) =>
         new($"{grid.ProductId}: shifted so far it would lie beyond the map's projection. Give a smaller shift=.");
+
+    private MapProjection HalvedTo(ITerrainGrid level)
+    {
+        MapProjection projection = Projection;
+        for (int i = Projection.Resolution.HalvingsTo(level.Projection.Resolution); i > 0; i--)
+        {
+            projection = projection.Halved()!;
+        }
+
+        return projection;
+    }
 
     /// <summary>Weight of one of the four samples around: bit 0 is the one to the left, bit 1 the one above.</summary>
     private double WeightOf(int corner) =>

@@ -93,6 +93,23 @@ public sealed class MapLevelsTests
         Assert.Equal(expected, found);
     }
 
+    /// <summary>What is kept of a map serves it at another place and another height too: no sample of it is read.</summary>
+    [Fact]
+    public void Open_MapThatIsMoved_HasTheLevelsThatAreKept()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(isSouth: true, 100.0, 64, -700.0, 400.0);
+        MapLevels computed = MapLevels.Open(map);
+        KeptMap kept = new(map, [computed.Grid(1), computed.Grid(2)]);
+        ITerrainGrid shifted = MapLevels.Open(ShiftedGrid.Of(kept, 300.0, -120.0)).Grid(2);
+        ITerrainGrid expected = MapLevels.Open(ShiftedGrid.Of(map, 300.0, -120.0)).Grid(2);
+
+        Assert.Equal(expected.Projection, shifted.Projection);
+        Assert.Equal(All(expected), All(shifted));
+        double[,] own = All(computed.Grid(2));
+        double[,] raised = All(MapLevels.Open(new OffsetGrid(kept, 7.25)).Grid(2));
+        Assert.All(Enumerable.Range(0, 16), i => Assert.Equal(own[i, 15 - i] + 7.25, raised[i, 15 - i]));
+    }
+
     [Fact]
     public void ReadRadii_FromTheMapOrFromTheLevelBelow_HasTheSameBits()
     {
@@ -201,6 +218,22 @@ public sealed class MapLevelsTests
         public int Lines => side;
 
         public int Samples => side;
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii) => throw new NotSupportedException();
+    }
+
+    /// <summary>A map whose levels were computed before, and whose samples can't be read.</summary>
+    private sealed class KeptMap(ITerrainGrid map, IReadOnlyList<ITerrainGrid> levels) : ITerrainGrid
+    {
+        public string ProductId => map.ProductId;
+
+        public MapProjection Projection => map.Projection;
+
+        public int Lines => map.Lines;
+
+        public int Samples => map.Samples;
+
+        public IReadOnlyList<ITerrainGrid> StoredLevels => levels;
 
         public void ReadRadii(int line, int firstSample, Span<double> radii) => throw new NotSupportedException();
     }

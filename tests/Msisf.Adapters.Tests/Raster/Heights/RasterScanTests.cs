@@ -1,4 +1,5 @@
 using Msisf.Adapters.Raster.Heights;
+using Msisf.Adapters.Raster.Levels;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
@@ -15,6 +16,10 @@ public sealed class RasterScanTests : IDisposable
         + "a = 500 + 0.05 * line - 0.01 * sample + np.round(20 * np.sin(line / 90) * np.cos(sample / 70)); "
         + "a[1000:1030, 2000:2050] = -9999; a[3699, 4599] = -9999; a[5, 4096] = 900; nodata = -9999; t[0] = 150000.0; "
         + "options = ['TILED=YES', 'COMPRESS=DEFLATE', 'ZLEVEL=1']";
+
+    /// <summary>The same pixels at 4,096 px/deg, where no block of the grid begins.</summary>
+    private const string Cylindrical = Large
+        + "; s = '+proj=longlat +R=1737400'; t = [30 + 77 / 4096, 1 / 4096, 0, 20 - 301 / 4096, 0, -1 / 4096]";
 
     private readonly TemporaryFolder _folder = new();
     private int _displays;
@@ -51,6 +56,74 @@ public sealed class RasterScanTests : IDisposable
         Assert.Null(moved.Prepare(cacheFolder: null, Display));
         Assert.Equal(3, _displays);
         Assert.Equal(10.0, moved.BoundsOf(0, 99, 0, 99)!.Value.Min - changed.BoundsOf(0, 99, 0, 99)!.Value.Min);
+    }
+
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Prepare_LargeCylindricalRaster_HasBoundsAndLevelsOfItsSamples()
+    {
+        using GeoTiffGrid grid = GeoTiffGrid.Open(TestRaster.Write(_folder, "site.tif", Cylindrical), libraryPath: null);
+        Assert.Null(grid.WarpedFrom);
+        Assert.Null(grid.Prepare(cacheFolder: null, Display));
+        (int line, int sample) = (grid.Window.FirstLine, grid.Window.FirstSample);
+        Assert.Equal((45, 77), (line % 256, sample % 256));
+        AssertBounds(grid, line, 300, sample + 4000, 200);
+        AssertBounds(grid, line + 990, 3, sample, 4600);
+        AssertLevels(grid);
+    }
+
+    /// <summary>A run that is ended while it looks leaves nothing, and the next one looks from the beginning.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Prepare_Cancelled_LeavesNoFile()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", Large);
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+        using CancellationTokenSource end = new();
+        Assert.ThrowsAny<OperationCanceledException>(() => grid.Prepare(
+            cacheFolder: null, () => new FractionDisplay(new EndAtOnce(end), new MemoryStream()), end.Token));
+        Assert.Equal([path], Directory.GetFiles(_folder.Path));
+        Assert.Null(grid.Prepare(cacheFolder: null, Display));
+        Assert.Equal(_folder["site.scan"], grid.FindKept(cacheFolder: null));
+    }
+
+    /// <summary>Levels that are missing are made again; those that say something else are found when all is looked at again.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Prepare_FileOfLevels_IsNeededAndVerified()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string levels = _folder["site.pyramid"];
+        using (GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null))
+        {
+            grid.Prepare(cacheFolder: null, Display);
+            Assert.Equal(_folder["site.scan"], grid.VerifyKept(cacheFolder: null, CancellationToken.None));
+        }
+
+        byte[] bytes = File.ReadAllBytes(levels);
+        File.Delete(levels);
+        using (GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null))
+        {
+            Assert.Null(grid.FindKept(cacheFolder: null));
+            Assert.Null(grid.Prepare(cacheFolder: null, Display));
+            Assert.Equal(2, _displays);
+        }
+
+        Assert.Equal(bytes, File.ReadAllBytes(levels));
+        bytes[^9] ^= 1;
+        File.WriteAllBytes(levels, bytes);
+        using GeoTiffGrid damaged = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(damaged.Prepare(cacheFolder: null, Display));
+        Assert.Equal(2, _displays);
+        string message = Assert.Throws<BadInputException>(() => damaged.VerifyKept(cacheFolder: null, CancellationToken.None)).Message;
+        Assert.StartsWith($"{levels}: block ", message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(120_000, 3, 1_210_114_048)]
+    [InlineData(30_000, 2, 305_086_464)]
+    public void OfMap_SizeOfMap_DecidesTheFinestLevelThatIsKept(int side, int firstLevel, long bytes)
+    {
+        PyramidLayout layout = PyramidLayout.OfMap(
+            new WindowGrid(new PolarStereographic(true, 1.0, 0.5 * side, 0.5 * side), side), mostBytes: 1_500_000_000);
+        Assert.Equal((firstLevel, bytes), (layout.FirstLevel, layout.FileBytes));
     }
 
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
@@ -161,22 +234,43 @@ public sealed class RasterScanTests : IDisposable
             bool[] otherGaps = new bool[gaps.Length];
             double[] radii = new double[1];
             double[] otherRadii = new double[1];
-            for (int line = 0; line < one.Window.EndLine; line += 13)
+            for (int line = one.Window.FirstLine; line < one.Window.EndLine; line += 13)
             {
-                one.ReadGaps(line, 0, gaps);
-                other.ReadGaps(line, 0, otherGaps);
+                int first = one.Window.FirstSample;
+                one.ReadGaps(line, first, gaps);
+                other.ReadGaps(line, first, otherGaps);
                 Assert.Equal(otherGaps, gaps);
-                for (int sample = line % 7; sample < gaps.Length; sample += 7)
+                for (int i = line % 7; i < gaps.Length; i += 7)
                 {
-                    if (!gaps[sample])
+                    if (!gaps[i])
                     {
-                        one.ReadRadii(line, sample, radii);
-                        other.ReadRadii(line, sample, otherRadii);
+                        one.ReadRadii(line, first + i, radii);
+                        other.ReadRadii(line, first + i, otherRadii);
                         Assert.Equal(otherRadii[0], radii[0]);
                     }
                 }
             }
         }
+    }
+
+    /// <summary>Ends a work when it first says how far it has come.</summary>
+    private sealed class EndAtOnce(CancellationTokenSource end) : IProgress<double>
+    {
+        public void Report(double value) => end.Cancel();
+    }
+
+    /// <summary>A map without samples.</summary>
+    private sealed class WindowGrid(MapProjection projection, int side) : ITerrainGrid
+    {
+        public string ProductId => "empty";
+
+        public MapProjection Projection => projection;
+
+        public int Lines => side;
+
+        public int Samples => side;
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii) => throw new NotSupportedException();
     }
 
     /// <summary>The same map without what it knows of itself.</summary>
@@ -189,6 +283,8 @@ public sealed class RasterScanTests : IDisposable
         public int Lines => grid.Lines;
 
         public int Samples => grid.Samples;
+
+        public GridWindow Window => grid.Window;
 
         public bool MayHaveGaps => grid.MayHaveGaps;
 
