@@ -4,9 +4,8 @@ namespace Msisf.Core.Terrain;
 /// A map that is moved over the ground. A polar map's samples lie at other places; in a map of latitude and longitude, whose samples have
 /// their places in the grid of the whole Moon, heights are bilinear between the samples. Safe for several threads.
 /// </summary>
-public sealed class ShiftedGrid : ITerrainGrid
+public sealed class ShiftedGrid : ChangedGrid
 {
-    private readonly ITerrainGrid _grid;
     private readonly int _down;
     private readonly int _right;
     private readonly double _below;
@@ -14,8 +13,9 @@ public sealed class ShiftedGrid : ITerrainGrid
     private readonly bool _isRing;
 
     private ShiftedGrid(ITerrainGrid grid, MapProjection projection, double down, double right)
+        : base(grid)
     {
-        (_grid, Projection) = (grid, projection);
+        Projection = projection;
         (_down, _right) = ((int)Math.Floor(down), (int)Math.Floor(right));
         (_below, _beside) = (down - _down, right - _right);
         GridWindow window = grid.Window;
@@ -30,36 +30,15 @@ public sealed class ShiftedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public string ProductId => _grid.ProductId;
+    public override MapProjection Projection { get; }
 
     /// <inheritdoc/>
-    public MapProjection Projection { get; }
-
-    /// <inheritdoc/>
-    public int Lines => _grid.Lines;
-
-    /// <inheritdoc/>
-    public int Samples => _grid.Samples;
-
-    /// <inheritdoc/>
-    public GridWindow Window { get; }
-
-    /// <inheritdoc/>
-    public double ReferenceRadius => _grid.ReferenceRadius;
-
-    /// <inheritdoc/>
-    public (double Min, double Max) RadiusLimits => _grid.RadiusLimits;
-
-    /// <inheritdoc/>
-    public bool MayHaveGaps => _grid.MayHaveGaps;
-
-    /// <inheritdoc/>
-    public bool HoldsMeans => _grid.HoldsMeans;
+    public override GridWindow Window { get; }
 
     /// <inheritdoc/>
     /// <remarks>Of a polar map they are the map's own, at other places.</remarks>
-    public IReadOnlyList<ITerrainGrid> StoredLevels =>
-        Projection is PolarStereographic ? [.. _grid.StoredLevels.Select(level => new ShiftedGrid(level, HalvedTo(level), 0.0, 0.0))] : [];
+    public override IReadOnlyList<ITerrainGrid> StoredLevels =>
+        Projection is PolarStereographic ? [.. Source.StoredLevels.Select(level => new ShiftedGrid(level, HalvedTo(level), 0.0, 0.0))] : [];
 
     private bool IsBetween => _below > 0.0 || _beside > 0.0;
 
@@ -104,12 +83,12 @@ public sealed class ShiftedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    public override void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
         int first = SourceSample(firstSample);
         if (!IsBetween)
         {
-            _grid.ReadGaps(line - _down, first, isGap);
+            Source.ReadGaps(line - _down, first, isGap);
             return;
         }
 
@@ -119,7 +98,7 @@ public sealed class ShiftedGrid : ITerrainGrid
         {
             if (WeightOf(i) > 0.0)
             {
-                ReadCorner(i, line, firstSample, corner, _grid.ReadGaps);
+                ReadCorner(i, line, firstSample, corner, Source.ReadGaps);
                 for (int at = 0; at < isGap.Length; at++)
                 {
                     isGap[at] |= corner[at];
@@ -129,21 +108,21 @@ public sealed class ShiftedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
+    public override bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
         ? MayHaveGaps
-        : _grid.MayHaveGapsIn(firstLine - _down, lines, SourceSample(firstSample), samples);
+        : Source.MayHaveGapsIn(firstLine - _down, lines, SourceSample(firstSample), samples);
 
     /// <inheritdoc/>
-    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
+    public override KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => IsBetween || _isRing
         ? null
-        : _grid.BoundsOf(firstLine - _down, lines, SourceSample(firstSample), samples);
+        : Source.BoundsOf(firstLine - _down, lines, SourceSample(firstSample), samples);
 
     /// <inheritdoc/>
-    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    public override void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         if (!IsBetween)
         {
-            _grid.ReadRadii(line - _down, SourceSample(firstSample), radii);
+            Source.ReadRadii(line - _down, SourceSample(firstSample), radii);
             return;
         }
 
@@ -153,7 +132,7 @@ public sealed class ShiftedGrid : ITerrainGrid
         {
             if (WeightOf(i) is > 0.0 and var weight)
             {
-                ReadCorner(i, line, firstSample, corner, _grid.ReadRadii);
+                ReadCorner(i, line, firstSample, corner, Source.ReadRadii);
                 for (int at = 0; at < radii.Length; at++)
                 {
                     radii[at] += weight * corner[at];
@@ -163,16 +142,13 @@ public sealed class ShiftedGrid : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public void Prefetch(int firstLine, int lines, int firstSample, int samples)
+    public override void Prefetch(int firstLine, int lines, int firstSample, int samples)
     {
         if (!IsBetween)
         {
-            _grid.Prefetch(firstLine - _down, lines, SourceSample(firstSample), samples);
+            Source.Prefetch(firstLine - _down, lines, SourceSample(firstSample), samples);
         }
     }
-
-    /// <inheritdoc/>
-    public void ReleasePages() => _grid.ReleasePages();
 
     private static BadInputException TooFar(ITerrainGrid grid) =>
         new($"{grid.ProductId}: shifted so far it would lie beyond the map's projection. Give a smaller shift=.");

@@ -15,7 +15,10 @@ namespace Msisf.Adapters.Raster.Heights;
 internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool hasLevels) : IDisposable
 {
     /// <summary>Bytes of a file of levels at most: of larger rasters it begins with a coarser one.</summary>
-    private const long MostLevelBytes = 1_500_000_000;
+    private const long MostLevelBytes = 6_000_000_000;
+
+    /// <summary>It takes one part in so many of the space that is free, at most.</summary>
+    private const int PartsOfSpace = 4;
 
     private readonly Lock _gate = new();
     private RasterScan? _scan;
@@ -62,7 +65,7 @@ internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool h
 
         using FractionDisplay display = start();
         using AtomicFileSet files = new();
-        PyramidLayout layout = PyramidLayout.OfMap(part, Math.Min(MostLevelBytes, kept.FreeBytes / 2));
+        PyramidLayout layout = PyramidLayout.OfMap(part, Math.Min(MostLevelBytes, kept.FreeBytes / PartsOfSpace));
         RasterScan? scan = null;
         if (hasLevels && layout.LevelCount > 0)
         {
@@ -71,11 +74,11 @@ internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool h
                 PyramidRows rows = Rows(layout, stream, cancellation);
                 scan = Look(rows, layout.FirstLevel, display.Progress, cancellation);
                 rows.Finish(kept.Fingerprint, new byte[kept.Fingerprint.Length]);
-            });
+            }, flushToDisk: false);
         }
 
         scan ??= Look(null, 0, display.Progress, cancellation);
-        files.Write(kept.Scan.ForWriting(), stream => RasterScanFile.Write(stream, kept.Fingerprint, scan));
+        files.Write(kept.Scan.ForWriting(), stream => RasterScanFile.Write(stream, kept.Fingerprint, scan), flushToDisk: false);
         files.Commit();
         Find(map, kept);
     }

@@ -3,9 +3,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>Samples of a raster that are in memory: those of a part of it.</summary>
-internal sealed class RasterPart : ITerrainGrid
+internal sealed class RasterPart : ChangedGrid
 {
-    private readonly ITerrainGrid _map;
     private readonly HeightRule _rule;
     private readonly double _sphere;
     private readonly GridWindow _part;
@@ -20,35 +19,22 @@ internal sealed class RasterPart : ITerrainGrid
     {
     }
 
-    private RasterPart(ITerrainGrid map, HeightRule rule, double sphere, GridWindow part, Memory<float> values, bool hasGaps) =>
-        (_map, _rule, _sphere, _part, _values, MayHaveGaps) = (map, rule, sphere, part, values, hasGaps);
+    private RasterPart(ITerrainGrid map, HeightRule rule, double sphere, GridWindow part, Memory<float> values, bool hasGaps)
+        : base(map) => (_rule, _sphere, _part, _values, MayHaveGaps) = (rule, sphere, part, values, hasGaps);
 
-    /// <inheritdoc/>
-    public string ProductId => _map.ProductId;
-
-    /// <inheritdoc/>
-    public MapProjection Projection => _map.Projection;
-
-    /// <inheritdoc/>
-    public int Lines => _map.Lines;
-
-    /// <inheritdoc/>
-    public int Samples => _map.Samples;
-
-    /// <inheritdoc/>
-    public GridWindow Window => _map.Window;
-
-    /// <inheritdoc/>
-    public bool MayHaveGaps { get; }
+    public override bool MayHaveGaps { get; }
 
     /// <summary>The same raster with a part.</summary>
     /// <param name="part">Where it lies.</param>
     /// <param name="values">The stored values, row by row.</param>
     /// <param name="hasGaps">Whether any of them is without data.</param>
-    public RasterPart With(GridWindow part, Memory<float> values, bool hasGaps) => new(_map, _rule, _sphere, part, values, hasGaps);
+    public RasterPart With(GridWindow part, Memory<float> values, bool hasGaps) => new(Source, _rule, _sphere, part, values, hasGaps);
 
-    /// <inheritdoc/>
-    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    public override bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => MayHaveGaps;
+
+    public override KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) => null;
+
+    public override void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
         ReadOnlySpan<float> row = RowAt(line, firstSample, isGap.Length);
         for (int i = 0; i < row.Length; i++)
@@ -57,8 +43,7 @@ internal sealed class RasterPart : ITerrainGrid
         }
     }
 
-    /// <inheritdoc/>
-    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    public override void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         ReadOnlySpan<float> row = RowAt(line, firstSample, radii.Length);
         for (int i = 0; i < row.Length; i++)

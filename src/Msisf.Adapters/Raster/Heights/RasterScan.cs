@@ -36,7 +36,7 @@ internal sealed record RasterScan(SquareGrid Layout, ScannedSquare[] Squares, Un
     }
 }
 
-/// <summary>Squares of 256 pixels of a raster, which begin where blocks of coarser levels do: at multiples of 256 of the whole grid.</summary>
+/// <summary>Squares of 256 pixels of a raster, which begin at multiples of 256 of the whole grid, as blocks of levels do.</summary>
 /// <param name="RowOffset">Pixels of the grid before the raster's first row in the first square, 0 to 255.</param>
 /// <param name="ColumnOffset">The same of its first column.</param>
 /// <param name="Rows">Squares from top to bottom.</param>

@@ -41,8 +41,8 @@ public sealed class ModelLevels : IDisposable
                 : $"{path}: {problem}; it is not used. Make it again with 'msis ldem pyramid', or delete it.";
             return opened;
         });
-        return new ModelLevels(
-            LodLevels.Open(image, file?.Levels.Cast<IGlobalGrid>().ToArray(), cacheBytes, samplesBetweenReleases), file, file is null ? warning : null);
+        LodLevels levels = LodLevels.Open(image, file?.Levels.Cast<IGlobalGrid>().ToArray(), cacheBytes, samplesBetweenReleases);
+        return new ModelLevels(levels, file, file is null ? warning : null);
     }
 
     /// <summary>Unmaps the sidecar; the model stays open.</summary>

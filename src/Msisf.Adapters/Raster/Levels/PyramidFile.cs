@@ -181,7 +181,6 @@ internal sealed unsafe class StoredBlocks(string path, MappedFile file, long off
 /// <param name="blocks">Valid as long as the level is used.</param>
 internal class PyramidLevel(ITerrainGrid source, int level, StoredBlocks blocks) : BlockedGrid(source, level, keepsGaps: true), ITerrainGrid
 {
-    /// <inheritdoc/>
     public void ReleasePages() => blocks.ReleasePages();
 
     /// <summary>Checks all blocks.</summary>
@@ -194,15 +193,14 @@ internal class PyramidLevel(ITerrainGrid source, int level, StoredBlocks blocks)
         }
     }
 
-    /// <inheritdoc/>
     protected sealed override ReadOnlySpan<float> HeightsOf(int row, int column) =>
         blocks.HeightsOf((row * Layout.BlockColumns) + column, Projection.Resolution);
 }
 
 /// <summary>One level of a mapped sidecar of a model of the whole Moon.</summary>
 /// <inheritdoc cref="PyramidLevel"/>
-internal sealed class MoonPyramidLevel(IGlobalGrid source, int level, StoredBlocks blocks) : PyramidLevel(source, level, blocks), IGlobalGrid
+internal sealed class MoonPyramidLevel(IGlobalGrid source, int level, StoredBlocks blocks)
+    : PyramidLevel(source, level, blocks), IGlobalGrid
 {
-    /// <inheritdoc/>
     public int PixelsPerDegree { get; } = source.PixelsPerDegree >> level;
 }

@@ -191,7 +191,6 @@ internal sealed class PyramidBands : BlockedGrid
             column => reducer.Reduce(row, column, Block(row, column)));
     }
 
-    /// <inheritdoc/>
     protected override ReadOnlySpan<float> HeightsOf(int row, int column) => Block(row, column);
 }
 

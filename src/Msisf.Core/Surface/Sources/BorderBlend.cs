@@ -12,7 +12,7 @@ namespace Msisf.Core.Surface.Sources;
 /// up to 1, and w = t t (3 - 2 t), a radius is w times its own plus 1 - w times that of the coarser facets in its direction. So the
 /// outermost samples, for which d is 1, lie on the coarser facets.
 /// </remarks>
-internal sealed class BorderBlend : ITerrainGrid
+internal sealed class BorderBlend : ChangedGrid
 {
     private const int Side = DataGaps.Side;
 
@@ -22,7 +22,6 @@ internal sealed class BorderBlend : ITerrainGrid
     /// <summary>Samples of the width at most: each costs a search in the coarser models.</summary>
     private const int MaxWidth = 64;
 
-    private readonly ITerrainGrid _grid;
     private readonly CoarserGround _coarser;
     private readonly bool _isRing;
     private readonly int _columns;
@@ -34,8 +33,9 @@ internal sealed class BorderBlend : ITerrainGrid
     /// <param name="grid">The model, which is not of the whole Moon.</param>
     /// <param name="widest">Samples of the border at most.</param>
     public BorderBlend(ITerrainGrid grid, CoarserGround coarser, int widest = MaxWidth)
+        : base(grid)
     {
-        (_grid, _coarser) = (grid, coarser);
+        _coarser = coarser;
         GridWindow window = grid.Window;
         _isRing = grid.Projection is Equirectangular && window.Samples == grid.Samples;
         Width = Math.Min(WidthOf(grid, coarser), widest);
@@ -62,38 +62,10 @@ internal sealed class BorderBlend : ITerrainGrid
     public int Width { get; }
 
     /// <inheritdoc/>
-    public string ProductId => _grid.ProductId;
+    public override (double Min, double Max) RadiusLimits { get; }
 
     /// <inheritdoc/>
-    public MapProjection Projection => _grid.Projection;
-
-    /// <inheritdoc/>
-    public int Lines => _grid.Lines;
-
-    /// <inheritdoc/>
-    public int Samples => _grid.Samples;
-
-    /// <inheritdoc/>
-    public GridWindow Window => _grid.Window;
-
-    /// <inheritdoc/>
-    public double ReferenceRadius => _grid.ReferenceRadius;
-
-    /// <inheritdoc/>
-    public (double Min, double Max) RadiusLimits { get; }
-
-    /// <inheritdoc/>
-    public bool MayHaveGaps => _grid.MayHaveGaps;
-
-    /// <inheritdoc/>
-    public void ReadGaps(int line, int firstSample, Span<bool> isGap) => _grid.ReadGaps(line, firstSample, isGap);
-
-    /// <inheritdoc/>
-    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
-        _grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
-
-    /// <inheritdoc/>
-    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
+    public override KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
     {
         int firstDown = firstLine - Window.FirstLine;
         int firstRight = firstSample - Window.FirstSample;
@@ -108,11 +80,11 @@ internal sealed class BorderBlend : ITerrainGrid
             }
         }
 
-        return _grid.BoundsOf(firstLine, lines, firstSample, samples);
+        return Source.BoundsOf(firstLine, lines, firstSample, samples);
     }
 
     /// <inheritdoc/>
-    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    public override void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         GridWindow window = Window;
         int down = line - window.FirstLine;
@@ -130,7 +102,7 @@ internal sealed class BorderBlend : ITerrainGrid
             }
             else
             {
-                _grid.ReadRadii(line, window.FirstSample + right, part);
+                Source.ReadRadii(line, window.FirstSample + right, part);
             }
 
             done += count;
@@ -138,16 +110,13 @@ internal sealed class BorderBlend : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public bool IsBlended(int line, int sample)
+    public override bool IsBlended(int line, int sample)
     {
         (int down, int right) = (line - Window.FirstLine, sample - Window.FirstSample);
         right = Projection is Equirectangular ? (right + Samples) % Samples : right; // over the prime meridian
         int tile = (down / Side * _columns) + (right / Side);
         return _isBlended[tile] && _tiles.GetOrAdd(tile, NewTile).Distances[(down % Side * Side) + (right % Side)] <= Width;
     }
-
-    /// <inheritdoc/>
-    public void ReleasePages() => _grid.ReleasePages();
 
     /// <summary>A cell of the coarser model around the middle of this one, in its own samples, within limits.</summary>
     private static int WidthOf(ITerrainGrid grid, CoarserGround coarser)
@@ -195,7 +164,7 @@ internal sealed class BorderBlend : ITerrainGrid
         own[0] = 0.0;
         if (weight > 0.0)
         {
-            _grid.ReadRadii(line, sample, own);
+            Source.ReadRadii(line, sample, own);
         }
 
         return weight < 1.0

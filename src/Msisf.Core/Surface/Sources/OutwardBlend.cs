@@ -7,7 +7,7 @@ namespace Msisf.Core.Surface.Sources;
 /// A model, or a level of it, whose ground meets the finer models in it: its own heights and those of an <see cref="OutlineField"/>. Its
 /// samples without data lie on the coarser models. Safe for several threads.
 /// </summary>
-internal class OutwardBlend : ITerrainGrid
+internal class OutwardBlend : ChangedGrid
 {
     private const int Side = DataGaps.Side;
 
@@ -15,7 +15,6 @@ internal class OutwardBlend : ITerrainGrid
     private const int Untouched = 1;
     private const int Changed = 2;
 
-    private readonly ITerrainGrid _grid;
     private readonly OutlineField? _field;
     private readonly CoarserGround? _coarser;
     private readonly int _columns;
@@ -27,8 +26,9 @@ internal class OutwardBlend : ITerrainGrid
     /// <param name="field">What it gets; null for nothing.</param>
     /// <param name="coarser">The coarser models; null of the coarsest.</param>
     protected OutwardBlend(ITerrainGrid grid, OutlineField? field, CoarserGround? coarser)
+        : base(grid)
     {
-        (_grid, _field, _coarser) = (grid, field, grid.MayHaveGaps ? coarser : null);
+        (_field, _coarser) = (field, grid.MayHaveGaps ? coarser : null);
         _columns = (grid.Window.Samples + Side - 1) / Side;
         _states = new int[_columns * ((grid.Window.Lines + Side - 1) / Side)];
         (double min, double max) = grid.RadiusLimits;
@@ -41,34 +41,7 @@ internal class OutwardBlend : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public string ProductId => _grid.ProductId;
-
-    /// <inheritdoc/>
-    public bool IsWholeBody => _grid.IsWholeBody;
-
-    /// <inheritdoc/>
-    public MapProjection Projection => _grid.Projection;
-
-    /// <inheritdoc/>
-    public int Lines => _grid.Lines;
-
-    /// <inheritdoc/>
-    public int Samples => _grid.Samples;
-
-    /// <inheritdoc/>
-    public GridWindow Window => _grid.Window;
-
-    /// <inheritdoc/>
-    public double ReferenceRadius => _grid.ReferenceRadius;
-
-    /// <inheritdoc/>
-    public (double Min, double Max) RadiusLimits { get; }
-
-    /// <inheritdoc/>
-    public bool HoldsMeans => _grid.HoldsMeans;
-
-    /// <inheritdoc/>
-    public bool MayHaveGaps => _grid.MayHaveGaps;
+    public override (double Min, double Max) RadiusLimits { get; }
 
     /// <summary>The model with what it gets; itself if that is nothing.</summary>
     /// <param name="grid">The model, or a level of it.</param>
@@ -80,31 +53,17 @@ internal class OutwardBlend : ITerrainGrid
         : new OutwardBlend(grid, field, coarser);
 
     /// <inheritdoc/>
-    public void ReadGaps(int line, int firstSample, Span<bool> isGap) => _grid.ReadGaps(line, firstSample, isGap);
-
-    /// <inheritdoc/>
-    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
-        _grid.MayHaveGapsIn(firstLine, lines, firstSample, samples);
-
-    /// <inheritdoc/>
-    public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) =>
-        _field is null && !_grid.MayHaveGapsIn(firstLine, lines, firstSample, samples)
-            ? _grid.BoundsOf(firstLine, lines, firstSample, samples)
+    public override KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples) =>
+        _field is null && !Source.MayHaveGapsIn(firstLine, lines, firstSample, samples)
+            ? Source.BoundsOf(firstLine, lines, firstSample, samples)
             : null;
 
     /// <inheritdoc/>
-    public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
-        _grid.Prefetch(firstLine, lines, firstSample, samples);
-
-    /// <inheritdoc/>
-    public void ReleasePages() => _grid.ReleasePages();
-
-    /// <inheritdoc/>
-    public void ReadRadii(int line, int firstSample, Span<double> radii)
+    public override void ReadRadii(int line, int firstSample, Span<double> radii)
     {
         if (_coarser is null)
         {
-            _grid.ReadRadii(line, firstSample, radii);
+            Source.ReadRadii(line, firstSample, radii);
         }
         else
         {
@@ -131,7 +90,7 @@ internal class OutwardBlend : ITerrainGrid
     }
 
     /// <inheritdoc/>
-    public bool IsBlended(int line, int sample)
+    public override bool IsBlended(int line, int sample)
     {
         (int down, int right) = (line - Window.FirstLine, RightOf(sample));
         int tile = (down / Side * _columns) + (right / Side);
@@ -148,14 +107,14 @@ internal class OutwardBlend : ITerrainGrid
     private void ReadWithGaps(int line, int firstSample, Span<double> radii)
     {
         Span<bool> isGap = radii.Length <= Side ? stackalloc bool[radii.Length] : new bool[radii.Length];
-        _grid.ReadGaps(line, firstSample, isGap);
+        Source.ReadGaps(line, firstSample, isGap);
         for (int start = 0; start < radii.Length;)
         {
             int length = isGap[start..].IndexOf(!isGap[start]);
             length = length < 0 ? radii.Length - start : length;
             if (!isGap[start])
             {
-                _grid.ReadRadii(line, firstSample + start, radii.Slice(start, length));
+                Source.ReadRadii(line, firstSample + start, radii.Slice(start, length));
             }
             else
             {
@@ -270,7 +229,7 @@ internal class OutwardBlend : ITerrainGrid
         Span<bool> gaps = stackalloc bool[samples];
         for (int row = 0; row < Side && line + row < Window.EndLine && _coarser is not null; row++)
         {
-            _grid.ReadGaps(line + row, sample, gaps);
+            Source.ReadGaps(line + row, sample, gaps);
             for (int column = 0; column < samples; column++)
             {
                 heights[(row * Side) + column] = gaps[column] ? 0.0 : heights[(row * Side) + column];

@@ -117,12 +117,12 @@ public sealed class RasterScanTests : IDisposable
     }
 
     [Theory]
-    [InlineData(120_000, 3, 1_210_114_048)]
-    [InlineData(30_000, 2, 305_086_464)]
-    public void OfMap_SizeOfMap_DecidesTheFinestLevelThatIsKept(int side, int firstLevel, long bytes)
+    [InlineData(120_000, 1_500_000_000, 3, 1_210_114_048)]
+    [InlineData(30_000, 1_500_000_000, 2, 305_086_464)]
+    public void OfMap_SizeOfMap_DecidesTheFinestLevelThatIsKept(int side, long most, int firstLevel, long bytes)
     {
         PyramidLayout layout = PyramidLayout.OfMap(
-            new WindowGrid(new PolarStereographic(true, 1.0, 0.5 * side, 0.5 * side), side), mostBytes: 1_500_000_000);
+            new WindowGrid(new PolarStereographic(true, 1.0, 0.5 * side, 0.5 * side), side), most);
         Assert.Equal((firstLevel, bytes), (layout.FirstLevel, layout.FileBytes));
     }
 
