@@ -29,7 +29,7 @@ internal sealed class GridSource : IDisposable
             return FromDatabase(database, settings.PixelsPerDegree, host, cancellation);
         }
 
-        ElevationModel model = ModelOpening.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host, cancellation: cancellation);
+        ElevationModel model = ModelOpening.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host);
         return new GridSource(model.WholeMoon, model);
     }
 
