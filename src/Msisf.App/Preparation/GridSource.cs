@@ -29,7 +29,8 @@ internal sealed class GridSource : IDisposable
             return FromDatabase(database, settings.PixelsPerDegree, host, cancellation);
         }
 
-        ElevationModel model = ModelOpening.Open(settings.Ldem, settings.PixelsPerDegree, isSparing: true, host);
+        ElevationModel model = ModelOpening.Open(
+            settings.Ldem, settings.PixelsPerDegree, isSparing: true, host, cancellation: cancellation);
         return new GridSource(model.WholeMoon, model);
     }
 
