@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Adapters.Synthesis;
 using Msisf.App.Host;
 using Msisf.App.Settings;

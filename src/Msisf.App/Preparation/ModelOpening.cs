@@ -1,5 +1,4 @@
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

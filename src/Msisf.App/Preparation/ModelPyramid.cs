@@ -1,6 +1,5 @@
 using Msisf.Adapters.Raster;
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

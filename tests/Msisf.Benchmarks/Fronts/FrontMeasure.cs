@@ -1,5 +1,4 @@
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Benchmarks.Definitions;
 using Msisf.Benchmarks.Programs;
 using Msisf.Benchmarks.Thesis;

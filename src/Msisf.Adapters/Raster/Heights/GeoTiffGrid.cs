@@ -1,4 +1,3 @@
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 

@@ -1,6 +1,5 @@
 using System.Runtime.ExceptionServices;
 using Msisf.Adapters.IO;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;

@@ -1,5 +1,4 @@
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;

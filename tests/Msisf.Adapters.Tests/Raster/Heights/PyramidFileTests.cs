@@ -1,14 +1,12 @@
 using Msisf.Adapters.Raster.Heights;
-using Msisf.Adapters.Raster.Levels;
 using Msisf.Adapters.Synthesis;
-using Msisf.Adapters.Tests.Raster.Heights;
 using Msisf.Core.Errors;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Adapters.Tests.Raster.Levels;
+namespace Msisf.Adapters.Tests.Raster.Heights;
 
 public sealed class PyramidFileTests : IDisposable, IClassFixture<PyramidFileTests.Model>
 {

@@ -5,7 +5,7 @@ using System.Security.Cryptography;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Adapters.Raster.Levels;
+namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
 /// The layout of a sidecar: a page with the header, a checksum for each block, then the blocks, level by level from the finest one, each

@@ -1,10 +1,9 @@
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
-using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Adapters.Raster.Levels;
+namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>A model's sidecar (docs/elevation-models.md), mapped into memory. Don't use its levels after it is disposed.</summary>
 public sealed class PyramidFile : IDisposable

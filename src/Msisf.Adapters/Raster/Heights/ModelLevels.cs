@@ -1,8 +1,7 @@
-using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Adapters.Raster.Levels;
+namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>The levels of detail of a model: from its sidecar if there is a valid one, else computed when they are read.</summary>
 public sealed class ModelLevels : IDisposable

@@ -2,11 +2,10 @@ using System.Runtime.ExceptionServices;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 using Msisf.Adapters.IO;
-using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Lod;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Adapters.Raster.Levels;
+namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
 /// Makes the sidecar of a model: its levels of detail from the second on. The model is read and hashed once, from north to south; memory
