@@ -18,8 +18,7 @@ internal static class IndirectOptions
 
     public static NumberSpec Error { get; } = new(
         "--indirect-error", DecidesBytes.As(frame => frame.Native?.Render.Indirect?.Error), "PART",
-        "Rms error aimed at for the light of --indirect, over its rms in the image (at 0.01 rough ground keeps some 0.1 to 0.2); with a "
-            + "quarter frames take up to 16 times as long")
+        "Rms error of the light of --indirect, over its rms in the image; with a quarter frames take up to 16 times as long")
     {
         Default = IndirectLight.DefaultError,
         Limits = new NumberRange(IndirectLight.MinError, IndirectLight.MaxError),

@@ -26,7 +26,6 @@ internal sealed class FramePass : IDrawnFrame
     private readonly PixelSunlight _sunlight = new();
     private double[] _radianceFactors = [];
     private double[] _indirectFactors = [];
-    private double _shares;
     private NativeRenderOptions? _options;
 
     public FramePass(SurfaceModel surface)
@@ -176,13 +175,12 @@ internal sealed class FramePass : IDrawnFrame
             return;
         }
 
-        _shares = isFirst ? weight : _shares + weight;
         if (isFirst)
         {
             _indirect.Begin(_visible, Light, _options, threads, cancellation);
         }
 
-        _indirect.Add(_visible, _options, weight, _shares, _radianceFactors, _indirectFactors, threads, cancellation);
+        _indirect.Add(_visible, _options, weight, _radianceFactors, _indirectFactors, threads, cancellation);
     }
 
     private bool TryDrawGrid(int threads, CancellationToken cancellation)

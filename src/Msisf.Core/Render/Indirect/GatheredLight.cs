@@ -18,11 +18,14 @@ internal sealed class GatheredLight(bool isIrradiance)
     /// <summary>Sum over the points of the square of the error, estimated from how much neighbouring samples differ.</summary>
     public double Variance { get; set; }
 
+    /// <summary>rad over their facets: the highest near ground that rays of the points met.</summary>
+    public double Top { get; set; }
+
     /// <summary>Forgets everything.</summary>
     public void Clear()
     {
         Array.Clear(Values);
         Array.Clear(Directions);
-        Variance = 0.0;
+        (Variance, Top) = (0.0, 0.0);
     }
 }

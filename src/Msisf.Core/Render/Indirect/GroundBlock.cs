@@ -1,7 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
 using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
@@ -66,26 +64,32 @@ internal sealed class GroundBlock : GroundPart
         }
     }
 
+    /// <inheritdoc/>
+    public override void Meet(GroundFan fan, ulong ways)
+    {
+        for (uint patches = _patches.Meet(fan); patches != 0; patches &= patches - 1)
+        {
+            int patch = BitOperations.TrailingZeroCount(patches);
+            ulong some = _patches.Meet(patch, fan) & ways & fan.Open;
+            for (uint lines = some == 0 ? 0 : _strips[patch].Meet(fan); lines != 0; lines &= lines - 1)
+            {
+                int inPatch = BitOperations.TrailingZeroCount(lines);
+                ulong few = _strips[patch].Meet(inPatch, fan) & some & fan.Open;
+                if (few != 0)
+                {
+                    MeetStrip((patch / PatchesPerEdge * Edge) + inPatch, patch % PatchesPerEdge * Edge, fan, few);
+                }
+            }
+        }
+    }
+
     /// <summary>Tests the facets of eight cells of a line.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void MeetStrip(int line, int sample, ref GroundRay ray)
     {
-        int at = (line * BlockVertices.Stride) + sample;
-        Lanes northWest = new(_vertices, at, ray.Origin);
-        Lanes northEast = new(_vertices, at + 1, ray.Origin);
-        Lanes southWest = new(_vertices, at + BlockVertices.Stride, ray.Origin);
-        Lanes southEast = new(_vertices, at + BlockVertices.Stride + 1, ray.Origin);
-        Vector3D along = ray.Direction;
-        Vector512<double> diagonal = Lanes.Side(along, northWest, southEast);
-        Vector512<double> zero = Vector512<double>.Zero;
-        uint isSouth = (uint)(Vector512.LessThanOrEqual(diagonal, zero)
-            & Vector512.GreaterThanOrEqual(Lanes.Side(along, northWest, southWest), zero)
-            & Vector512.GreaterThanOrEqual(Lanes.Side(along, southWest, southEast), zero)).ExtractMostSignificantBits();
-        uint isNorth = (uint)(Vector512.GreaterThanOrEqual(diagonal, zero)
-            & Vector512.GreaterThanOrEqual(Lanes.Side(along, southEast, northEast), zero)
-            & Vector512.GreaterThanOrEqual(Lanes.Side(along, northEast, northWest), zero)).ExtractMostSignificantBits();
-        uint cells = (_vertices.CellsOfLine(line) >> sample) & (uint)((1UL << Math.Min(Edge, _vertices.Samples - 1 - sample)) - 1);
-        for (uint met = (isSouth | isNorth) & cells; met != 0; met &= met - 1)
+        StripEdges edges = new(_vertices, (line * BlockVertices.Stride) + sample, ray.Origin);
+        edges.Pass(ray.Direction, out uint isSouth, out uint isNorth);
+        for (uint met = (isSouth | isNorth) & CellsOf(line, sample); met != 0; met &= met - 1)
         {
             int cell = sample + BitOperations.TrailingZeroCount(met);
             Vector3D nw = _vertices[line, cell] - ray.Origin;
@@ -102,6 +106,38 @@ internal sealed class GroundBlock : GroundPart
             }
         }
     }
+
+    /// <summary>The same for some ways of a fan.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void MeetStrip(int line, int sample, GroundFan fan, ulong ways)
+    {
+        StripEdges edges = new(_vertices, (line * BlockVertices.Stride) + sample, fan.End);
+        uint cells = CellsOf(line, sample);
+        for (; ways != 0; ways &= ways - 1)
+        {
+            int way = BitOperations.TrailingZeroCount(ways);
+            edges.Pass(fan.Directions[way], out uint isSouth, out uint isNorth);
+            for (uint met = (isSouth | isNorth) & cells; met != 0; met &= met - 1)
+            {
+                int cell = sample + BitOperations.TrailingZeroCount(met);
+                Vector3D nw = _vertices[line, cell] - fan.End;
+                Vector3D se = _vertices[line + 1, cell + 1] - fan.End;
+                uint bit = met & (uint)-(int)met;
+                if ((isSouth & bit) != 0)
+                {
+                    fan.Take(way, nw, _vertices[line + 1, cell] - fan.End, se, GroundTree.Gap);
+                }
+
+                if ((isNorth & bit) != 0)
+                {
+                    fan.Take(way, nw, se, _vertices[line, cell + 1] - fan.End, GroundTree.Gap);
+                }
+            }
+        }
+    }
+
+    private uint CellsOf(int line, int sample) =>
+        (_vertices.CellsOfLine(line) >> sample) & (uint)((1UL << Math.Min(Edge, _vertices.Samples - 1 - sample)) - 1);
 
     private Vector3D Low(int top, int lines, int left, int samples) => Bound(top, lines, left, samples, Math.Min);
 
@@ -120,28 +156,5 @@ internal sealed class GroundBlock : GroundPart
         }
 
         return bound;
-    }
-
-    /// <summary>Eight neighbouring vertices relative to a ray's origin.</summary>
-    private readonly struct Lanes
-    {
-        private readonly Vector512<double> _x;
-        private readonly Vector512<double> _y;
-        private readonly Vector512<double> _z;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Lanes(BlockVertices vertices, int at, Vector3D origin)
-        {
-            _x = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.X), (nuint)at) - Vector512.Create(origin.X);
-            _y = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Y), (nuint)at) - Vector512.Create(origin.Y);
-            _z = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Z), (nuint)at) - Vector512.Create(origin.Z);
-        }
-
-        /// <summary>Not below 0 if a ray that enters the ground passes on the left side of an edge, or meets it.</summary>
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static Vector512<double> Side(Vector3D along, in Lanes a, in Lanes b) =>
-            (Vector512.Create(along.X) * ((b._y * a._z) - (b._z * a._y)))
-            + (Vector512.Create(along.Y) * ((b._z * a._x) - (b._x * a._z)))
-            + (Vector512.Create(along.Z) * ((b._x * a._y) - (b._y * a._x)));
     }
 }

@@ -10,12 +10,8 @@ namespace Msisf.Core.Render.Indirect;
 /// <summary>Finds the brightness of the points that stand for the ground, and light that went from ground to ground before.</summary>
 internal sealed class GroundBounces(GroundTree tree, GroundLights lights, FrameCamera camera, NativeRenderOptions options)
 {
-    /// <summary>Rays of a group; where its points throw light, the errors of many are averaged.</summary>
-    private const int Looks = 256;
-    private const int Choices = 256;
-
-    /// <summary>Rays of a point to near ground, and to far ground that others of the group see otherwise.</summary>
-    private const int Samples = 12;
+    /// <summary>Rays of a point to near ground; where points throw light, the errors of many are averaged.</summary>
+    private const int NearSamples = 12;
 
     /// <summary>Cosine of a typical angle to light or view, where only the rough brightness of a point is asked for.</summary>
     private const double Typical = 0.5;
@@ -57,10 +53,9 @@ internal sealed class GroundBounces(GroundTree tree, GroundLights lights, FrameC
             }
 
             gather.Begin();
-            gather.Choose(Looks, Choices, (first * IndirectLight.MaxBounces) + number); // each group its own: errors of many cancel
-            gather.AddShared(areSeen: true, found);
-            gather.Add(Samples, isNear: false, number, found);
-            gather.Add(Samples, isNear: true, number, found);
+            gather.Choose(LightGather.FirstChoices, (first * IndirectLight.MaxBounces) + number); // many groups: errors cancel
+            gather.AddFar(found);
+            gather.AddNear(NearSamples, top: 0.0, number, found);
             found.Values.AsSpan(0, end - first).CopyTo(irradiance.AsSpan(first));
             found.Directions.AsSpan(0, end - first).CopyTo(directions.AsSpan(first));
         }, cancellation);

@@ -46,8 +46,9 @@ internal sealed class GroundLights(int count)
     public double[] Powers { get; } = new double[count];
 
     /// <summary>The points that are not dark.</summary>
-    public int[] Bright { get; private set; } = [];
+    public BrightLights Bright { get; private set; } = new([], [], [], []);
 
     /// <summary>Finds the bright points anew, after light or powers were set.</summary>
-    public void FindBright() => Bright = [.. Enumerable.Range(0, count).Where(point => Powers[point] > 0.0)];
+    public void FindBright() =>
+        Bright = new BrightLights([.. Enumerable.Range(0, count).Where(point => Powers[point] > 0.0)], Points, Normals, Powers);
 }

@@ -18,7 +18,7 @@ internal static class GroundPlacing
     private const int Looks = 64;
 
     /// <summary>Cells within which ground is looked at by rays instead.</summary>
-    private const double CellsOfReach = 4.0;
+    private const double CellsOfReach = 8.0;
 
     /// <summary>Least angle of a view, rad: a single pixel.</summary>
     private const double LeastAngle = 1e-7;

@@ -11,6 +11,9 @@ namespace Msisf.Core.Render.Indirect;
 /// </summary>
 internal sealed class GroundTree
 {
+    /// <summary>m: a way to a point ends so much before it.</summary>
+    public const double Gap = 1e-3;
+
     private readonly Vector3D _east;
     private readonly Vector3D _north;
     private readonly Vector3D _up;
@@ -78,6 +81,27 @@ internal sealed class GroundTree
         return (ray.End, (turned.X * _east) + (turned.Y * _north) + (turned.Z * _up));
     }
 
+    /// <summary>Prepares the ways from a group of points.</summary>
+    public void Start(GroundFan fan, Receivers group)
+    {
+        for (int i = 0; i < group.Count; i++)
+        {
+            fan.Start(i, Placed(group.Points[i]));
+        }
+    }
+
+    /// <summary>Which of some ways that were started get to a point, but for a last <see cref="Gap"/>, as bits.</summary>
+    /// <param name="fan">The ways.</param>
+    /// <param name="end">m, body-fixed.</param>
+    /// <param name="ways">Which ways are asked for, as bits.</param>
+    /// <param name="count">Number of the ways that were started.</param>
+    public ulong Reach(GroundFan fan, Vector3D end, ulong ways, int count)
+    {
+        fan.Lead(Placed(end), ways, count);
+        _root.Meet(fan, ways);
+        return fan.Open;
+    }
+
     /// <summary>Adds a node, or what finer models have left of a block.</summary>
     public void AddPlaces(int part, NodePlace node, List<GroundPlace> places)
     {
@@ -116,6 +140,9 @@ internal abstract class GroundPart
 {
     /// <summary>Finds the facet that a ray meets.</summary>
     public abstract void Meet(ref GroundRay ray);
+
+    /// <summary>Closes those of some ways that enter the ground.</summary>
+    public abstract void Meet(GroundFan fan, ulong ways);
 }
 
 /// <summary>Up to sixteen parts of the ground in boxes; they are made when the first ray comes to them.</summary>
@@ -162,12 +189,28 @@ internal sealed class GroundNode : GroundPart
         for (uint parts = _boxes.Meet(ray); parts != 0 && !ray.IsOver; parts &= parts - 1)
         {
             int part = BitOperations.TrailingZeroCount(parts);
-            (Volatile.Read(ref _parts[part]) ?? Make(part)).Meet(ref ray);
+            PartAt(part).Meet(ref ray);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Meet(GroundFan fan, ulong ways)
+    {
+        for (uint parts = _boxes.Meet(fan); parts != 0; parts &= parts - 1)
+        {
+            int part = BitOperations.TrailingZeroCount(parts);
+            ulong some = _boxes.Meet(part, fan) & ways & fan.Open;
+            if (some != 0)
+            {
+                PartAt(part).Meet(fan, some);
+            }
         }
     }
 
     private static IEnumerable<GroundPlace[]> Quarters(IReadOnlyCollection<GroundPlace> places, Func<GroundPlace, double> key) =>
         places.OrderBy(key).Chunk((places.Count + 3) / 4);
+
+    private GroundPart PartAt(int part) => Volatile.Read(ref _parts[part]) ?? Make(part);
 
     private GroundPart Make(int part)
     {

@@ -14,20 +14,32 @@ namespace Msisf.Core.Render.Indirect;
 
 /// <summary>
 /// Adds the light that the terrain around throws on surface points (docs/photometry.md). First a few samples for each point show how
-/// unsure the light of each group of neighbours is; then each group gets as many as the error of the whole asks for. One object serves
-/// many frames, one at a time.
+/// unsure the light of each group of neighbours is; then each group gets as many as the error of the whole asks for, until no group turns
+/// out to need more. One object serves many frames, one at a time.
 /// </summary>
 internal sealed class IndirectPass(SurfaceModel surface)
 {
-    /// <summary>Cells across the view at the usual error; the number of cells grows with its inverse.</summary>
+    /// <summary>Cells across the view, to an error of <see cref="ErrorOfCells"/>; then their number grows with its inverse.</summary>
     private const int Cells = 256;
+    private const double ErrorOfCells = 0.01;
 
-    /// <summary>First samples of each point.</summary>
-    private const int FirstFar = 4;
-    private const int FirstNear = 8;
+    /// <summary>First rays of each point to near ground.</summary>
+    private const int FirstNear = 16;
 
-    /// <summary>Points of far ground of each group of pixels at the usual error.</summary>
-    private const int Choices = 256;
+    /// <summary>First rays of a group to near ground, if it has few points.</summary>
+    private const int FirstNearOfGroup = 64;
+
+    /// <summary>How often groups are sampled: with more samples some turn out to be less sure than with few.</summary>
+    private const int MostRounds = 4;
+
+    /// <summary>So many times the samples that a group has need not be taken yet.</summary>
+    private const double Enough = 1.25;
+
+    /// <summary>Most samples of a point.</summary>
+    private const double Most = 65536.0;
+
+    /// <summary>How much a ray costs over a point of far ground: the root of the ratio.</summary>
+    private const double CostOfNear = 3.0;
 
     /// <summary>Most rows and columns of a group of pixels.</summary>
     private const int MostEdge = 8;
@@ -35,28 +47,21 @@ internal sealed class IndirectPass(SurfaceModel surface)
     /// <summary>Parts of pixels that make a group.</summary>
     private const int PartsOfGroup = 8;
 
-    /// <summary>By how much more points there are at most where the error is smaller.</summary>
-    private const double MostChoices = 64.0;
+    /// <summary>Near ground may stand higher than the first samples have met, rad and over what they met.</summary>
+    private const double LeastTop = 0.02;
+    private const double MarginOfTop = 1.2;
 
-    /// <summary>Most further samples of a point at the usual error: what rough ground near by hides takes very many.</summary>
-    private const double MostFar = 16.0;
-
-    /// <summary>The same for near ground, whose rays are short.</summary>
-    private const double MostNear = 64.0;
+    /// <summary>rad: elevations from here on are looked at evenly.</summary>
+    private const double MostTop = 0.5;
 
     /// <summary>The part of the error that samples may have; the rest is that of the points that stand for the ground.</summary>
     private const double PartOfSamples = 0.8;
-
-    /// <summary>Part of its whole brightness by which the error of a place is measured too: where the Sun shines, it counts less.</summary>
-    private const double PartOfBrightness = 0.1;
 
     private SurfaceModel _surface = surface;
     private GroundTree? _tree;
     private GroundLights? _lights;
     private FrameCamera? _camera;
     private ConcurrentBag<IndirectWorker> _idle = [];
-    private double[] _shared = [];
-    private double[] _hidden = [];
     private double[] _far = [];
     private double[] _near = [];
     private Trial[] _trials = [];
@@ -86,10 +91,10 @@ internal sealed class IndirectPass(SurfaceModel surface)
         Vector3D[] sun = options.Sun == SunModel.Disc
             ? new SunDisc(light.PositionBodyFixed).PointsBodyFixed.ToArray()
             : [light.PositionBodyFixed];
-        int cells = (int)Math.Ceiling(Cells * Math.Sqrt(IndirectLight.DefaultError / indirect.Error));
+        int cells = (int)Math.Ceiling(Cells * Math.Sqrt(Math.Max(1.0, ErrorOfCells / indirect.Error)));
         _lights = GroundPlacing.Place(_tree, view, sun, cells, threads, cancellation);
         double pixel = 2.0 * view.Angle * _surface.ReferenceRadius / Math.Max(image.Width, image.Height);
-        _edge = MostEdge; // no wider than the ground that is looked at by rays: so none of the points for the rest is too near to a group
+        _edge = MostEdge; // no wider than the ground that is looked at by rays: from wider groups few points look alike
         while (_edge > 1 && _edge * pixel > _lights.ReachOfView)
         {
             _edge /= 2;
@@ -107,14 +112,13 @@ internal sealed class IndirectPass(SurfaceModel surface)
     /// <param name="points">The points.</param>
     /// <param name="options">The settings.</param>
     /// <param name="weight">Weight of the points in the sum.</param>
-    /// <param name="sum">Sum of the weights so far, with this one.</param>
     /// <param name="radianceFactors">Radiance factors by rows; receive the light.</param>
     /// <param name="indirect">The same for this light alone; empty if nobody wants it.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Add(
-        ISurfaceRows points, NativeRenderOptions options, double weight, double sum, double[] radianceFactors, double[] indirect,
-        int threads, CancellationToken cancellation)
+        ISurfaceRows points, NativeRenderOptions options, double weight, double[] radianceFactors, double[] indirect, int threads,
+        CancellationToken cancellation)
     {
         if (_lights is not { Bright.Length: > 0 })
         {
@@ -124,11 +128,9 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int count = points.Width * points.Height;
         if (_far.Length < count)
         {
-            (_shared, _hidden, _far, _near) = (new double[count], new double[count], new double[count], new double[count]);
+            (_far, _near) = (new double[count], new double[count]);
         }
 
-        _shared.AsSpan(0, count).Clear();
-        _hidden.AsSpan(0, count).Clear();
         _far.AsSpan(0, count).Clear();
         _near.AsSpan(0, count).Clear();
         int rows = points is VisibleSurface ? _edge : 1; // of an image, squares of pixels; parts of pixels lie in no squares
@@ -136,81 +138,49 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int strips = (points.Height + rows - 1) / rows;
         int groups = (points.Width + columns - 1) / columns;
         _trials = new Trial[groups * strips];
-        Round first = new(points, options, rows, columns, groups, 2L * _sets, 0.0);
-        WorkerTeam.Run(threads, strips, (_, strip) => SampleStrip(first, strip), cancellation);
 
         // With several samples a pixel the errors of each may be larger, because their mean counts.
         double error = PartOfSamples * options.Indirect!.Error * options.SubsamplesPerAxis;
-        Round second = first with
+        for (int number = 0; number < MostRounds; number++)
         {
-            Number = (2L * _sets) + 1,
-            SamplesPerDeviation = SamplesPerDeviation(first, error, radianceFactors, sum),
-        };
-        WorkerTeam.Run(threads, strips, (_, strip) =>
-        {
-            SampleStrip(second, strip);
-            for (int row = strip * rows; row < Math.Min(points.Height, (strip + 1) * rows); row++)
+            double perDeviation = number == 0 ? 0.0 : SamplesPerDeviation(count, error);
+            if (number > 0 && !Array.Exists(_trials, trial => MoreFar(trial, perDeviation) + MoreNear(trial, perDeviation) > 0))
             {
-                AddRow(points, options, row, weight, radianceFactors, indirect);
+                break;
             }
-        }, cancellation);
+
+            Round round = new(points, options, rows, columns, groups, ((long)MostRounds * _sets) + number, perDeviation);
+            WorkerTeam.Run(threads, strips, (_, strip) => SampleStrip(round, strip), cancellation);
+        }
+
+        WorkerTeam.Run(
+            threads, points.Height, (_, row) => AddRow(points, options, row, weight, radianceFactors, indirect), cancellation);
         _sets++;
     }
 
     /// <summary>
-    /// How many samples a group needs for each unit of its samples' standard deviation, so that all errors together are what is asked for:
-    /// with such numbers they take the fewest samples. Deviations become parts of the light that errors are measured by.
+    /// How many samples a group needs for each unit of its samples' standard deviation, so that all errors together are the asked part of
+    /// the light's rms: with such numbers they take the least work.
     /// </summary>
-    private double SamplesPerDeviation(Round round, double error, double[] radianceFactors, double sum)
+    private double SamplesPerDeviation(int points, double error)
     {
-        int points = round.Points.Width * round.Points.Height;
-        double squares = 0.0;
+        (double squares, double deviations) = (0.0, 0.0);
         for (int i = 0; i < points; i++)
         {
-            double value = LightOf(i);
-            squares += value * value;
+            squares += LightOf(i) * LightOf(i);
         }
 
-        (double deviations, long count) = (0.0, 0);
         foreach (Trial trial in _trials)
         {
-            count += trial.Points;
+            deviations += trial.Points * (trial.Far.OfOne + (CostOfNear * trial.Near.OfOne));
         }
 
-        for (int group = 0; squares > 0.0 && group < _trials.Length; group++)
-        {
-            ref Trial trial = ref _trials[group];
-            double bright = PartOfBrightness / sum * MeanOf(radianceFactors, round, group);
-            double light = Math.Sqrt((squares / count) + (bright * bright));
-            trial = trial with { Far = trial.Far / light, Near = trial.Near / light };
-            deviations += trial.Points * (trial.Far + trial.Near);
-        }
-
-        return squares > 0.0 ? deviations / (error * error * count) : 0.0;
+        return squares > 0.0 ? deviations / (error * error * squares) : 0.0;
     }
 
-    /// <summary>The light of a point: of far ground no more than if nothing hid it, whatever few samples say.</summary>
-    private double LightOf(int point) =>
-        _near[point] + _shared[point] + Math.Clamp(_far[point], -_shared[point], _hidden[point]);
+    private double LightOf(int point) => _far[point] + _near[point];
 
-    /// <summary>Mean of the values of a group.</summary>
-    private double MeanOf(double[] values, Round round, int group)
-    {
-        int left = group % round.Groups * round.Columns;
-        int top = group / round.Groups * round.Rows;
-        double sum = 0.0;
-        for (int row = top; row < Math.Min(top + round.Rows, round.Points.Height); row++)
-        {
-            foreach (double value in values.AsSpan((row * round.Points.Width) + left, Math.Min(round.Points.Width - left, round.Columns)))
-            {
-                sum += value;
-            }
-        }
-
-        return sum / Math.Max(1, _trials[group].Points);
-    }
-
-    /// <summary>Samples the points of some rows, for the first time or as often as the first time has shown to be necessary.</summary>
+    /// <summary>Samples the points of some rows, for the first time or as often as the times before have shown to be necessary.</summary>
     private void SampleStrip(Round round, int strip)
     {
         IndirectWorker worker = Take(round.Options);
@@ -219,40 +189,45 @@ internal sealed class IndirectPass(SurfaceModel surface)
         {
             ref Trial trial = ref _trials[(strip * round.Groups) + group];
             bool isFirst = round.SamplesPerDeviation == 0.0;
-            double ratio = IndirectLight.DefaultError / round.Options.Indirect!.Error;
-            ratio *= ratio;
-            int far = isFirst ? FirstFar : MoreThan(FirstFar, trial.Far * round.SamplesPerDeviation, MostFar * ratio);
-            int near = isFirst ? FirstNear : MoreThan(FirstNear, trial.Near * round.SamplesPerDeviation, MostNear * ratio);
-            if (far + near == 0 || !worker.TryFill(round, strip, group, _camera!.PositionBodyFixed, _lights!.ReachOfView))
+            (int far, int near) = (MoreFar(trial, round.SamplesPerDeviation), MoreNear(trial, round.SamplesPerDeviation));
+            if ((!isFirst && far + near == 0)
+                || !worker.TryFill(round, strip, group, _camera!.PositionBodyFixed, _lights!.ReachOfView))
             {
                 continue;
             }
 
-            int choices = (int)Math.Ceiling(Choices * Math.Min(ratio, MostChoices));
+            int count = worker.Gather.Group.Count;
+            (far, near) = isFirst ? (LightGather.FirstChoices, Math.Max(FirstNear, FirstNearOfGroup / count)) : (far, near);
             if (far > 0)
             {
-                worker.Gather.Choose(choices / 2, choices, 2L * _sets); // the same ones in both rounds
+                double variance = worker.FindFar(far, round.Number, _far).Variance;
+                trial = trial with { Points = count, Far = new Deviation(Math.Sqrt(far * variance / count), far) };
             }
 
-            if (isFirst)
+            if (near > 0)
             {
-                worker.Share(areSeen: true, _shared);
-                worker.Share(areSeen: false, _hidden);
-            }
-
-            double farVariance = worker.Sample(far, isNear: false, round.Number, _far, isFirst ? 0 : FirstFar);
-            double nearVariance = worker.Sample(near, isNear: true, round.Number, _near, isFirst ? 0 : FirstNear);
-            if (isFirst)
-            {
-                int count = worker.Gather.Group.Count;
-                trial = new Trial(count, Math.Sqrt(far * farVariance / count), Math.Sqrt(near * nearVariance / count));
+                GatheredLight light = worker.FindNear(near, trial.Top, round.Number, _near);
+                trial = trial with
+                {
+                    Near = new Deviation(Math.Sqrt(near * light.Variance / count), near),
+                    Top = isFirst ? Math.Min(MostTop, (MarginOfTop * light.Top) + LeastTop) : trial.Top,
+                };
             }
         }
 
         _idle.Add(worker);
     }
 
-    private static int MoreThan(int first, double wanted, double most) => (int)Math.Clamp(Math.Ceiling(wanted) - first, 0.0, most);
+    private static int MoreFar(Trial trial, double perDeviation) => More(trial.Far, perDeviation);
+
+    private static int MoreNear(Trial trial, double perDeviation) => More(trial.Near, perDeviation / CostOfNear);
+
+    /// <summary>How many samples a group needs in place of those that it has; 0 if these are enough.</summary>
+    private static int More(Deviation found, double perDeviation)
+    {
+        double wanted = Math.Min(Math.Ceiling(found.OfOne * perDeviation), Most);
+        return wanted > Enough * found.Samples ? (int)wanted : 0;
+    }
 
     private void AddRow(
         ISurfaceRows points, NativeRenderOptions options, int row, double weight, double[] radianceFactors, double[] indirect)
@@ -278,9 +253,15 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private IndirectWorker Take(NativeRenderOptions options) =>
         _idle.TryTake(out IndirectWorker? idle) ? idle : new IndirectWorker(_surface, new LightGather(_tree!, _lights!, _camera!, options));
 
-    /// <summary>What the first samples of a group have shown.</summary>
+    /// <summary>What the samples of a group have shown.</summary>
     /// <param name="Points">Number of its points.</param>
-    /// <param name="Far">Standard deviation of a sample of far ground.</param>
-    /// <param name="Near">That of near ground.</param>
-    private readonly record struct Trial(int Points, double Far, double Near);
+    /// <param name="Far">Of far ground.</param>
+    /// <param name="Near">Of near ground.</param>
+    /// <param name="Top">rad: how far up near ground was found.</param>
+    private readonly record struct Trial(int Points, Deviation Far, Deviation Near, double Top);
+
+    /// <summary>How unsure light is.</summary>
+    /// <param name="OfOne">Standard deviation of one sample.</param>
+    /// <param name="Samples">How many samples each point has.</param>
+    private readonly record struct Deviation(double OfOne, int Samples);
 }

@@ -85,42 +85,40 @@ internal sealed class IndirectWorker(SurfaceModel surface, LightGather gather)
         return receivers.Count > 0;
     }
 
-    /// <summary>Gives all points of the group light that they share.</summary>
-    /// <param name="areSeen">Whether of ground that the group sees, or of other ground as if they saw it.</param>
+    /// <summary>Finds the light of far ground on the points of the group.</summary>
+    /// <param name="choices">How many points of it count.</param>
+    /// <param name="round">Tells rounds apart.</param>
     /// <param name="values">Receives the light.</param>
-    public void Share(bool areSeen, double[] values)
+    /// <returns>The light, with the squares of its errors.</returns>
+    public GatheredLight FindFar(int choices, long round, double[] values)
     {
         _light.Clear();
-        gather.AddShared(areSeen, _light);
+        gather.Choose(choices, round);
+        gather.AddFar(_light);
+        return Spread(values);
+    }
+
+    /// <summary>Finds the light of near ground on the points of the group; the parameters are those of <see cref="FindFar"/>.</summary>
+    /// <param name="samples">How many rays each point has.</param>
+    /// <param name="top">rad: how far up near ground was found; 0 if that is not known.</param>
+    /// <param name="round">Tells rounds apart.</param>
+    /// <param name="values">Receives the light.</param>
+    /// <returns>The light, with the squares of its errors.</returns>
+    public GatheredLight FindNear(int samples, double top, long round, double[] values)
+    {
+        _light.Clear();
+        gather.AddNear(samples, top, round, _light);
+        return Spread(values);
+    }
+
+    private GatheredLight Spread(double[] values)
+    {
         for (int i = 0; i < gather.Group.Count; i++)
         {
             values[_places[i]] = _light.Values[i];
         }
-    }
 
-    /// <summary>Takes samples for the points of the group.</summary>
-    /// <param name="samples">How many for each.</param>
-    /// <param name="isNear">Of near ground or of far.</param>
-    /// <param name="round">Tells rounds apart.</param>
-    /// <param name="values">The light of all points; receives the mean with the samples before.</param>
-    /// <param name="before">How many samples were taken before.</param>
-    /// <returns>Sum of the squares of the errors of the new samples' means.</returns>
-    public double Sample(int samples, bool isNear, long round, double[] values, int before)
-    {
-        if (samples == 0)
-        {
-            return 0.0;
-        }
-
-        _light.Clear();
-        gather.Add(samples, isNear, round, _light);
-        for (int i = 0; i < gather.Group.Count; i++)
-        {
-            ref double value = ref values[_places[i]];
-            value = ((before * value) + (samples * _light.Values[i])) / (before + samples);
-        }
-
-        return _light.Variance;
+        return _light;
     }
 
     /// <summary>Finds by what the map scales the points of a row.</summary>

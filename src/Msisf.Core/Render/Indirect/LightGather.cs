@@ -7,9 +7,8 @@ using Msisf.Core.Render.Shading;
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>
-/// Samples the light that ground throws on a group of points: far ground by points that stand for it, near ground by rays in all
-/// directions. The group shares its points of far ground: each is looked at from one point of the group. Where that is not what another
-/// point sees, further rays of each point tell. Keeps buffers, so each thread needs its own object.
+/// Samples the light that ground throws on a group of points: far ground by points that stand for it, which the group shares, each looked
+/// at from all points of the group together; near ground by rays of each point. Keeps buffers, so each thread needs its own object.
 /// </summary>
 /// <param name="tree">The ground.</param>
 /// <param name="lights">The points that stand for it.</param>
@@ -17,22 +16,10 @@ namespace Msisf.Core.Render.Indirect;
 /// <param name="options">The settings of the renderer.</param>
 internal sealed partial class LightGather(GroundTree tree, GroundLights lights, FrameCamera camera, NativeRenderOptions options)
 {
-    /// <summary>m: a way to a point ends so much before it.</summary>
-    private const double Gap = 1e-3;
-
-    /// <summary>Added to cosines of groups, so that no point is left out that may count.</summary>
-    private const double Slack = 0.1;
-
-    /// <summary>Parts of equal power of all far ground, of which is found out how much the group sees.</summary>
-    private const int Bins = 128;
-
-    /// <summary>How much a part of far ground counts of which nothing was seen.</summary>
-    private const double Unseen = 0.1;
-
     /// <summary>No bright point within so many times the reach of near ground: no near ground is bright.</summary>
     private const double MarginOfReach = 1.5;
 
-    /// <summary>The golden section: directions that follow each other by it are spread evenly round a circle.</summary>
+    /// <summary>The golden section: numbers that follow each other by it are spread evenly between 0 and 1.</summary>
     private const double Golden = 0.618_033_988_749_894_9;
 
     private readonly RowReflection _reflection = new(tree.Surface);
@@ -40,6 +27,7 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     private readonly double[] _sums = new double[lights.Count + 1];
     private readonly double[] _binSums = new double[Bins + 1];
     private double[] _values = [];
+    private readonly GroundFan _fan = new();
     private Choice[] _chosen = [];
     private int _choices;
     private double _total;
@@ -55,84 +43,14 @@ internal sealed partial class LightGather(GroundTree tree, GroundLights lights, 
     public void Begin()
     {
         Group.Close();
-        double reach = Group.LeastReach;
-        double closest = double.PositiveInfinity;
+        tree.Start(_fan, Group);
         _hasNear = false;
-        double sum = 0.0;
-        for (int i = 0; i < lights.Bright.Length; i++)
+        _total = 0.0;
+        if (lights.Bright.Length > 0)
         {
-            int light = lights.Bright[i];
-            Vector3D away = lights.Points[light] - Group.Middle;
-            double distance = Math.Sqrt(away.LengthSquared);
-            if (distance > reach - Group.Radius)
-            {
-                // What the light may give to any point of the group at most, but for the normals.
-                double margin = Group.Radius / distance;
-                double emitted = margin - (Vector3D.Dot(lights.Normals[light], away) / distance);
-                double received = Slack + margin + Math.Max(0.0, Vector3D.Dot(Group.MeanNormal, away) / distance);
-                double nearest = Math.Max(distance - Group.Radius, reach);
-                sum += emitted > 0.0 ? lights.Powers[light] * Math.Min(emitted, 1.0) * Math.Min(received, 1.0) / (nearest * nearest) : 0.0;
-            }
-
-            _hasNear |= distance < Group.Radius + (MarginOfReach * Group.MostReach);
-            (closest, _nearest) = distance < closest ? (distance, light) : (closest, _nearest);
-            _sums[i] = sum;
-        }
-
-        _total = sum;
-    }
-
-    /// <summary>Adds light of far or near ground to the points of the group.</summary>
-    /// <param name="samples">Rays for each point.</param>
-    /// <param name="isNear">Of near ground, or by how much that of far ground differs from what the group shares.</param>
-    /// <param name="round">Tells rounds of samples apart.</param>
-    /// <param name="found">Receives the light.</param>
-    public void Add(int samples, bool isNear, long round, GatheredLight found)
-    {
-        if (isNear && _hasNear)
-        {
-            AddNear(samples, round, found);
-        }
-        else if (!isNear)
-        {
-            AddDifference(samples, round, found);
-        }
-    }
-
-    /// <summary>Sends rays to near ground.</summary>
-    private void AddNear(int samples, long round, GatheredLight found)
-    {
-        for (int receiver = 0; receiver < Group.Count; receiver++)
-        {
-            Clear(samples);
-            SplitMix64 random = SplitMix64.For(0, purpose: 33, Group.Numbers[receiver], round);
-            (double offset, double turn) = (random.NextUniform(), random.NextUniform());
-            Vector3D up = Group.Facets[receiver];
-            Vector3D right = Vector3D.Cross(Math.Abs(up.Z) < 0.9 ? Vector3D.UnitZ : Vector3D.UnitX, up).Normalized();
-            Vector3D forward = Vector3D.Cross(up, right);
-            for (int sample = 0; sample < samples; sample++)
-            {
-                // Elevations over the facet's plane grow with a square, because near ground mostly stands low over it.
-                double u = (sample + offset) / samples;
-                (double sine, double cosine) = Math.SinCos(0.5 * Math.PI * u * u);
-                (double across, double along) = Math.SinCos(2.0 * Math.PI * (((sample * Golden) + turn) % 1.0));
-                Vector3D direction = (cosine * along * right) + (cosine * across * forward) + (sine * up);
-                AddNear(receiver, sample, direction, 2.0 * Math.PI * Math.PI * u * cosine / samples);
-            }
-
-            Collect(receiver, samples, found, isNear: true);
-        }
-    }
-
-    private void AddNear(int receiver, int sample, Vector3D direction, double solidAngle)
-    {
-        Vector3D point = Group.Points[receiver];
-        if (Faces(receiver, direction) && tree.FirstGround(point, direction, Group.Reaches[receiver]) is { } ground)
-        {
-            Vector3D met = point + (ground.Distance * direction);
-            Vector3D toSun = lights.ToSun[_nearest];
-            bool isLit = Vector3D.Dot(ground.Normal, toSun) > 0.0 && !tree.IsBlocked(met, toSun, point.Length);
-            Add(receiver, sample, direction, new Place(met, ground.Normal, solidAngle), isLit ? toSun : null, _nearest);
+            (_nearest, double distance) = lights.Bright.AddUp(Group, _sums);
+            _hasNear = distance < Group.Radius + (MarginOfReach * Group.MostReach);
+            _total = _sums[lights.Bright.Length - 1];
         }
     }
 

@@ -63,7 +63,7 @@ internal sealed class PartPass(SurfaceModel surface)
         if (frame.Options.Indirect is not null)
         {
             frame.Indirect?.Add(
-                _rows, frame.Options, weight: 1.0, sum: 1.0, _factors, indirect: [], frame.Threads, frame.Cancellation);
+                _rows, frame.Options, weight: 1.0, _factors, indirect: [], frame.Threads, frame.Cancellation);
         }
     }
 
