@@ -8,16 +8,10 @@ using Xunit;
 namespace Msisf.Adapters.Tests.Raster.Heights;
 
 /// <summary>What is found by looking at all pixels once is what the samples say, and is kept for a large raster.</summary>
-public sealed class RasterScanTests : IDisposable
+public sealed class RasterScanTests(LargeRaster large) : IDisposable, IClassFixture<LargeRaster>
 {
-    /// <summary>4,600 x 3,700 pixels: more than 2^24, in tiles; a strip of 4,096 columns and one of 504.</summary>
-    private const string Large = "line, sample = np.mgrid[0:3700, 0:4600].astype(np.float32); "
-        + "a = 500 + 0.05 * line - 0.01 * sample + np.round(20 * np.sin(line / 90) * np.cos(sample / 70)); "
-        + "a[1000:1030, 2000:2050] = -9999; a[3699, 4599] = -9999; a[5, 4096] = 900; nodata = -9999; t[0] = 150000.0; "
-        + "options = ['TILED=YES', 'COMPRESS=DEFLATE', 'ZLEVEL=1']";
-
     /// <summary>The same pixels at 4,096 px/deg, where no block of the grid begins.</summary>
-    private const string Cylindrical = Large
+    private const string Cylindrical = LargeRaster.Script
         + "; s = '+proj=longlat +R=1737400'; t = [30 + 77 / 4096, 1 / 4096, 0, 20 - 301 / 4096, 0, -1 / 4096]";
 
     private readonly TemporaryFolder _folder = new();
@@ -28,7 +22,7 @@ public sealed class RasterScanTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Prepare_LargeRaster_IsKeptAndTrue()
     {
-        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string path = large.CopyTo(_folder);
         using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
         Assert.Null(grid.Prepare(cacheFolder: null, Display));
         Assert.True(File.Exists(_folder["site.scan"]));
@@ -74,7 +68,7 @@ public sealed class RasterScanTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Prepare_Cancelled_LeavesNoFile()
     {
-        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string path = large.CopyTo(_folder);
         using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
         using CancellationTokenSource end = new();
         Assert.ThrowsAny<OperationCanceledException>(() => grid.Prepare(
@@ -88,7 +82,7 @@ public sealed class RasterScanTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Prepare_FileOfLevels_IsNeededAndVerified()
     {
-        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string path = large.CopyTo(_folder);
         string levels = _folder["site.pyramid"];
         using (GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null))
         {
@@ -128,7 +122,7 @@ public sealed class RasterScanTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Prepare_FileOfScanThatIsDamaged_IsMadeAgain()
     {
-        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string path = large.CopyTo(_folder);
         using (GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null))
         {
             grid.Prepare(cacheFolder: null, Display);
@@ -148,7 +142,7 @@ public sealed class RasterScanTests : IDisposable
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void ReadRadii_BorderOfKeptScan_NeedsNoBlockOfTheFile()
     {
-        string path = TestRaster.Write(_folder, "site.tif", Large);
+        string path = large.CopyTo(_folder);
         (int Line, int Sample, int Count)[] runs =
         [
             (0, 0, 4600), (64, 0, 4600), (3635, 0, 4600), (3699, 0, 4599),

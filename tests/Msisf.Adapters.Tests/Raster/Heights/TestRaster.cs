@@ -45,3 +45,25 @@ internal static class TestRaster
         return path;
     }
 }
+
+/// <summary>A raster so large that what is found of it is kept; made once for several tests.</summary>
+public sealed class LargeRaster : IDisposable
+{
+    /// <summary>4,600 x 3,700 pixels: more than 2^24, in tiles; a strip of 4,096 columns and one of 504.</summary>
+    internal const string Script = "line, sample = np.mgrid[0:3700, 0:4600].astype(np.float32); "
+        + "a = 500 + 0.05 * line - 0.01 * sample + np.round(20 * np.sin(line / 90) * np.cos(sample / 70)); "
+        + "a[1000:1030, 2000:2050] = -9999; a[3699, 4599] = -9999; a[5, 4096] = 900; nodata = -9999; t[0] = 150000.0; "
+        + "options = ['TILED=YES', 'COMPRESS=DEFLATE', 'ZLEVEL=1']";
+
+    private readonly TemporaryFolder _made = new();
+
+    /// <summary>A copy for one test.</summary>
+    internal string CopyTo(TemporaryFolder folder)
+    {
+        string path = _made["site.tif"];
+        File.Copy(File.Exists(path) ? path : TestRaster.Write(_made, "site.tif", Script), folder["site.tif"]);
+        return folder["site.tif"];
+    }
+
+    public void Dispose() => _made.Dispose();
+}
