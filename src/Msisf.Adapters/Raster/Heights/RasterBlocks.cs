@@ -11,16 +11,20 @@ internal sealed class RasterBlocks : IDisposable
     private const int BlockShift = SquareGrid.SideShift;
     private const int BlockSide = SquareGrid.Side;
 
-    /// <summary>Blocks that are kept, 128 MB; beyond that all are dropped.</summary>
+    /// <summary>Blocks that are kept, 128 MB; for a further one goes one that was not asked for of late.</summary>
     private const int MaxBlocks = 512;
+
+    /// <summary>The collector is asked for after so many: left to itself it comes to large arrays late.</summary>
+    private const int BlocksPerCollection = 256;
 
     private readonly Func<OpenedRaster> _open;
     private readonly HeightRule _rule;
     private readonly ConcurrentBag<OpenedRaster> _idle = [];
     private readonly Lock _gate = new();
     private readonly int _blockColumns;
-    private float[]?[]?[] _blocks;
-    private int _blockCount;
+    private readonly KeptBlock?[]?[] _blocks;
+    private readonly Queue<KeptBlock> _kept = new();
+    private int _dropped;
     private bool _isClosed;
 
     /// <summary>Takes a raster.</summary>
@@ -34,7 +38,7 @@ internal sealed class RasterBlocks : IDisposable
         HasWideBlocks = first.Image.HasWideBlocks;
         _idle.Add(first);
         _blockColumns = (Width + BlockSide - 1) >> BlockShift;
-        _blocks = new float[]?[]?[(Height + BlockSide - 1) >> BlockShift];
+        _blocks = new KeptBlock?[]?[(Height + BlockSide - 1) >> BlockShift];
     }
 
     /// <summary>Number of rows.</summary>
@@ -59,10 +63,16 @@ internal sealed class RasterBlocks : IDisposable
         Block(row >> BlockShift, column >> BlockShift).AsSpan(
             ((row & (BlockSide - 1)) << BlockShift) | (column & (BlockSide - 1)), RunLength(column, most));
 
-    private float[] Block(int blockRow, int blockColumn) =>
-        Volatile.Read(ref Volatile.Read(ref _blocks)[blockRow]) is { } inRow && Volatile.Read(ref inRow[blockColumn]) is { } block
-            ? block
-            : Keep(blockRow, blockColumn, ReadBlock(blockRow, blockColumn));
+    private float[] Block(int blockRow, int blockColumn)
+    {
+        if (Volatile.Read(ref _blocks[blockRow]) is not { } inRow || Volatile.Read(ref inRow[blockColumn]) is not { } block)
+        {
+            return Keep(blockRow, blockColumn, ReadBlock(blockRow, blockColumn));
+        }
+
+        block.IsUsed = true;
+        return block.Values;
+    }
 
     /// <summary>Closes the file.</summary>
     public void Dispose()
@@ -123,31 +133,50 @@ internal sealed class RasterBlocks : IDisposable
         return values;
     }
 
-    private float[] Keep(int blockRow, int blockColumn, float[] block)
+    private float[] Keep(int blockRow, int blockColumn, float[] values)
     {
         lock (_gate)
         {
-            if (_blocks[blockRow]?[blockColumn] is { } known)
+            KeptBlock?[] inRow = _blocks[blockRow] ?? new KeptBlock?[_blockColumns];
+            if (inRow[blockColumn] is { } known)
             {
-                return known;
+                return known.Values;
             }
 
-            if (++_blockCount > MaxBlocks)
+            if (_kept.Count == MaxBlocks)
             {
-                Volatile.Write(ref _blocks, new float[]?[]?[_blocks.Length]);
-                _blockCount = 1;
-
-                // Large arrays are else collected late: as many again, or more, would be in memory.
-                GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true, compacting: false);
+                Drop();
             }
 
-            if (_blocks[blockRow] is null)
-            {
-                Volatile.Write(ref _blocks[blockRow], new float[]?[_blockColumns]);
-            }
-
-            Volatile.Write(ref _blocks[blockRow]![blockColumn], block);
-            return block;
+            KeptBlock block = new(blockRow, blockColumn, values);
+            _kept.Enqueue(block);
+            Volatile.Write(ref inRow[blockColumn], block);
+            Volatile.Write(ref _blocks[blockRow], inRow);
+            return values;
         }
+    }
+
+    /// <summary>Drops the longest kept of the blocks that nobody asked for since it was last looked at.</summary>
+    private void Drop()
+    {
+        KeptBlock block = _kept.Dequeue();
+        while (block.IsUsed)
+        {
+            block.IsUsed = false;
+            _kept.Enqueue(block);
+            block = _kept.Dequeue();
+        }
+
+        Volatile.Write(ref _blocks[block.Row]![block.Column], null);
+        if (++_dropped % BlocksPerCollection == 0)
+        {
+            GC.Collect(GC.MaxGeneration, GCCollectionMode.Forced, blocking: true, compacting: false);
+        }
+    }
+
+    /// <summary>A block in memory, and whether it was asked for of late.</summary>
+    private sealed record KeptBlock(int Row, int Column, float[] Values)
+    {
+        public bool IsUsed { get; set; }
     }
 }

@@ -1,3 +1,5 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>The edges between facets and the gap that is still to be filled; each has the gap on its left.</summary>
@@ -67,8 +69,10 @@ internal sealed class FrontEdges(SeamGeometry geometry)
     /// <summary>Finds all edges with a point in a box, and some others.</summary>
     /// <param name="centre">Its middle, m.</param>
     /// <param name="reach">Half of its extent along each axis, m.</param>
+    /// <param name="sides">Normals, m^2, of planes through the Moon's centre: edges wholly behind one need not be found.</param>
     /// <param name="edges">Receives their numbers, in no order.</param>
-    public void Find(Vector3D centre, Vector3D reach, List<int> edges) => _index.Find(centre, reach, edges);
+    public void Find(Vector3D centre, Vector3D reach, ReadOnlySpan<Vector3D> sides, List<int> edges) =>
+        _index.Find(centre, reach, sides, edges);
 }
 
 /// <summary>
@@ -81,6 +85,9 @@ internal sealed class FrontIndex
 
     /// <summary>m: half the width of the smallest cubes.</summary>
     private const double Smallest = 1.0 / 1024.0;
+
+    /// <summary>m^3: what is so far behind a plane is so for sure; ten times what rounding makes of a normal.</summary>
+    private const double Behind = 1e-8 * MoonConstants.ReferenceRadius * MoonConstants.ReferenceRadius;
 
     private readonly Cube _top = new();
 
@@ -95,14 +102,16 @@ internal sealed class FrontIndex
     /// <summary>Finds all edges with a point in a box, and some others.</summary>
     /// <param name="centre">Its middle, m.</param>
     /// <param name="reach">Half of its extent along each axis, m.</param>
+    /// <param name="sides">Normals, m^2, of planes through the Moon's centre: edges wholly behind one need not be found.</param>
     /// <param name="edges">Receives their numbers, in no order.</param>
-    public void Find(Vector3D centre, Vector3D reach, List<int> edges)
+    public void Find(Vector3D centre, Vector3D reach, ReadOnlySpan<Vector3D> sides, List<int> edges)
     {
         edges.Clear();
-        Visit(_top, default, Half, centre, reach, edges);
+        Visit(_top, default, Half, centre, reach, sides, edges);
     }
 
-    private static void Visit(Cube cube, Vector3D middle, double half, Vector3D centre, Vector3D reach, List<int> edges)
+    private static void Visit(
+        Cube cube, Vector3D middle, double half, Vector3D centre, Vector3D reach, ReadOnlySpan<Vector3D> sides, List<int> edges)
     {
         // An edge is no longer than its cube is wide, and its middle is in the cube; some more, as edges lie below the sphere.
         double around = 2.1 * half;
@@ -112,12 +121,21 @@ internal sealed class FrontIndex
             return;
         }
 
+        foreach (Vector3D side in sides)
+        {
+            double extent = around * (Math.Abs(side.X) + Math.Abs(side.Y) + Math.Abs(side.Z));
+            if (Vector3D.Dot(side, middle) + extent < -Behind)
+            {
+                return;
+            }
+        }
+
         edges.AddRange(cube.Edges);
         for (int child = 0; child < cube.Children.Length; child++)
         {
             if (cube.Children[child] is { } next)
             {
-                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, reach, edges);
+                Visit(next, MiddleOf(middle, 0.5 * half, child), 0.5 * half, centre, reach, sides, edges);
             }
         }
     }

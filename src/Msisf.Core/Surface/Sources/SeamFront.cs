@@ -85,18 +85,14 @@ internal sealed class SeamFront
             return beside;
         }
 
-        for (double radius = 4.0 * _geometry.LengthOf(from, to); radius < 4.0 * WidestSearch; radius *= 3.0)
+        // What lies in the circle through the edge and an apex is looked at, if the circle reaches less far: the radius makes no difference.
+        for (double radius = _geometry.LengthOf(from, to); radius < 4.0 * WidestSearch; radius *= 2.0)
         {
-            int apex = BestWithin(from, to, radius);
+            int apex = BestWithin(from, to, radius, radius >= WidestSearch ? double.PositiveInfinity : radius);
             if (apex != None)
             {
-                // The circle through the three reaches this far from the edge's middle.
-                double reach = _geometry.ReachOf(from, to, apex);
-                if (reach <= radius || radius >= WidestSearch)
-                {
-                    Note(apex, reach);
-                    return apex;
-                }
+                Note(apex, _geometry.ReachOf(from, to, apex));
+                return apex;
             }
         }
 
@@ -150,9 +146,11 @@ internal sealed class SeamFront
         }
     }
 
-    private int BestWithin(int from, int to, double radius)
+    /// <summary>The best apex, if its circle reaches so far at most.</summary>
+    private int BestWithin(int from, int to, double radius, double reach)
     {
-        _front.Find(_geometry.MiddleOf(from, to), new Vector3D(radius, radius, radius), _near);
+        Vector3D middle = _geometry.MiddleOf(from, to);
+        _front.Find(middle, new Vector3D(radius, radius, radius), [_geometry.NormalOf(from, to)], _near);
         _candidates.Clear();
         _stamp++;
         _seen[from] = _seen[to] = _stamp;
@@ -176,6 +174,11 @@ internal sealed class SeamFront
             }
 
             int apex = _candidates[best];
+            if (_geometry.ReachOf(from, to, apex) > reach)
+            {
+                return None;
+            }
+
             if (IsFree(from, to, apex))
             {
                 return apex;
@@ -192,7 +195,7 @@ internal sealed class SeamFront
             if (_seen[vertex] != _stamp)
             {
                 _seen[vertex] = _stamp;
-                if (_geometry.Orient(from, to, vertex) > 0)
+                if ((_geometry.PlaceOf(vertex) - middle).LengthSquared <= reach * reach && _geometry.Orient(from, to, vertex) > 0)
                 {
                     _candidates.Add(vertex);
                 }
@@ -204,7 +207,8 @@ internal sealed class SeamFront
     private bool IsFree(int a, int b, int c)
     {
         (Vector3D Low, Vector3D High) box = _geometry.BoxOf(a, b, c);
-        _front.Find(0.5 * (box.Low + box.High), 0.5 * (box.High - box.Low), _crossing);
+        ReadOnlySpan<Vector3D> sides = [_geometry.NormalOf(a, b), _geometry.NormalOf(b, c), _geometry.NormalOf(c, a)];
+        _front.Find(0.5 * (box.Low + box.High), 0.5 * (box.High - box.Low), sides, _crossing);
         foreach (int edge in _crossing)
         {
             (int from, int to) = _front.Edges[edge];

@@ -30,6 +30,9 @@ internal sealed class SeamGeometry
     /// <summary>Length of an edge, m; 1 mm to 1e6 m, so that the square neither overflows nor vanishes.</summary>
     public double LengthOf(int from, int to) => Math.Sqrt((_flat[to] - _flat[from]).LengthSquared);
 
+    /// <summary>Normal of the plane through the Moon's centre and an edge, towards the edge's left, m^2.</summary>
+    public Vector3D NormalOf(int from, int to) => Vector3D.Cross(_flat[from], _flat[to]);
+
     /// <summary>See <see cref="Orientation.Of"/>.</summary>
     public int Orient(int a, int b, int c) => Orientation.Of(_vertices[a].Position, _vertices[b].Position, _vertices[c].Position);
 
