@@ -85,7 +85,7 @@ internal sealed class SeamFront
             return beside;
         }
 
-        // What lies in the circle through the edge and an apex is looked at, if the circle reaches less far: the radius makes no difference.
+        // All that lies in the circle through the edge and the apex was looked at, so that the radius makes no difference.
         for (double radius = _geometry.LengthOf(from, to); radius < 4.0 * WidestSearch; radius *= 2.0)
         {
             int apex = BestWithin(from, to, radius, radius >= WidestSearch ? double.PositiveInfinity : radius);
