@@ -29,9 +29,7 @@ internal sealed class CommandLineProgram
         _tree = new CommandTree(_arguments, (path, command) => HelpText.Write(host.Results, path, command), RunAsync);
     }
 
-    /// <summary>Runs one command.</summary>
     /// <param name="arguments">Arguments as passed to <c>main</c>.</param>
-    /// <param name="cancellation">Ends the run, as Ctrl-C does.</param>
     public static async Task<int> RunAsync(IReadOnlyList<string> arguments, ProgramHost host, CancellationToken cancellation = default)
     {
         CommandLineProgram program = new(arguments, host);

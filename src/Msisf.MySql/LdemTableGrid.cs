@@ -46,7 +46,12 @@ public sealed class LdemTableGrid : IGlobalGrid
     /// <exception cref="ExternalPartException">The database failed.</exception>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        CheckBlock(line, 1, firstSample, radii.Length);
+        ArgumentOutOfRangeException.ThrowIfNegative(line);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(line, 180 * PixelsPerDegree);
+        ArgumentOutOfRangeException.ThrowIfNegative(firstSample);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(firstSample, LineSamples);
+        ArgumentOutOfRangeException.ThrowIfLessThan(radii.Length, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(radii.Length, LineSamples);
         int sample = firstSample;
         while (!radii.IsEmpty)
         {
@@ -75,15 +80,57 @@ public sealed class LdemTableGrid : IGlobalGrid
                 $"table {_table}: only {found} of {count} samples of line {line + 1} from sample {firstSample + 1} on are there. "
                     + $"Import the product that has them, or run scripts/ldem_mysql_insert.php --verify."));
         });
+}
 
-    private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
+/// <summary>
+/// Caches the runs of samples that were read last. A run is a part of a line and is read once, even if several threads need it.
+/// </summary>
+internal sealed class RunCache
+{
+    /// <summary>
+    /// Number of samples in a run: large enough that the fixed cost of a query is small, and that a tile at 512 px/deg needs at most two
+    /// runs per line.
+    /// </summary>
+    private const int RunSamples = 8192;
+
+    /// <summary>Maximum size of the cache, bytes: enough for a row of tiles at 64 px/deg.</summary>
+    private const long Budget = 256L << 20;
+
+    private readonly Lock _gate = new();
+    private readonly Dictionary<(int Line, int First), Lazy<double[]>> _runs = [];
+    private readonly Queue<(int Line, int First)> _order = new();
+    private readonly int _lineSamples;
+    private readonly Func<int, int, int, double[]> _read;
+
+    /// <summary>Creates an empty cache.</summary>
+    /// <param name="lineSamples">Number of samples per line.</param>
+    /// <param name="read">Reads a run; receives line, first sample and count.</param>
+    public RunCache(int lineSamples, Func<int, int, int, double[]> read)
     {
-        ArgumentOutOfRangeException.ThrowIfNegative(firstLine);
-        ArgumentOutOfRangeException.ThrowIfLessThan(lines, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan((long)firstLine + lines, 180 * PixelsPerDegree, nameof(lines));
-        ArgumentOutOfRangeException.ThrowIfNegative(firstSample);
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(firstSample, LineSamples);
-        ArgumentOutOfRangeException.ThrowIfLessThan(samples, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(samples, LineSamples);
+        _lineSamples = lineSamples;
+        _read = read;
+    }
+
+    /// <summary>The samples from a given one to the end of its run, which are at least one.</summary>
+    public ReadOnlySpan<double> From(int line, int sample)
+    {
+        int first = sample / RunSamples * RunSamples;
+        Lazy<double[]> run;
+        lock (_gate)
+        {
+            if (!_runs.TryGetValue((line, first), out run!))
+            {
+                int count = Math.Min(RunSamples, _lineSamples - first);
+                run = new Lazy<double[]>(() => _read(line, first, count));
+                _runs.Add((line, first), run);
+                _order.Enqueue((line, first));
+                while (_order.Count > Math.Max(Budget / (sizeof(double) * (long)RunSamples), 1))
+                {
+                    _runs.Remove(_order.Dequeue());
+                }
+            }
+        }
+
+        return run.Value.AsSpan(sample - first);
     }
 }

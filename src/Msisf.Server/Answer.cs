@@ -31,7 +31,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     /// <summary>Adds the time since a timestamp of <see cref="Stopwatch"/>.</summary>
     public void AddTime(string name, long start) => Times.Add((Prefix + name, Stopwatch.GetElapsedTime(start).TotalMilliseconds));
 
-    /// <summary>Adds a part.</summary>
     /// <param name="name">Name of a file with it.</param>
     public void Add(string name, string contentType, Action<MemoryStream> write, params (string Name, string Value)[] headers) =>
         Add(name, contentType, Make(write), headers);
@@ -72,9 +71,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
     }
 
     /// <summary>Sends what has not been sent yet.</summary>
-    /// <param name="response">Receives it.</param>
     /// <param name="isMultipart">Whether the parts are separated by boundaries; if not, there is one.</param>
-    /// <param name="cancellation">Stops sending.</param>
     public virtual async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
     {
         SetHeaders(response, isMultipart, _parts[0]);
@@ -97,7 +94,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         }
     }
 
-    /// <summary>Gives the memory back.</summary>
     public void Dispose()
     {
         foreach (AnswerPart part in _parts)
@@ -108,8 +104,6 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         _parts.Clear();
     }
 
-    /// <summary>Sets the headers of an answer.</summary>
-    /// <param name="response">Has them.</param>
     /// <param name="isMultipart">Whether the parts are separated by boundaries.</param>
     /// <param name="first">The first part, which is the only one without boundaries.</param>
     protected void SetHeaders(HttpResponse response, bool isMultipart, AnswerPart first)
@@ -168,7 +162,6 @@ internal sealed class StreamPool
 
     private readonly ConcurrentBag<MemoryStream> _idle = [];
 
-    /// <summary>An empty stream.</summary>
     public MemoryStream Take()
     {
         MemoryStream stream = _idle.TryTake(out MemoryStream? idle) ? idle : new MemoryStream();
@@ -176,12 +169,76 @@ internal sealed class StreamPool
         return stream;
     }
 
-    /// <summary>Takes a stream back.</summary>
     public void GiveBack(MemoryStream stream)
     {
         if (stream.Capacity <= LargestKept && _idle.Count < MostKept)
         {
             _idle.Add(stream);
+        }
+    }
+}
+
+/// <summary>An answer that is too long for memory: each part is sent as soon as it is made, by the thread that makes it.</summary>
+/// <param name="pool">Memory of the parts that are made as a whole.</param>
+/// <param name="isMultipart">Whether the parts are separated by boundaries; if not, there is one.</param>
+internal sealed class StreamedAnswer(StreamPool pool, HttpResponse response, bool isMultipart) : Answer(pool)
+{
+    private static readonly MemoryStream Nothing = new(0);
+
+    private readonly ResponseStream _body = (ResponseStream)response.Body;
+
+    public override void Add(string name, string contentType, MemoryStream content, params (string Name, string Value)[] headers)
+    {
+        base.Add(name, contentType, content, headers);
+        AnswerPart part = Parts[^1];
+        Begin(part with { Length = part.Bytes.Length });
+        _body.Write(part.Bytes.Span);
+        Dispose();
+    }
+
+    public override void AddLarge(
+        string name, string contentType, long? length, Action<Stream> write, params (string Name, string Value)[] headers)
+    {
+        if (length is null && isMultipart)
+        {
+            AddFromFile(name, contentType, write, headers);
+            return;
+        }
+
+        Begin(new AnswerPart(Prefix + name, contentType, Nothing, headers) { Length = length });
+        write(_body);
+    }
+
+    public override async Task SendAsync(HttpResponse response, bool isMultipart, CancellationToken cancellation)
+    {
+        if (isMultipart)
+        {
+            await response.Body.WriteAsync(End, cancellation).ConfigureAwait(false);
+        }
+    }
+
+    /// <summary>Each part of several says its length first; of this one it is known when it is made.</summary>
+    private void AddFromFile(string name, string contentType, Action<Stream> write, (string Name, string Value)[] headers)
+    {
+        using FileStream file = new(
+            Path.GetTempFileName(), FileMode.Create, FileAccess.ReadWrite, FileShare.None, bufferSize: 1 << 16, FileOptions.DeleteOnClose);
+        write(file);
+        Begin(new AnswerPart(Prefix + name, contentType, Nothing, headers) { Length = file.Length });
+        file.Position = 0;
+        file.CopyTo(_body);
+    }
+
+    private void Begin(AnswerPart part)
+    {
+        if (!response.HasStarted)
+        {
+            _body.Stop = Stop;
+            SetHeaders(response, isMultipart, part);
+        }
+
+        if (isMultipart)
+        {
+            _body.Write(Encoding.ASCII.GetBytes(HeadOf(part)));
         }
     }
 }

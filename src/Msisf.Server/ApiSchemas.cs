@@ -17,7 +17,6 @@ internal static class ApiSchemas
     public static IReadOnlyList<(string Name, Type Type)> Types { get; } =
         [(SurfacePoint, typeof(SurfaceReading)), (ImagePoint, typeof(PixelReading)), (nameof(Problem), typeof(ProblemText))];
 
-    /// <summary>The options of a frame.</summary>
     public static OpenApiSchema OfFrame()
     {
         Dictionary<string, IOpenApiSchema> properties = new()
@@ -74,15 +73,13 @@ internal static class ApiSchemas
         return new OpenApiSchema { OneOf = [new OpenApiSchemaReference(Frame, document), rig] };
     }
 
-    /// <summary>A frame and a list of points.</summary>
     /// <param name="name">Name of the list.</param>
     /// <param name="description">What a point is.</param>
-    /// <param name="least">Least count of its numbers.</param>
-    /// <param name="most">Their largest count.</param>
-    public static Func<OpenApiDocument, IOpenApiSchema> OfPoints(string name, string description, int least, int most) => document =>
+    /// <param name="most">The largest count of its numbers.</param>
+    public static Func<OpenApiDocument, IOpenApiSchema> OfPoints(string name, string description, int most = 2) => document =>
     {
         OpenApiSchema point = ListOf(Of(JsonSchemaType.Number));
-        (point.MinItems, point.MaxItems) = (least, most);
+        (point.MinItems, point.MaxItems) = (2, most);
         OpenApiSchema points = ListOf(point);
         points.Description = description;
         OpenApiSchema schema = Closed(new() { ["frame"] = new OpenApiSchemaReference(Frame, document), [name] = points });
@@ -90,7 +87,6 @@ internal static class ApiSchemas
         return schema;
     };
 
-    /// <summary>An object with a list.</summary>
     /// <param name="name">Name of the list.</param>
     /// <param name="item">Name of the schema of its elements.</param>
     /// <param name="isNullable">Whether an element may be null.</param>
@@ -108,7 +104,6 @@ internal static class ApiSchemas
         };
     };
 
-    /// <summary>A value of a type.</summary>
     public static OpenApiSchema Of(JsonSchemaType type) => new() { Type = type };
 
     private static OpenApiSchema OfOption(OptionSpec option)

@@ -13,7 +13,6 @@ internal sealed class Connections(int most, TimeSpan longestSilence)
 {
     private readonly ConcurrentDictionary<Connection, bool> _open = [];
 
-    /// <summary>Serves a connection.</summary>
     /// <param name="context">The connection; its requests find their <see cref="Connection"/> among the features.</param>
     /// <param name="next">Serves it.</param>
     public async Task HandleAsync(ConnectionContext context, ConnectionDelegate next)
@@ -89,6 +88,5 @@ internal sealed class Connection(ConnectionContext context)
         }
     }
 
-    /// <summary>Closes the connection.</summary>
     public void Close() => context.Abort(new ConnectionAbortedException("The client sends no request."));
 }

@@ -1,4 +1,3 @@
-using System.Text.Json;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 
@@ -30,7 +29,6 @@ internal sealed class FoldersEndpoint
         }
     }
 
-    /// <summary>Lists the names.</summary>
     public Task ListAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
         Folders = _frames.Settings.Folders.Select(folder => new
@@ -85,8 +83,7 @@ internal sealed class FoldersEndpoint
 
     private Task<IReadOnlyList<ServedFrame>> ReadBatchAsync(string path, CancellationToken cancellation)
     {
-        using JsonDocument none = JsonDocument.Parse("{}");
-        RequestedFrame requested = _frames.Read(none.RootElement, needsPlace: false);
+        RequestedFrame requested = _frames.ReadDefault();
         return _frames.RunAsync(
             requested,
             (_, _, end) => ServedBatch.Frames(path, requested, _frames.Sessions.Ephemeris, _host, end),

@@ -21,13 +21,10 @@ internal sealed class FrameAnswers(StreamPool pool)
 
     /// <summary>An answer that is sent while it is made, if it is too long for memory.</summary>
     /// <param name="plan">What it will hold.</param>
-    /// <param name="response">Receives it.</param>
     /// <param name="isMultipart">Whether it has several parts.</param>
     public Answer For(AnswerPlan plan, HttpResponse response, bool isMultipart) =>
         plan.IsSentAsMade ? new StreamedAnswer(pool, response, isMultipart) : InMemory();
 
-    /// <summary>Draws a frame and writes its answer.</summary>
-    /// <param name="answer">Receives it.</param>
     /// <param name="session">Draws it.</param>
     public static void Draw(
         Answer answer, RenderSession session, PreparedFrame frame, AnswerForm form, int threads, CancellationToken cancellation)
@@ -41,8 +38,6 @@ internal sealed class FrameAnswers(StreamPool pool)
         answer.AddTime("write", start);
     }
 
-    /// <summary>Adds the image in a form.</summary>
-    /// <param name="answer">Receives it.</param>
     /// <param name="form">Content type.</param>
     private static void AddImage(Answer answer, NativeImage image, string form, int threads)
     {

@@ -32,16 +32,13 @@ internal sealed class FrameService : IDisposable
         Answers = new FrameAnswers(new StreamPool());
     }
 
-    /// <summary>The server's settings.</summary>
     public ServeSettings Settings { get; }
 
     /// <summary>The files that requests may name.</summary>
     public ServedNames Names { get; }
 
-    /// <summary>The warm sessions.</summary>
     public RenderSessions Sessions { get; }
 
-    /// <summary>Counts of what the server did.</summary>
     public ServerMetrics Metrics { get; }
 
     /// <summary>Draws frames and writes their answers.</summary>
@@ -78,12 +75,14 @@ internal sealed class FrameService : IDisposable
                         + $"{Settings.MaxPixels} px. Use a smaller --width and --height."));
     }
 
+    /// <summary>A frame with the defaults of all options, for what needs no camera.</summary>
+    public RequestedFrame ReadDefault() => Read(JsonElement.Parse("{}"), needsPlace: false);
+
     /// <summary>Where the Sun is at times, m, BODY_FIXED, for requests that give no options of the ephemeris.</summary>
     /// <exception cref="MsisfException">The kernels do not cover a time.</exception>
     public Vector3D[] SunAt(IEnumerable<ModifiedJulianDate> times)
     {
-        using JsonDocument none = JsonDocument.Parse("{}");
-        RenderSettings settings = Read(none.RootElement, needsPlace: false).Settings;
+        RenderSettings settings = ReadDefault().Settings;
         IEphemeris engine = Sessions.Ephemeris.Of(settings).Engine();
         return [.. times.Select(time => engine.SunPositionBodyFixed(time, settings.Aberration))];
     }
@@ -91,9 +90,7 @@ internal sealed class FrameService : IDisposable
     /// <summary>Collects the warnings of a request for its answer.</summary>
     public IReadOnlyList<string> CollectWarnings() => _log.Collect();
 
-    /// <summary>Does the work of a request when it is its turn.</summary>
     /// <param name="work">Receives the session and the number of threads.</param>
-    /// <param name="client">Stops the work when the client goes away.</param>
     /// <param name="isLarge">Whether the work is that of a large image.</param>
     public Task<T> RunAsync<T>(
         RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client, bool isLarge = false) =>
@@ -106,10 +103,7 @@ internal sealed class FrameService : IDisposable
             },
             client);
 
-    /// <summary>Draws a frame when it is its turn.</summary>
     /// <param name="place">Where the camera is.</param>
-    /// <param name="answer">Receives it.</param>
-    /// <param name="client">Stops the work when the client goes away.</param>
     /// <param name="shared">Positions of the Sun that other images of the same request know; null for none.</param>
     public async Task DrawAsync(
         RequestedFrame requested, TrajectorySettings place, AnswerForm form, Answer answer, CancellationToken client,
@@ -144,7 +138,6 @@ internal sealed class FrameService : IDisposable
     /// <returns>Whether it has ended in time.</returns>
     public Task<bool> EndsWithinAsync(TimeSpan limit) => _queue.EndsWithinAsync(limit);
 
-    /// <summary>Closes the models and sessions.</summary>
     public void Dispose()
     {
         Sessions.Dispose();

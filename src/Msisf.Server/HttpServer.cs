@@ -53,7 +53,6 @@ internal sealed class HttpServer : IAsyncDisposable
     internal IEnumerable<string> Routes => _web.Services.GetRequiredService<EndpointDataSource>().Endpoints.OfType<RouteEndpoint>().Select(
         route => $"{route.Metadata.GetRequiredMetadata<HttpMethodMetadata>().HttpMethods[0]} {route.RoutePattern.RawText}");
 
-    /// <summary>Starts a server.</summary>
     /// <exception cref="MsisfException">There is no elevation model, or the address can't be listened on.</exception>
     public static async Task<HttpServer> StartAsync(ServeSettings settings, ProgramHost host)
     {
@@ -106,7 +105,6 @@ internal sealed class HttpServer : IAsyncDisposable
         await _web.StopAsync(drop.Token).ConfigureAwait(false);
     }
 
-    /// <summary>Ends the server.</summary>
     public async ValueTask DisposeAsync()
     {
         await _web.DisposeAsync().ConfigureAwait(false);
@@ -179,8 +177,9 @@ internal sealed class HttpServer : IAsyncDisposable
             new("Counts of what the server did, as Prometheus reads them.", "text/plain"));
         Get("/openapi.json", new OpenApiEndpoint().AnswerAsync, new("This document.", AnswerForm.Json));
         Get("/v1/models", new ModelsEndpoint(_frames).AnswerAsync, new("Lists the names that requests may use.", AnswerForm.Json));
+        CraterEndpoints craters = new(_settings.Catalogues, host.Installation);
         Get(
-            "/v1/catalogues/{name}", new CataloguesEndpoint(_settings.Catalogues).AnswerAsync,
+            "/v1/catalogues/{name}", craters.AnswerCatalogueAsync,
             new("Lists the craters of a catalogue, the largest first.", AnswerForm.Json));
         FoldersEndpoint folders = new(_frames, host);
         Get("/v1/folders", folders.ListAsync, new("Lists the output folders and batch files of --folders.", AnswerForm.Json));
@@ -188,12 +187,13 @@ internal sealed class HttpServer : IAsyncDisposable
         Get(
             "/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync,
             new("Sends a file of a frame: image, annotated or meta.", AnswerForm.Png));
-        Get("/v1/names", new NamesEndpoint(host.Installation).AnswerAsync, new("Lists the Moon's named features.", AnswerForm.Json));
-        Get("/v1/sun", new SunEndpoint(_frames).AnswerAsync, SunEndpoint.About);
-        Get("/v1/sun/path", new SunPathEndpoint(_frames).AnswerAsync, SunPathEndpoint.About);
+        Get("/v1/names", craters.AnswerNamesAsync, new("Lists the Moon's named features.", AnswerForm.Json));
+        SunEndpoints sun = new(_frames);
+        Get("/v1/sun", sun.AnswerAsync, SunEndpoints.About);
+        Get("/v1/sun/path", sun.AnswerPathAsync, SunEndpoints.AboutPath);
         PointsEndpoints points = new(_frames);
         Post("/v1/ground", points.GroundAsync, PointsEndpoints.AboutGround);
-        Post("/v1/light", new LightEndpoint(_frames).AnswerAsync, LightEndpoint.About);
+        Post("/v1/light", points.LightAsync, PointsEndpoints.AboutLight);
         Post(
             "/v1/trajectory", new TrajectoryEndpoint(_frames, host).AnswerAsync,
             new("Reads the states of a trajectory.", AnswerForm.Json));
@@ -201,14 +201,13 @@ internal sealed class HttpServer : IAsyncDisposable
         Post("/v1/points", points.PointsAsync, PointsEndpoints.AboutPoints);
         Post("/v1/render", new RenderEndpoint(_frames).AnswerAsync, RenderEndpoint.About);
         Get(
-            "/v1/stream", new StreamEndpoint(_frames, _web.Lifetime.ApplicationStopping).AnswerAsync,
+            "/v1/stream", context => StreamSession.AnswerAsync(context, _frames, _web.Lifetime.ApplicationStopping),
             new("A WebSocket on which states go in and images come out.", AnswerForm.Json));
 
         void Get(string path, RequestDelegate answer, RouteText text) => _web.MapGet(path, answer).WithMetadata(answer.Method, text);
         void Post(string path, RequestDelegate answer, RouteText text) => _web.MapPost(path, answer).WithMetadata(answer.Method, text);
     }
 
-    /// <summary>The viewer.</summary>
     private void AddFiles()
     {
         string folder = Path.Combine(AppContext.BaseDirectory, "wwwroot");

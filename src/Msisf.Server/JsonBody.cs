@@ -10,10 +10,7 @@ internal static class JsonBody
     /// <summary>bytes: a request with some thousand points.</summary>
     public const int LargestRequest = 1 << 20;
 
-    /// <summary>Apostrophes stay as they are: no answer is part of a page.</summary>
-    public static JsonWriterOptions Writing { get; } = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-
-    /// <summary>Properties are in small letters with underscores.</summary>
+    /// <summary>Properties are in small letters with underscores. Apostrophes stay as they are: no answer is part of a page.</summary>
     public static readonly JsonSerializerOptions Names = new()
     {
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
@@ -24,7 +21,7 @@ internal static class JsonBody
     /// <summary>Reads the body of a request.</summary>
     /// <exception cref="RefusedException">It is said to be something else.</exception>
     /// <exception cref="JsonException">It is no JSON.</exception>
-    public static async Task<JsonDocument> ReadAsync(HttpRequest request)
+    public static async Task<JsonElement> ReadAsync(HttpRequest request)
     {
         if (!request.HasJsonContentType())
         {

@@ -18,11 +18,8 @@ internal static class MetadataJson
     private static readonly string[] Texts = ["name", "id", "product", "sha256", "hiddenBy"];
     private static readonly XmlReaderSettings Reading = new() { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null };
 
-    /// <summary>Writes the JSON of a frame.</summary>
-    /// <param name="json">Receives it.</param>
     /// <param name="frame">What holds for the whole frame.</param>
     /// <param name="pixels">Its pixels, whose members do not go by way of the text in XML: that took most of the time.</param>
-    /// <param name="cancellation">Stops between rows.</param>
     public static void Write(Stream json, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation)
     {
         using MemoryStream xml = new();
@@ -32,7 +29,6 @@ internal static class MetadataJson
     }
 
     /// <summary>Writes the JSON of a meta file.</summary>
-    /// <param name="json">Receives it.</param>
     /// <param name="xml">The meta file.</param>
     /// <param name="writePixels">Writes what the pixels hold in place of the file's; null for these.</param>
     internal static void Write(Stream json, Stream xml, Action<Utf8JsonWriter>? writePixels = null)

@@ -4,7 +4,6 @@ using Msisf.App.Settings;
 namespace Msisf.Server;
 
 /// <summary>GET /v1/models: the names that requests may use.</summary>
-/// <param name="frames">Knows them.</param>
 internal sealed class ModelsEndpoint(FrameService frames)
 {
     public Task AnswerAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
@@ -29,7 +28,6 @@ internal sealed class ModelsEndpoint(FrameService frames)
         frames.Settings.MaxPixels,
     });
 
-    /// <summary>A camera as the answers have it.</summary>
     public static object Described(CameraFile camera) => new
     {
         camera.Name,

@@ -112,7 +112,6 @@ internal sealed class OpenApiEndpoint
 /// <param name="ContentTypes">Content types of its answers.</param>
 internal sealed record RouteText(string Summary, params IReadOnlyList<string> ContentTypes)
 {
-    /// <summary>Names that its query may have.</summary>
     public IReadOnlyList<string> Query { get; init; } = [];
 
     /// <summary>Makes the schema of a request's body; null for a request without one.</summary>

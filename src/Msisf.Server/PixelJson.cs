@@ -12,9 +12,7 @@ internal static class PixelJson
     private const int MostPending = 1 << 14;
 
     /// <summary>Writes what PixelInformation holds.</summary>
-    /// <param name="json">Receives it.</param>
     /// <param name="pixels">Gives the pixels, by rows from the top.</param>
-    /// <param name="cancellation">Stops between rows.</param>
     public static void Write(Utf8JsonWriter json, PixelSampler pixels, CancellationToken cancellation)
     {
         PixelRecord[] row = new PixelRecord[pixels.Grid.Columns];

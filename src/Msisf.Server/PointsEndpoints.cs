@@ -1,15 +1,28 @@
 using System.Text.Json;
-using Msisf.App.Rendering;
+using Msisf.App.Illumination;
 using Msisf.App.Serving;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Server;
 
-/// <summary>POST /v1/ground, /v1/points and /v1/pixels: what the surface of a frame is at places, and where it lies in the image.</summary>
+/// <summary>
+/// POST /v1/ground, /v1/points, /v1/pixels and /v1/light: what the surface of a frame is at places, where it lies in the image, and how it
+/// is lit over the month around the frame's time.
+/// </summary>
 internal sealed class PointsEndpoints(FrameService frames)
 {
+    /// <summary>Places of a request for light: each takes a horizon.</summary>
+    private const int MostLitPlaces = 10;
+    private static readonly string[] Place = ["latitude", "longitude"];
+
     public static RouteText AboutGround { get; } = new("Says how high the ground is at places of the Moon.", AnswerForm.Json)
     {
-        Body = ApiSchemas.OfPoints("points", "[latitude, longitude]: degrees", least: 2, most: 2),
+        Body = ApiSchemas.OfPoints("points", "[latitude, longitude]: degrees"),
+    };
+
+    public static RouteText AboutLight { get; } = new("Says how places are lit over the month around a time.", AnswerForm.Json)
+    {
+        Body = ApiSchemas.OfPoints("points", "[latitude, longitude]: degrees; at most 10"),
     };
 
     public static RouteText AboutPoints { get; } = new("Says where places of the Moon are seen in an image.", AnswerForm.Json)
@@ -17,35 +30,31 @@ internal sealed class PointsEndpoints(FrameService frames)
         Body = ApiSchemas.OfPoints(
             "points",
             "[latitude, longitude] or [latitude, longitude, height]: degrees, m over the sphere of 1737400 m",
-            least: 2,
             most: 3),
         Answer = ApiSchemas.OfList("pixels", ApiSchemas.ImagePoint, isNullable: false),
     };
 
     public static RouteText AboutPixels { get; } = new("Says what points of an image show.", AnswerForm.Json)
     {
-        Body = ApiSchemas.OfPoints("pixels", "[x, y]: pixels from 1 for the middle of the first one, x right, y down", least: 2, most: 2),
+        Body = ApiSchemas.OfPoints("pixels", "[x, y]: pixels from 1 for the middle of the first one, x right, y down"),
         Answer = ApiSchemas.OfList("points", ApiSchemas.SurfacePoint, isNullable: true),
     };
 
-    /// <summary>The height of the ground at places, on the surface that a frame shows.</summary>
     public async Task GroundAsync(HttpContext context)
     {
         double[] heights = await AnswersAsync(
-            context, "points", ["latitude", "longitude"], (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
+            context, "points", Place, (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Heights = heights }).ConfigureAwait(false);
     }
 
-    /// <summary>Where places are seen in an image.</summary>
     public async Task PointsAsync(HttpContext context)
     {
         PixelReading[] pixels = await AnswersAsync(
-            context, "points", ["latitude", "longitude", "height"],
+            context, "points", [.. Place, "height"],
             (truth, point) => truth.Of(point[0], point[1], point.Length > 2 ? point[2] : null)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Pixels = pixels }).ConfigureAwait(false);
     }
 
-    /// <summary>What points of an image show.</summary>
     public async Task PixelsAsync(HttpContext context)
     {
         PointsRequest request = await ReadAsync(context, "pixels", ["x", "y"]).ConfigureAwait(false);
@@ -56,6 +65,27 @@ internal sealed class PointsEndpoints(FrameService frames)
             context.RequestAborted,
             isLarge: !frame.IsTraceable && FrameService.IsLarge(frame.Settings)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
+    }
+
+    /// <summary>The light of places over the month, hour by hour.</summary>
+    public async Task LightAsync(HttpContext context)
+    {
+        PointsRequest request = await ReadAsync(context, "points", Place).ConfigureAwait(false);
+        if (request.Points.Count is 0 or > MostLitPlaces)
+        {
+            throw new UsageException($"'points' has {request.Points.Count} places; 1 to {MostLitPlaces} are answered.");
+        }
+
+        Vector3D[] directions = [.. request.Points.Select(
+            point => new SurfacePlace(point[0], point[1], 0.0, isOverTerrain: false)
+                .ToPositionBodyFixed(_ => MoonConstants.ReferenceRadius).Normalized())];
+        MonthOfLight month = await frames.RunAsync(
+            request.Frame,
+            (session, threads, end) => MonthOfLight.Find(
+                session.Model, directions, session.Prepare(request.Frame.Place!, end).State.Time, frames.SunAt, threads, end),
+            context.RequestAborted,
+            isLarge: true).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, month).ConfigureAwait(false);
     }
 
     private async Task<T[]> AnswersAsync<T>(HttpContext context, string name, string[] fields, Func<FrameTruth, double[], T> answer)
@@ -73,9 +103,9 @@ internal sealed class PointsEndpoints(FrameService frames)
 
     private async Task<PointsRequest> ReadAsync(HttpContext context, string name, string[] fields)
     {
-        using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
+        JsonElement json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         frames.CollectWarnings();
-        return PointsRequest.Read(json.RootElement, name, fields, needed: 2, frames);
+        return PointsRequest.Read(json, name, fields, frames);
     }
 
     private static SurfaceReading?[] Read(
@@ -100,17 +130,16 @@ internal sealed class PointsEndpoints(FrameService frames)
 }
 
 /// <summary>A request with a frame and a list of points.</summary>
-/// <param name="Points">The points, each with so many numbers as were asked for.</param>
 internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[]> Points)
 {
-    /// <summary>Reads a request.</summary>
-    /// <param name="json">Its body.</param>
+    /// <summary>Numbers of a point that must be there.</summary>
+    private const int Needed = 2;
+
+    /// <summary>Reads the body of a request.</summary>
     /// <param name="name">Name of the list.</param>
-    /// <param name="fields">Names of the numbers of a point, those that may be left out last.</param>
-    /// <param name="needed">How many must be there.</param>
-    /// <param name="frames">Reads the frame.</param>
+    /// <param name="fields">Names of the numbers of a point; from the third on they may be left out.</param>
     /// <exception cref="MsisfException">A member is missing, unknown or wrong.</exception>
-    public static PointsRequest Read(JsonElement json, string name, string[] fields, int needed, FrameService frames)
+    public static PointsRequest Read(JsonElement json, string name, string[] fields, FrameService frames)
     {
         IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(json);
         if (members.Keys.FirstOrDefault(key => key != "frame" && key != name) is { } unknown)
@@ -126,16 +155,16 @@ internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[
         }
 
         return new PointsRequest(
-            frames.Read(frame, isOfSeveral: true),
-            [.. list.EnumerateArray().Select((point, index) => PointOf(point, name, index, fields, needed))]);
+            frames.Read(frame),
+            [.. list.EnumerateArray().Select((point, index) => PointOf(point, name, index, fields))]);
     }
 
-    private static double[] PointOf(JsonElement point, string name, int index, string[] fields, int needed)
+    private static double[] PointOf(JsonElement point, string name, int index, string[] fields)
     {
         double[]? numbers = point.ValueKind == JsonValueKind.Array && point.EnumerateArray().All(IsNumber)
             ? [.. point.EnumerateArray().Select(number => number.GetDouble())]
             : null;
-        return numbers is not null && numbers.Length >= needed && numbers.Length <= fields.Length
+        return numbers is not null && numbers.Length >= Needed && numbers.Length <= fields.Length
             ? numbers
             : throw new UsageException(Invariant($"'{name}', entry {index + 1}: the numbers [{string.Join(", ", fields)}] are needed."));
     }

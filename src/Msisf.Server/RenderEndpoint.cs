@@ -15,9 +15,9 @@ internal sealed class RenderEndpoint(FrameService frames)
     public async Task AnswerAsync(HttpContext context)
     {
         AnswerForm form = AnswerForm.Of(context.Request.Headers.Accept);
-        using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
+        JsonElement json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         IReadOnlyList<string> warnings = frames.CollectWarnings();
-        IReadOnlyList<(string Prefix, RequestedFrame Frame)> images = Read(json.RootElement, form);
+        IReadOnlyList<(string Prefix, RequestedFrame Frame)> images = Read(json, form);
         context.Response.OnStarting(() =>
         {
             if (warnings.Count > 0)

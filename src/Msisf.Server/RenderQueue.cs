@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Runtime;
 
 namespace Msisf.Server;
 
@@ -26,10 +27,8 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
     /// <summary>Number of requests whose work is done at the moment.</summary>
     public int Running => Volatile.Read(ref _running);
 
-    /// <summary>Runs the work of a request.</summary>
     /// <param name="isLarge">Whether the work takes much longer, or much more memory, than an image of 1024 x 1024 px.</param>
     /// <param name="work">Receives the number of threads that it may use, and what stops it.</param>
-    /// <param name="client">Stops the work when the client goes away.</param>
     /// <exception cref="RefusedException">Too many requests wait, or the work took too long.</exception>
     public async Task<T> RunAsync<T>(bool isLarge, Func<int, CancellationToken, T> work, CancellationToken client)
     {
@@ -77,7 +76,6 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
         return Running == 0;
     }
 
-    /// <summary>Frees the queue.</summary>
     public void Dispose()
     {
         _small.Dispose();
@@ -114,5 +112,44 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
         public void GiveBack() => _free.Release();
 
         public void Dispose() => _free.Dispose();
+    }
+}
+
+/// <summary>
+/// Returns memory to the system when large work has been over for a while; .NET would keep it until there is reason to collect.
+/// Thread-safe.
+/// </summary>
+internal sealed class IdleMemory : IDisposable
+{
+    /// <summary>Long enough that a client who asks for one large image after the other is not slowed down.</summary>
+    private static readonly TimeSpan AfterWork = TimeSpan.FromSeconds(10);
+
+    /// <summary>.NET's pools of arrays let go of what they have kept unused for a minute since they saw a collection.</summary>
+    private static readonly TimeSpan ForPools = TimeSpan.FromSeconds(35);
+
+    /// <summary>Together they last longer than that minute.</summary>
+    private const int Collections = 3;
+
+    private readonly Timer _timer;
+    private int _collections;
+
+    public IdleMemory() => _timer = new Timer(_ => Collect());
+
+    public void LargeWorkEnded()
+    {
+        Volatile.Write(ref _collections, 0);
+        _timer.Change(AfterWork, ForPools);
+    }
+
+    public void Dispose() => _timer.Dispose();
+
+    private void Collect()
+    {
+        GCSettings.LargeObjectHeapCompactionMode = GCLargeObjectHeapCompactionMode.CompactOnce;
+        GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);
+        if (Interlocked.Increment(ref _collections) == Collections)
+        {
+            _timer.Change(Timeout.InfiniteTimeSpan, Timeout.InfiniteTimeSpan);
+        }
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 
@@ -6,10 +7,7 @@ namespace Msisf.Server;
 /// <summary>Makes the host of the server's program.</summary>
 internal static class ServerHost
 {
-    /// <summary>Creates the host.</summary>
-    /// <param name="results">Standard output.</param>
     /// <param name="log">Receives messages; those about a request go to its answer too.</param>
-    /// <param name="environment">Gets a variable of the environment.</param>
     public static ProgramHost Create(TextWriter results, ILog log, TimeProvider clock, Func<string, string?> environment) =>
         new(clock, environment)
         {
@@ -35,4 +33,37 @@ internal static class ServerThreads
         ThreadPool.GetMinThreads(out int workers, out int completions);
         ThreadPool.SetMinThreads(Math.Max(workers, OfACore * Environment.ProcessorCount), completions);
     }
+}
+
+/// <summary>Waits for what ends a server: a signal, or the end of its input. A second signal is passed on.</summary>
+internal sealed class EndOfServer : IDisposable
+{
+    private readonly TaskCompletionSource _end = new(TaskCreationOptions.RunContinuationsAsynchronously);
+    private readonly PosixSignalRegistration[] _signals;
+
+    /// <summary>Listens for signals.</summary>
+    /// <param name="onSecond">Called at each signal after the first one.</param>
+    public EndOfServer(Action onSecond) => _signals =
+    [
+        .. new[] { PosixSignal.SIGTERM, PosixSignal.SIGINT, PosixSignal.SIGHUP }.Select(signal => PosixSignalRegistration.Create(
+            signal,
+            context =>
+            {
+                context.Cancel = true;
+                if (!_end.TrySetResult())
+                {
+                    onSecond();
+                }
+            })),
+    ];
+
+    /// <summary>Waits for the first signal, or the end of the input.</summary>
+    /// <param name="input">Standard input; msis closes it to end the server.</param>
+    public async Task WaitAsync(TextReader input)
+    {
+        await Task.WhenAny(_end.Task, Starter.InputEndedAsync(input)).ConfigureAwait(false);
+        _end.TrySetResult();
+    }
+
+    public void Dispose() => Array.ForEach(_signals, signal => signal.Dispose());
 }

@@ -24,7 +24,6 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
 
     /// <summary>Reads the cameras; a rig if one of them has a name or a mounting.</summary>
     /// <param name="cameras">A list of objects.</param>
-    /// <exception cref="UsageException">They are wrong.</exception>
     public static IReadOnlyList<StreamCamera> Read(JsonElement cameras)
     {
         if (cameras.ValueKind != JsonValueKind.Array || cameras.GetArrayLength() is < 1 or > Most)
@@ -53,16 +52,12 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
     public string NameAt(int index) => Rig?.Name ?? DefaultName(index);
 
     /// <summary>The camera's frame where the options of all cameras say where the body is.</summary>
-    /// <param name="frames">Reads it.</param>
     /// <param name="frame">The options of all cameras.</param>
-    /// <exception cref="MsisfException">An option is wrong.</exception>
     public RequestedFrame Of(FrameService frames, JsonElement frame) => frames.Read(frame, Options, isOfSeveral: true).On(Rig);
 
     /// <summary>The camera's frame in a stream.</summary>
-    /// <param name="frames">Reads it.</param>
     /// <param name="frame">The options of all cameras.</param>
     /// <param name="changes">What a later message says in their place, with where the camera is; null for the first one.</param>
-    /// <exception cref="MsisfException">An option is wrong.</exception>
     public RequestedFrame InStream(FrameService frames, JsonElement frame, IReadOnlyDictionary<string, JsonElement>? changes = null) =>
         frames.Read(
             frame,

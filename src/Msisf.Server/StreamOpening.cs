@@ -12,8 +12,6 @@ namespace Msisf.Server;
 internal sealed record StreamOpening(
     JsonElement Frame, IReadOnlyList<StreamCamera> Cameras, AnswerForm Form, bool IsNewestOnly, bool IsTimed)
 {
-    /// <summary>Reads the message.</summary>
-    /// <exception cref="UsageException">It is wrong.</exception>
     public static StreamOpening Read(JsonElement message)
     {
         IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(message);

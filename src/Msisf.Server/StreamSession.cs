@@ -28,24 +28,46 @@ internal sealed class StreamSession : IDisposable
     private readonly StreamSocket _socket;
     private readonly CancellationTokenSource _gone;
     private readonly CancellationToken _stopping;
-    private JsonDocument? _document;
     private StreamOpening? _opening;
     private RequestedFrame[] _cameras = [];
     private uint _number;
     private uint _numberOfFirst;
 
-    public StreamSession(FrameService frames, WebSocket socket, CancellationToken aborted, CancellationToken stopping)
+    private StreamSession(FrameService frames, WebSocket socket, CancellationToken aborted, CancellationToken stopping)
     {
         (_frames, _socket, _stopping) = (frames, new StreamSocket(socket, StreamMessage.StateWithMotionLength), stopping);
         _gone = CancellationTokenSource.CreateLinkedTokenSource(aborted);
     }
 
-    /// <summary>Serves the socket until it is closed.</summary>
-    public async Task RunAsync()
+    /// <summary>Answers GET /v1/stream, a WebSocket on which states go in and images come out, until it is closed.</summary>
+    /// <param name="stopping">The server ends.</param>
+    public static async Task AnswerAsync(HttpContext context, FrameService frames, CancellationToken stopping)
+    {
+        if (!context.WebSockets.IsWebSocketRequest)
+        {
+            throw new RefusedException(StatusCodes.Status426UpgradeRequired, "/v1/stream is a WebSocket.");
+        }
+
+        using WebSocket socket = await context.WebSockets.AcceptWebSocketAsync().ConfigureAwait(false);
+        frames.Metrics.StreamsChanged(1);
+        try
+        {
+            using StreamSession session = new(frames, socket, context.RequestAborted, stopping);
+            await session.RunAsync().ConfigureAwait(false);
+        }
+        finally
+        {
+            frames.Metrics.StreamsChanged(-1);
+        }
+    }
+
+    private async Task RunAsync()
     {
         try
         {
-            if (await ReceiveFirstAsync().ConfigureAwait(false) is not { } first
+            using CancellationTokenSource late = CancellationTokenSource.CreateLinkedTokenSource(_gone.Token, _stopping);
+            late.CancelAfter(LongestOpening);
+            if (await _socket.ReceiveAsync(late.Token).ConfigureAwait(false) is not { } first
                 || !await OpenAsync(first).ConfigureAwait(false))
             {
                 await _socket.CloseAsync(WebSocketCloseStatus.PolicyViolation, "the first message says the frame", _gone.Token)
@@ -89,44 +111,28 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    /// <summary>Ends what still goes on.</summary>
     public void Dispose()
     {
         _gone.Cancel();
         _gone.Dispose();
-        _document?.Dispose();
-    }
-
-    private async Task<StreamMessage?> ReceiveFirstAsync()
-    {
-        using CancellationTokenSource late = CancellationTokenSource.CreateLinkedTokenSource(_gone.Token, _stopping);
-        late.CancelAfter(LongestOpening);
-        return await _socket.ReceiveAsync(late.Token).ConfigureAwait(false);
     }
 
     /// <summary>Reads the first message.</summary>
     /// <returns>Whether the session can begin; the client has been told.</returns>
-    private async Task<bool> OpenAsync(StreamMessage first)
+    private async Task<bool> OpenAsync(StreamMessage message)
     {
         try
         {
-            _document = JsonText.Parse(first.Bytes);
-            _opening = StreamOpening.Read(_document.RootElement);
+            _opening = StreamOpening.Read(JsonText.Parse(message.Bytes));
             _cameras = [.. _opening.Cameras.Select(camera => camera.InStream(_frames, _opening.Frame))];
-            await _socket.SendAsync(
-                json =>
+            RenderSettings first = _cameras[0].Settings;
+            await _socket.SendJsonAsync(
+                new
                 {
-                    json.WriteBoolean("ready", true);
-                    WriteSize(json, _cameras[0]);
-                    json.WriteStartArray("cameras");
-                    foreach (RequestedFrame camera in _cameras)
-                    {
-                        json.WriteStartObject();
-                        WriteSize(json, camera);
-                        json.WriteEndObject();
-                    }
-
-                    json.WriteEndArray();
+                    Ready = true,
+                    first.Width,
+                    first.Height,
+                    Cameras = _cameras.Select(camera => new { camera.Settings.Width, camera.Settings.Height }),
                 },
                 _gone.Token).ConfigureAwait(false);
             return true;
@@ -136,12 +142,6 @@ internal sealed class StreamSession : IDisposable
             await SendErrorAsync(exception, number: null).ConfigureAwait(false);
             return false;
         }
-    }
-
-    private static void WriteSize(Utf8JsonWriter json, RequestedFrame camera)
-    {
-        json.WriteNumber("width", camera.Settings.Width);
-        json.WriteNumber("height", camera.Settings.Height);
     }
 
     /// <summary>Draws the images of a message and sends them, or what is wrong with the first of them that can't be drawn.</summary>
@@ -168,11 +168,8 @@ internal sealed class StreamSession : IDisposable
         }
     }
 
-    /// <summary>Draws an image while that of the camera before is sent.</summary>
-    /// <param name="place">Where the camera is.</param>
+    /// <summary>Draws an image while that of the camera before is sent, and begins to send it.</summary>
     /// <param name="shared">What the images before have read.</param>
-    /// <param name="before">The sending of the image before.</param>
-    /// <returns>The sending of this one.</returns>
     private async Task<Task> DrawAsync(RequestedFrame requested, TrajectorySettings place, SharedReadings shared, Task before)
     {
         Answer answer = _frames.Answers.InMemory(HeadLength);
@@ -198,9 +195,11 @@ internal sealed class StreamSession : IDisposable
     {
         using (answer)
         {
-            if (_opening!.IsTimed)
+            if (_opening!.IsTimed) // says before an image how many ms it waited, and took to draw and to write
             {
-                await SendTimesAsync(answer.Times).ConfigureAwait(false);
+                Dictionary<string, double> times = answer.Times.ToDictionary(time => time.Name, time => time.Milliseconds);
+                await _socket.SendJsonAsync(
+                    times.Prepend(new("number", _number)).ToDictionary(), _gone.Token).ConfigureAwait(false);
             }
 
             AnswerPart image = answer.Joined();
@@ -219,8 +218,7 @@ internal sealed class StreamSession : IDisposable
     /// <summary>The options of the first message with those of a later one, which may give the frame's number too.</summary>
     private (RequestedFrame Requested, TrajectorySettings Place)[] ReadChanges(StreamMessage message)
     {
-        using JsonDocument json = JsonText.Parse(message.Bytes);
-        Dictionary<string, JsonElement> changes = new(JsonText.Members(json.RootElement), StringComparer.Ordinal);
+        Dictionary<string, JsonElement> changes = new(JsonText.Members(JsonText.Parse(message.Bytes)), StringComparer.Ordinal);
         if (changes.Remove("number", out JsonElement number))
         {
             _number = number.ValueKind == JsonValueKind.Number && number.TryGetUInt32(out uint given)
@@ -271,27 +269,11 @@ internal sealed class StreamSession : IDisposable
         BinaryPrimitives.WriteUInt32LittleEndian(message[12..], (uint)settings.Height);
     }
 
-    /// <summary>Says before an image how many ms it waited, and took to draw and to write.</summary>
-    private Task SendTimesAsync(IReadOnlyList<(string Name, double Milliseconds)> times) => _socket.SendAsync(
-        json =>
-        {
-            json.WriteNumber("number", _number);
-            foreach ((string name, double milliseconds) in times)
-            {
-                json.WriteNumber(name, milliseconds);
-            }
-        },
-        _gone.Token);
-
-    private Task SendErrorAsync(Exception exception, uint? number) => _socket.SendAsync(
-        json =>
-        {
-            if (number is { } known)
-            {
-                json.WriteNumber("number", known);
-            }
-
-            json.WriteString("error", Problem.Shortened(Problem.Of(exception)!.Detail));
-        },
-        _gone.Token);
+    private Task SendErrorAsync(Exception exception, uint? number)
+    {
+        string error = Problem.Shortened(Problem.Of(exception)!.Detail);
+        return number is null
+            ? _socket.SendJsonAsync(new { Error = error }, _gone.Token)
+            : _socket.SendJsonAsync(new { Number = number, Error = error }, _gone.Token);
+    }
 }

@@ -53,18 +53,8 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
         SendAsync(message, WebSocketMessageType.Binary, cancellation);
 
     /// <summary>Sends a JSON object.</summary>
-    public async Task SendAsync(Action<Utf8JsonWriter> writeMembers, CancellationToken cancellation)
-    {
-        using MemoryStream stream = new();
-        using (Utf8JsonWriter json = new(stream, JsonBody.Writing))
-        {
-            json.WriteStartObject();
-            writeMembers(json);
-            json.WriteEndObject();
-        }
-
-        await SendAsync(stream.ToArray(), WebSocketMessageType.Text, cancellation).ConfigureAwait(false);
-    }
+    public Task SendJsonAsync<T>(T value, CancellationToken cancellation) =>
+        SendAsync(JsonSerializer.SerializeToUtf8Bytes(value, JsonBody.Names), WebSocketMessageType.Text, cancellation);
 
     /// <summary>Says that nothing more comes, if the client can still hear it.</summary>
     public async Task CloseAsync(WebSocketCloseStatus status, string reason, CancellationToken cancellation)
@@ -99,7 +89,6 @@ internal sealed record StreamMessage(WebSocketMessageType Type, byte[] Bytes, ui
     private const int StateLength = 64;
 
     /// <summary>The state of a binary message.</summary>
-    /// <exception cref="BadInputException">It is none.</exception>
     public FixedStateSettings ToPlace()
     {
         if (Bytes.Length != StateLength && Bytes.Length != StateWithMotionLength)

@@ -13,9 +13,9 @@ internal sealed class TrajectoryEndpoint(FrameService frames, ProgramHost host)
 
     public async Task AnswerAsync(HttpContext context)
     {
-        using JsonDocument json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
+        JsonElement json = await JsonBody.ReadAsync(context.Request).ConfigureAwait(false);
         frames.CollectWarnings();
-        IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(json.RootElement);
+        IReadOnlyDictionary<string, JsonElement> members = JsonText.Members(json);
         IReadOnlyList<SpacecraftState> states = members.Keys.Order(StringComparer.Ordinal).ToArray() switch
         {
             ["name", "text"] => await OfTextAsync(
@@ -35,8 +35,7 @@ internal sealed class TrajectoryEndpoint(FrameService frames, ProgramHost host)
         try
         {
             await File.WriteAllTextAsync(path, text, client).ConfigureAwait(false);
-            using JsonDocument none = JsonDocument.Parse("{}");
-            RequestedFrame requested = frames.Read(none.RootElement, needsPlace: false);
+            RequestedFrame requested = frames.ReadDefault();
             return await frames.RunAsync(
                 requested,
                 (_, _, end) => (IReadOnlyList<SpacecraftState>)[.. ServedBatch.Frames(

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -104,4 +105,39 @@ internal readonly record struct CraterCell(int Band, int Column, int Columns, do
     /// <param name="right">[0, 1).</param>
     public (double SinLatitude, double LongitudeDegrees) Place(double up, double right) =>
         (SouthSine + (up * (NorthSine - SouthSine)), (Column + right) * 360.0 / Columns);
+}
+
+/// <summary>
+/// Keeps what was found in cells of <see cref="CraterCells"/>, since neighbouring blocks of ground ask for the same cells. Safe for several
+/// threads.
+/// </summary>
+/// <typeparam name="T">What lies in cells.</typeparam>
+internal sealed class CellMemory<T>
+{
+    /// <summary>Cells that are kept at most, some 10 MB; all are forgotten when there are more.</summary>
+    private const int MostCells = 1 << 15;
+
+    private readonly ConcurrentDictionary<(int Octave, int Band, int Column), T[]> _known = new();
+    private int _count;
+
+    /// <summary>What lies in a cell.</summary>
+    /// <param name="octave">The cell's octave of diameters.</param>
+    /// <param name="cell">The cell.</param>
+    /// <param name="find">Finds it, the same each time.</param>
+    public T[] Get(int octave, CraterCell cell, Func<int, CraterCell, IEnumerable<T>> find)
+    {
+        (int, int, int) key = (octave, cell.Band, cell.Column);
+        if (_known.TryGetValue(key, out T[]? known))
+        {
+            return known;
+        }
+
+        if (Interlocked.Increment(ref _count) > MostCells)
+        {
+            _known.Clear();
+            Interlocked.Exchange(ref _count, 1);
+        }
+
+        return _known[key] = [.. find(octave, cell)];
+    }
 }

@@ -1,5 +1,4 @@
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;
@@ -115,7 +114,7 @@ internal sealed class CraterRays
     /// <param name="factors">As the frame's directions.</param>
     public void AddTo(MapFrame frame, Span<float> factors)
     {
-        if (MapCraterStamp.Reached(_centre, WithWidths * _reach * _radius, frame) is null)
+        if (CraterStamp.Reached(_centre, WithWidths * _reach * _radius, frame) is null)
         {
             return;
         }
@@ -146,7 +145,7 @@ internal sealed class CraterRays
     /// <param name="factors">As the frame's directions.</param>
     private void Add(MapFrame frame, Ray? ray, Vector3D middle, double reach, Span<float> factors)
     {
-        if (MapCraterStamp.Reached(middle, reach * _radius, frame) is not { } reached)
+        if (CraterStamp.Reached(middle, reach * _radius, frame) is not { } reached)
         {
             return;
         }

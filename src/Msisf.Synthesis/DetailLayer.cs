@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;
@@ -53,7 +51,7 @@ internal sealed class DetailLayer
         (double south, double north, double west, double width) = frame.Around();
         foreach (PlacedCrater crater in _craters.PlacedNear(south, north, west, width))
         {
-            MapCraterStamp.AddTo(crater, frame, heights);
+            CraterStamp.AddTo(crater, frame, heights);
         }
 
         foreach (Boulder boulder in _boulders.Near(south, north, west, width))
@@ -107,7 +105,7 @@ internal sealed class DetailLayer
         {
             if ((crater.Direction - middle).Length <= (Crater.Reach * crater.Radius) + farthest)
             {
-                MapCraterStamp.AddTo(crater, x, y, z, heights, lines: 1, heights.Length, heights.Length);
+                CraterStamp.AddTo(crater, x, y, z, heights, lines: 1, heights.Length, heights.Length);
             }
         }
 
@@ -123,7 +121,7 @@ internal sealed class DetailLayer
     private static void AddTo(Boulder boulder, MapFrame frame, Span<float> heights)
     {
         double reach = boulder.Radius / MoonConstants.ReferenceRadius;
-        if (MapCraterStamp.Reached(boulder.Centre, reach, frame) is not { } reached)
+        if (CraterStamp.Reached(boulder.Centre, reach, frame) is not { } reached)
         {
             return;
         }

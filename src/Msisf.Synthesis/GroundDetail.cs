@@ -1,4 +1,3 @@
-using System.Globalization;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
@@ -37,7 +36,7 @@ public sealed class GroundDetail : IGroundDetail
         GroundMemory memory = new();
         _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria, memory))];
         _borders = [.. models.Select((model, index) => index == 0 ? null : new ModelBorder(model, _grounds[index - 1].Spacing))];
-        Name = string.Create(CultureInfo.InvariantCulture, $"REFINE_{seed}");
+        Name = Invariant($"REFINE_{seed}");
         RadiusLimits = (
             Math.Max(models.Min(model => model.RadiusLimits.Min) - MostDetail, MoonConstants.ReferenceRadius - MoonConstants.MaxRelief),
             Math.Min(models.Max(model => model.RadiusLimits.Max) + MostDetail, MoonConstants.ReferenceRadius + MoonConstants.MaxRelief));

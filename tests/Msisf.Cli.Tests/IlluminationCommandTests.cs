@@ -68,7 +68,7 @@ public sealed class IlluminationCommandTests : IDisposable
 
         days += isLit ? (end - since).TotalDays : 0.0;
         spans.Add((isLit, since, end));
-        Assert.Equal(days / 31.0, lit, 0.02);
+        Assert.Equal(days / 31.0, lit, 0.02); // the table counts steps of hours, the rises have their times
         string[] columns = File.ReadLines(Path.Combine(_folder.Path, "p", "points.csv")).First().Split(',');
         string[] cells = rows[1].Replace("\"Ridge, high\"", "Ridge", StringComparison.Ordinal).Split(',');
         foreach ((string name, bool isWithSun) in (ReadOnlySpan<(string, bool)>)[("dark", false), ("light", true)])
@@ -76,7 +76,7 @@ public sealed class IlluminationCommandTests : IDisposable
             (bool IsLit, DateTime Start, DateTime End) longest = spans.Where(span => span.IsLit == isWithSun)
                 .MaxBy(span => span.End - span.Start);
             double hours = double.Parse(Cell($"longest_{name}_h"), CultureInfo.InvariantCulture);
-            Assert.Equal((longest.End - longest.Start).TotalHours, hours, 0.001);
+            Assert.Equal((longest.End - longest.Start).TotalHours, hours, 0.001); // h: written with three decimals, rises with seconds
             Assert.Equal(longest.Start, TimeOf(Cell($"longest_{name}_start")));
             Assert.Equal(longest.End, TimeOf(Cell($"longest_{name}_end")));
         }
@@ -125,8 +125,11 @@ public sealed class IlluminationCommandTests : IDisposable
     [InlineData(1, "Where? The finest model is of the whole body, which is no one map. Give --center", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "Where? Give --center with --size", "--center", "-89,0", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "heights of 0 to 10000", "--center", "-89,0", "--size", "1", "--above-ground", "-2", "--time-interval", "1:1h:2")]
+    [InlineData(1, "each once", "--center", "-89,0", "--size", "1", "--above-ground", "2,2.0", "--time-interval", "1:1h:2")]
+    [InlineData(1, "leads over a pole", "--center", "30,0", "--size", "4000", "--cell", "20000", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "can be asked for", "--center", "-89,0", "--size", "1000", "--cell", "1", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "'5/4'; K/N", "--center", "-89,0", "--size", "1", "--piece", "5/4", "--time-interval", "61041:1h:61042")]
+    [InlineData(2, ".: is a folder. A list of places in CSV is needed.", "--points", ".", "--time-interval", "61041:1h:61042")]
     [InlineData(3, "2051-01-01", "--center", "-89,0", "--size", "1", "--time-interval", "70000:1d:72000")]
     public void WrongInput_IsOneClearLine(int exitCode, string message, params string[] arguments)
     {
@@ -142,6 +145,41 @@ public sealed class IlluminationCommandTests : IDisposable
         CommandLineRun run = Run("s", ["--center", "-89,0", "--size", "1", "--cell", "500", "--time-interval", "61041:2:61051"]);
         Assert.Equal(0, run.ExitCode);
         Assert.Contains("longer than a day: sunrises and nights in between are not seen", run.Error, StringComparison.Ordinal);
+    }
+
+    /// <summary>Any number at once writes the same bytes; an unused column is named, a comma in a name stays in its field.</summary>
+    [Fact]
+    public void Points_OneAtOnceAndTwo_HaveTheSameTables()
+    {
+        string list = _folder.Write("sites.csv",
+            "id,lat,lon,soil\n\"A,1\",-89.45,222.7,\nB,84,10,\n");
+        string[] days = ["--time-interval", "61041:2h:61044"];
+        CommandLineRun one = Run("one", ["--points", list, .. days, "--jobs", "1"]);
+        Assert.True(one.ExitCode == 0, one.Error);
+        Assert.Contains("sites.csv: columns that are not used: soil.", one.Error, StringComparison.Ordinal);
+        Assert.Equal(0, Run("two", ["--points", list, .. days, "--jobs", "2"]).ExitCode);
+        Assert.Equal(4, Directory.GetFiles(Path.Combine(_folder.Path, "one")).Length);
+        foreach (string path in Directory.EnumerateFiles(Path.Combine(_folder.Path, "one")))
+        {
+            Assert.Equal(File.ReadAllBytes(path), File.ReadAllBytes(path.Replace("/one/", "/two/", StringComparison.Ordinal)));
+        }
+
+        string[] rows = File.ReadAllLines(Path.Combine(_folder.Path, "one", "points.csv"));
+        Assert.Equal(1 + 2, rows.Length);
+        Assert.StartsWith("\"A,1\",,0,", rows[1], StringComparison.Ordinal);
+        Assert.StartsWith("B,,0,", rows[^1], StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("lat,lon,height\n-89,0,\n-88,0,2\n", "the point '2' has a height of its own")]
+    [InlineData("id,x,y,z\nA,0,0,-1737400\n", "the point 'A' has a height of its own")]
+    public void Points_WithHeights_AreRefused(string text, string message)
+    {
+        string list = _folder.Write("high.csv", text);
+        CommandLineRun run = Run("h", ["--points", list, .. When]);
+        Assert.Equal((2, string.Empty), (run.ExitCode, run.Output));
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Contains("--above-ground gives heights over it", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]

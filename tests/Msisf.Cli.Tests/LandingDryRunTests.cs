@@ -35,6 +35,7 @@ public sealed partial class LandingDryRunTests : IDisposable
         DateTime told = DateTime.Parse(Time().Match(note).Value, CultureInfo.InvariantCulture);
         Assert.InRange((told - expected).TotalSeconds, -1.0, 1.0);
         double hours = double.Parse(Hours().Match(note).Groups[1].Value, CultureInfo.InvariantCulture);
+        // days: hours are written with one decimal
         Assert.Equal((told - DateTime.UnixEpoch).TotalDays + 40587.0 - (start + 0.02), hours / 24.0, 0.003);
     }
 

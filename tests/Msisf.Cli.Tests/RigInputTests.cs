@@ -47,6 +47,7 @@ public sealed class RigInputTests : IDisposable
     [InlineData("--rig FILE --renderer native --fov 5", 1, "--fov and --rig exclude each other: the rig file says it of each camera.")]
     [InlineData("--rig FILE", 1, "--rig draws with the program's own renderer. Add --renderer native.")]
     [InlineData("--rig no.yaml --renderer native", 2, "--rig no.yaml: there is no such file.")]
+    [InlineData("--rig . --renderer native", 2, "--rig .: is a folder; a rig file is needed.")]
     [InlineData("--output-name {camera} --renderer native", 1, "and {camera} with --rig.")]
     [InlineData("states --rig FILE --renderer native --to a.tab", 1, "Give --to a path with {camera} in it")]
     public void Run_RigWithOtherOptions_IsRefused(string words, int exitCode, string message)

@@ -61,6 +61,7 @@ public sealed class WrongInputTests : IDisposable
         $"{Orbit} --time 55289 --renderer native --camera lroc-wac-643 --lines 4", 1,
         "for --camera lroc-wac-643. Give --framelets")]
     [InlineData($"{Orbit} --time 55289 --jitter missing.txt", 2, "--jitter missing.txt: there is no such file.")]
+    [InlineData($"{Orbit} --time 55289 --jitter .", 2, "--jitter .: is a folder; a file of jitter is needed.")]
     [InlineData("--trajectory missing.txt", 2, "--trajectory missing.txt: there is no such file.")]
     [InlineData("--trajectory a --epoch 55289 --attitude {0,0,0,1}", 1, "--attitude is not allowed with --trajectory, whose file says how")]
     [InlineData("--trajectory -", 1, "--trajectory can't be read from standard input. Save the states to a file.")]

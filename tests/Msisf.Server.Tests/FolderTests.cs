@@ -28,7 +28,7 @@ public class FolderTests
         Assert.Equal(2, frames.GetProperty("frames").GetArrayLength());
         Assert.Equal(2, second.GetProperty("number").GetInt32());
         Assert.Equal("2010-04-04T03:00:00Z", second.GetProperty("utc").GetString());
-        Assert.Equal(2_037_400.0, Length(second.GetProperty("state")), 1e-6);
+        Assert.Equal(2_037_400.0, Length(second.GetProperty("state")), 1e-6); // m: the length of a place in text
         Assert.Equal("lambert", second.GetProperty("options").GetProperty("reflectance").GetString());
         Assert.Equal(16, second.GetProperty("options").GetProperty("width").GetInt32());
         Assert.Equal(JsonValueKind.Null, second.GetProperty("annotated").ValueKind);
@@ -84,6 +84,7 @@ public class FolderTests
 
         Assert.Equal(181, frames.GetArrayLength());
         Assert.Equal(60328.5 + (180.0 / 86400.0), last[0], Rounding.OfPlaces);
+        // m: interpolated between km of few digits
         Assert.Equal(2_180_000.0, Math.Sqrt((last[1] * last[1]) + (last[2] * last[2]) + (last[3] * last[3])), 1e-2);
         await server.DisposeAsync();
     }

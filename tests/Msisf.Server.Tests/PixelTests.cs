@@ -142,6 +142,19 @@ public sealed class PixelTests(RunningServer server) : IClassFixture<RunningServ
         Assert.Contains(words, (await RunningServer.JsonOf(answer)).GetProperty("detail").GetString(), StringComparison.Ordinal);
     }
 
+    /// <summary>As for a picture: a camera without shutter or scan has no use for it.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("pixels", "[1, 1]")]
+    [InlineData("points", "[0, 0]")]
+    public async Task Motion_OfACameraThatTakesNoTime_IsRefused(string path, string point)
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            $"/v1/{path}", $"{{\"frame\": {{{Frame}, \"motion\": [1600, 0, 0, 0, 0, 0]}}, \"{path}\": [{point}]}}");
+
+        Assert.Equal(System.Net.HttpStatusCode.BadRequest, answer.StatusCode);
+        Assert.Contains("--motion", (await RunningServer.JsonOf(answer)).GetProperty("detail").GetString(), StringComparison.Ordinal);
+    }
+
     private async Task<JsonElement[]> AskAsync(string path, string frame, string points, string result)
     {
         using HttpResponseMessage answer = await server.PostAsync($"/v1/{path}", $"{{\"frame\": {{{frame}}}, \"{path}\": [{points}]}}");

@@ -30,6 +30,7 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
             .GetProperty("heights").EnumerateArray()];
 
         Assert.Equal(3, heights.Length);
+        // m: latitude and longitude have few digits
         Assert.All(pixels.Zip(heights), pair => Assert.Equal(Of(pair.First, "height"), pair.Second.GetDouble(), 1e-3));
     }
 

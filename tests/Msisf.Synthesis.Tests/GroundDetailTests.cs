@@ -64,6 +64,7 @@ public sealed class GroundDetailTests
         foreach ((int line, int sample) in new[] { (59, 60), (45, 70), (70, 44) })
         {
             map.ReadRadii(line, sample, radius);
+            // m: means of detail, which are computed in floats
             Assert.InRange(ground.RadiusAt(map.Polar.DirectionOf(line, sample), 0.5) - radius[0], -2e-3, 2e-3);
         }
     }
@@ -109,7 +110,7 @@ public sealed class GroundDetailTests
         for (int i = 0; i < radii.Length; i += 331)
         {
             double expected = OfMoon.RadiusAt(map.DirectionOf(line + (i / 64), sample + (i % 64)), cell);
-            Assert.Equal(expected, radii[i], 1e-3);
+            Assert.Equal(expected, radii[i], 1e-3); // m: detail is computed in floats
         }
     }
 

@@ -21,7 +21,7 @@ public sealed class MareMaskTests
     [InlineData(0.0, 180.0, 0.0)]
     [InlineData(90.0, 0.0, 0.0)]
     public void At_Place_IsMareOnTheLowNearSideOnly(double latitude, double longitude, double expected) =>
-        Assert.Equal(expected, Mask.At(latitude, longitude), 1e-6);
+        Assert.Equal(expected, Mask.At(latitude, longitude), 1e-6); // fractions are floats
 
     [Fact]
     public void FillLine_OverPrimeMeridianAndPole_AgreesWithAt()
@@ -34,6 +34,7 @@ public sealed class MareMaskTests
             for (int column = 0; column < frame.Samples; column++)
             {
                 double longitude = frame.LongitudeDegrees(column) + (frame.LongitudeDegrees(column) < 0.0 ? 360.0 : 0.0);
+                // a line is computed in floats, a place in doubles
                 Assert.Equal(Mask.At(frame.LatitudeDegrees(line), longitude), fractions[column], 1e-5);
             }
         }

@@ -72,12 +72,12 @@ public class FrameTests(Chromium chromium, ViewerServer server)
 
         await viewer.MoveAsync(() => viewer.Page.SelectOptionAsync("#folder", "orbit.oem"));
         Assert.Contains("1 of 101, 2024-01-19 12:00:00 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
-        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
+        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3); // km: the states are in m
         await viewer.MoveAsync(() => viewer.Page.Locator("#frame-slider").FillAsync("100"));
 
         Assert.Contains(
             "101 of 101, 2024-01-19 12:01:40 UTC", await viewer.Page.TextContentAsync("#frame-label"), StringComparison.Ordinal);
-        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3);
+        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3); // km: the states are in m
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]
@@ -89,14 +89,14 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         await viewer.ShowAllAsync();
 
         await viewer.MoveAsync(() => viewer.Page.SetInputFilesAsync("#batch-file", batch));
-        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3);
+        Assert.Equal(262.6, await viewer.NumberAsync("altitude"), 1e-3); // km: the states are in m
         await viewer.Page.ClickAsync("#frame-play");
         await viewer.WaitAsync("() => document.getElementById('frame-label').textContent.startsWith('3 of 3')");
         await viewer.MoveAsync(() => viewer.Page.ClickAsync("#frame-play"));
 
         Assert.Equal("Play", await viewer.Page.TextContentAsync("#frame-play"));
         await viewer.MoveAsync(() => viewer.Page.Locator("#frame-slider").FillAsync("1"));
-        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3);
+        Assert.Equal(362.6, await viewer.NumberAsync("altitude"), 1e-3); // km: the states are in m
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]

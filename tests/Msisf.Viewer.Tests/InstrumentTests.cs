@@ -140,7 +140,7 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
             await viewer.Page.FillAsync("#calendar", "2010-04-22 06:00:00");
             await viewer.Page.Keyboard.PressAsync("Enter");
         });
-        Assert.Equal(55308.25, await viewer.NumberAsync("mjd"), 1e-8);
+        Assert.Equal(55308.25, await viewer.NumberAsync("mjd"), 1e-8); // days: a millisecond
         Assert.Matches("^Sun [0-9.]+° [NESW]+ at the centre$", await viewer.Page.TextContentAsync("#sun-said"));
 
         await viewer.Page.SelectOptionAsync("#time-rate", "86400");

@@ -18,7 +18,7 @@ public class TouchTests(Chromium chromium, ViewerServer server)
 
         await viewer.MoveAsync(() => MoveAsync(fingers, [(180, 250, 180, 330)]));
         Assert.True(await viewer.NumberAsync("latitude") > -19.9, "the ground follows the finger down");
-        Assert.Equal(500.0, await viewer.NumberAsync("altitude"), 1e-3);
+        Assert.Equal(500.0, await viewer.NumberAsync("altitude"), 1e-3); // km: one finger turns, and leaves the height but for rounding
 
         await viewer.MoveAsync(() => MoveAsync(fingers, [(160, 300, 100, 300), (200, 300, 260, 300)]));
         Assert.InRange(await viewer.NumberAsync("altitude"), 50.0, 300.0);
@@ -27,7 +27,7 @@ public class TouchTests(Chromium chromium, ViewerServer server)
         double altitude = await viewer.NumberAsync("altitude");
         await viewer.MoveAsync(() => MoveAsync(fingers, [(140, 300, 140, 220), (220, 300, 220, 220)]));
         Assert.InRange(await viewer.NumberAsync("tilt"), 10.0, 40.0);
-        Assert.Equal(altitude, await viewer.NumberAsync("altitude"), 1e-6);
+        Assert.Equal(altitude, await viewer.NumberAsync("altitude"), 1e-6); // km: tilting turns about the ground in the middle
 
         await viewer.MoveAsync(() => MoveAsync(fingers, [(120, 300, 180, 240), (240, 300, 180, 360)]));
         Assert.InRange(await viewer.NumberAsync("heading"), 20.0, 340.0);

@@ -133,6 +133,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
         double rise = Number(await viewer.ReadAsync("Height", "B")) - Number(await viewer.ReadAsync("Height", "A"));
         string between = (await viewer.Page.TextContentAsync("#between"))!;
         Assert.Contains(rise.ToString("+0.00;−0.00", CultureInfo.InvariantCulture), between, StringComparison.Ordinal);
+        // km: written with two decimals, of places with six
         Assert.Equal(GroundKilometres(await PlaceAsync(viewer, "A"), await PlaceAsync(viewer, "B")), Number(between.Split(' ')[4]), 0.002);
 
         Assert.Equal(
@@ -151,7 +152,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
         Assert.True(await viewer.Page.IsVisibleAsync("#help"));
         await viewer.Page.Keyboard.PressAsync("Escape");
         await viewer.MoveAsync(() => viewer.Page.Keyboard.PressAsync("."));
-        Assert.Equal(55292.85 + (1.0 / 24.0), await viewer.NumberAsync("mjd"), 1e-7);
+        Assert.Equal(55292.85 + (1.0 / 24.0), await viewer.NumberAsync("mjd"), 1e-7); // days: 9 ms
         await viewer.Page.Keyboard.PressAsync("u");
         Assert.Equal("–", await viewer.ReadAsync("Pixel", "A"));
     }

@@ -134,7 +134,7 @@ def light_on(camera, pixels, sun):
     return np.cos(np.radians(angle(GROUND.facet(points)[4], sun - points)))
 
 
-def gathered_light(points, sun, rays=(32, 48)):
+def gathered_light(points, sun, rays=(24, 32)):
     """I/F of the light that lit ground throws on points once, by rays in all directions that go over the ground in growing steps."""
     up, around = rays
     part = ((np.arange(up) + 0.5) / up)[:, None]

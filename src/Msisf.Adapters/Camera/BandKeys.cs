@@ -53,9 +53,9 @@ internal static class BandKeys
         if (!IsInRange(wavelength))
         {
             (string unit, double nanometres) = OtherUnits.FirstOrDefault(other => IsInRange(wavelength * other.Nanometres));
-            string guess = unit is null ? string.Empty : FormattableString.Invariant(
+            string guess = unit is null ? string.Empty : Invariant(
                 $": did you mean {Math.Round(wavelength * nanometres, 3)} nm, from {unit}?");
-            throw section.Wrong(key, FormattableString.Invariant(
+            throw section.Wrong(key, Invariant(
                 $"{what} {wavelength} nm; wavelengths are in nanometres (nm), from {ShortestWavelength} to {LongestWavelength}") + guess);
         }
     }
@@ -69,7 +69,7 @@ internal static class BandKeys
         {
             if (!(wavelengths[i] > (i == 0 ? 0.0 : wavelengths[i - 1])))
             {
-                throw section.Wrong("wavelengths", FormattableString.Invariant(
+                throw section.Wrong("wavelengths", Invariant(
                     $"number {i + 1} of 'wavelengths' is {wavelengths[i]}; wavelengths are above 0 and increase"));
             }
         }
@@ -90,7 +90,7 @@ internal static class BandKeys
         if (wrong >= 0)
         {
             throw section.Wrong(
-                key, FormattableString.Invariant($"'{key}' has the number {values[wrong]}; numbers from 0 to 1 are needed"));
+                key, Invariant($"'{key}' has the number {values[wrong]}; numbers from 0 to 1 are needed"));
         }
 
         return values.Length == 1

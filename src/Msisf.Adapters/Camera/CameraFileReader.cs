@@ -115,7 +115,7 @@ public static class CameraFileReader
         double? focalLength = FocalKey(file) == "focal-length" ? file.Positive("focal-length") : null;
         if (focalLength < ShortestFocalLength)
         {
-            throw file.Wrong("focal-length", FormattableString.Invariant(
+            throw file.Wrong("focal-length", Invariant(
                 $"'focal-length' is {focalLength} mm; it is in millimetres (mm), from {ShortestFocalLength} on. ")
                     + "Metres are to be multiplied by 1000");
         }

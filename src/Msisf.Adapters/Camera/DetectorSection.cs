@@ -76,7 +76,7 @@ internal static class DetectorSection
     internal static double? Range(SettingsSection section, string key, double min, double max) =>
         section.Number(key) is double number && !(number >= min && number <= max)
             ? throw section.Wrong(
-                key, FormattableString.Invariant($"'{key}' is {section.Text(key)}; a number from {min} to {max} is needed"))
+                key, Invariant($"'{key}' is {section.Text(key)}; a number from {min} to {max} is needed"))
             : section.Number(key);
 
     /// <summary>Refuses a key that has no meaning without another one.</summary>
@@ -114,7 +114,7 @@ internal static class DetectorSection
 
     private static double Checked(SettingsSection section, string key, double fNumber) => fNumber >= LeastFNumber
         ? fNumber
-        : throw section.Wrong(key, FormattableString.Invariant(
+        : throw section.Wrong(key, Invariant(
             $"the f-number is {fNumber:G4}, and no lens has one below {LeastFNumber}: it is the focal length over the aperture's diameter")
                 + ", both in mm");
 

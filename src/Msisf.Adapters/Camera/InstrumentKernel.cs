@@ -190,6 +190,4 @@ public sealed class InstrumentKernel
     private KernelVariable? Find(string item) => _pool.Find(Invariant($"INS{_number}_{item}"));
 
     private string Source(string item) => _pool.Existing(Invariant($"INS{_number}_{item}")).Source;
-
-    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
 }

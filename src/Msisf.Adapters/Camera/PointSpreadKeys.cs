@@ -97,7 +97,7 @@ internal sealed class PointSpreadKeys
         double scale = _section.Positive(key) ?? throw _section.Missing(key, meaning);
         return scale >= MinScale
             ? scale
-            : throw _section.Wrong(key, FormattableString.Invariant(
+            : throw _section.Wrong(key, Invariant(
                 $"'{key}' is {_section.Text(key)} px; at least {MinScale} px are needed. For a sharper image leave 'psf' out"));
     }
 
@@ -118,7 +118,7 @@ internal sealed class PointSpreadKeys
             : throw _section.Wrong("psf-wavelength", "'psf-wavelength' needs 'focal-length' and 'pixel-pitch' in mm. Give 'psf-scale'");
         return scale >= MinScale
             ? scale
-            : throw _section.Wrong("psf-wavelength", FormattableString.Invariant(
+            : throw _section.Wrong("psf-wavelength", Invariant(
                 $"the Airy disc is {scale} px wide; at least {MinScale} px are needed. For a sharper image leave 'psf' out"));
     }
 

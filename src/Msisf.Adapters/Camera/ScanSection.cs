@@ -109,7 +109,7 @@ internal static class ScanSection
         (double first, double count) = (rows[0], rows[1]);
         return first >= 1.0 && count >= 1.0 && first == Math.Floor(first) && count == Math.Floor(count) && first + count - 1.0 <= height
             ? new PixelRows((int)first - 1, (int)(first + count - 1.0))
-            : throw section.Wrong("framelet", FormattableString.Invariant(
+            : throw section.Wrong("framelet", Invariant(
                 $"'framelet' is {count} rows from row {first} on, and the detector has rows 1 to {height}. Two whole numbers are needed: ")
                     + "the first row and how many");
     }

@@ -23,8 +23,8 @@ internal static class AleIsd
             : Track.Of(ScanTimes.Of(frame), frame.Csm.Nodes);
         RotationMatrix[] bodyFromFrame =
             [.. track.Times.Select(time => isInertial ? frame.BodyFromJ2000At(time) : RotationMatrix.Identity)];
-        UnitQuaternion[] body = Continuous([.. bodyFromFrame.Select(UnitQuaternion.FromMatrix)]);
-        UnitQuaternion[] pointing = Continuous([.. track.Poses.Zip(body, (pose, turn) => pose.Turn.Conjugate * turn)]);
+        UnitQuaternion[] body = ScanNodes.Continuous(bodyFromFrame.Select(UnitQuaternion.FromMatrix));
+        UnitQuaternion[] pointing = ScanNodes.Continuous(track.Poses.Zip(body, (pose, turn) => pose.Turn.Conjugate * turn));
         Vector3D[] positions =
         [
             .. track.Poses.Zip(bodyFromFrame, (pose, turn) => (1.0 / MetresPerKilometre) * (turn.Transposed * pose.Position)),
@@ -119,21 +119,6 @@ internal static class AleIsd
         json.WriteBoolean("framelets_flipped", false); // as in CsmScanState
         json.WriteBoolean("framelet_order_reversed", frame.Scan.GrowsUpwards);
         json.WriteNumber("num_lines_overlap", 0);
-    }
-
-    /// <summary>Neighbours with the signs that bring them near each other: USGSCSM interpolates components.</summary>
-    private static UnitQuaternion[] Continuous(UnitQuaternion[] turns)
-    {
-        for (int i = 1; i < turns.Length; i++)
-        {
-            (UnitQuaternion a, UnitQuaternion b) = (turns[i - 1], turns[i]);
-            if ((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W) < 0.0)
-            {
-                turns[i] = UnitQuaternion.FromComponents(-b.X, -b.Y, -b.Z, -b.W);
-            }
-        }
-
-        return turns;
     }
 
     private static void WriteLens(Utf8JsonWriter json, CsmLens lens) => json.Object(lens.Name, () =>

@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
-using System.Text;
-using System.Text.RegularExpressions;
+using Msisf.Adapters.Layers;
 using Msisf.Adapters.Render;
 using Msisf.Core.Detector;
 using Msisf.Core.Render;
@@ -12,7 +11,7 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="Height">px.</param>
 /// <param name="IsDigital">Whether they are what a detector read out (DN); otherwise they are radiance factors (I/F).</param>
 /// <param name="ReadRow">Puts the numbers of a row, from 0, into a span.</param>
-public sealed partial record ExportedImage(int Width, int Height, bool IsDigital, ExportedImage.RowReader ReadRow)
+public sealed record ExportedImage(int Width, int Height, bool IsDigital, ExportedImage.RowReader ReadRow)
 {
     /// <summary>The layer from which an image is read again: radiance factors as an array of NumPy.</summary>
     private const string LayerEnding = ".radiance-factor.npy";
@@ -51,7 +50,7 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
                 });
             }
 
-            return File.Exists(layer) ? OfLayer(layer, File.ReadAllBytes(layer), width, height) : throw new BadInputException(
+            return File.Exists(layer) ? OfLayer(layer, width, height) : throw new BadInputException(
                 $"{layer} is not there, and the meta file alone has no pixels. Draw the image with --camera-model, or with "
                     + "--layers radiance-factor --layers-format npy.");
         });
@@ -78,32 +77,32 @@ public sealed partial record ExportedImage(int Width, int Height, bool IsDigital
         return PngRaster.Read(stream, path).DetectorNumbers();
     }
 
-    private static ExportedImage OfLayer(string path, byte[] file, int width, int height)
+    private static ExportedImage OfLayer(string path, int width, int height)
     {
-        int head = file.Length < 10 ? 0 : 10 + file[8] + (file[9] << 8);
-        Match form = NpyHead().Match(Encoding.Latin1.GetString(file, 0, Math.Min(head, file.Length)));
-        int size = form.Groups["size"].Value == "8" ? sizeof(double) : sizeof(float);
-        string shape = Invariant($"{height}, {width}");
-        if (!form.Success || form.Groups["shape"].Value != shape || file.LongLength != head + ((long)size * width * height))
+        double[] values;
+        try
         {
-            throw new BadInputException($"{path}: is no array of {height} x {width} real numbers as msis writes it. Draw the image again.");
+            using FileStream stream = File.OpenRead(path);
+            (values, int rowLength) = NpyFile.ReadReals(stream);
+            if (rowLength != width || values.Length != width * height)
+            {
+                throw new InvalidDataException($"an array of {values.Length / rowLength} x {rowLength} numbers");
+            }
+        }
+        catch (Exception exception) when (exception is InvalidDataException or OverflowException or EndOfStreamException)
+        {
+            throw new BadInputException(
+                $"{path}: is no array of {height} x {width} real numbers as msis writes it. Draw the image again.", exception);
         }
 
         return new ExportedImage(width, height, IsDigital: false, (row, numbers) =>
         {
-            ReadOnlySpan<byte> stored = file.AsSpan(head + (row * width * size), width * size);
             for (int x = 0; x < width; x++)
             {
-                numbers[x] = size == sizeof(double)
-                    ? (float)MemoryMarshal.Cast<byte, double>(stored)[x]
-                    : MemoryMarshal.Cast<byte, float>(stored)[x];
+                numbers[x] = (float)values[(row * width) + x];
             }
         });
     }
-
-    [GeneratedRegex(
-        @"NUMPY.*'descr': '<f(?<size>[48])', 'fortran_order': False, 'shape': \((?<shape>\d+, \d+),\)", RegexOptions.Singleline)]
-    private static partial Regex NpyHead();
 
     /// <summary>Reads a row of an image.</summary>
     /// <param name="row">From 0.</param>

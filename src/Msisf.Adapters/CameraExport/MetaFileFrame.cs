@@ -56,14 +56,17 @@ public static class MetaFileFrame
         double[] k = Numbers(Child(camera, "K"), 9);
         int width = int.Parse(Text(camera, "width"), NumberStyles.None, CultureInfo.InvariantCulture);
         int height = int.Parse(Text(camera, "height"), NumberStyles.None, CultureInfo.InvariantCulture);
-        ScanRows? rows = general.Element("Scan") is { } scan ? ScanRows.Read(scan, height, path, rowStates) : null;
+        ExportedScan? scan = general.Element("Scan") is { } element
+            ? ScanRows.Read(element, height, path, rowStates, Number(Child(general, "HeightOverTerrain").Value))
+            : null;
+        int rows = scan is { Kind: not ScanKind.RollingShutter } ? height / scan.Count : height; // of an exposure
+        int rowsAbove = scan is { FlipsFramelets: true } ? rows - 1 : 0; // K is that of the image's top row
         CameraModel model = new(
-            width, rows?.RowsOfExposure ?? height, (k[0], k[4]), (k[2] + 1.0, k[5] + 1.0 + (rows?.RowsAbove ?? 0)), k[1],
-            Lens(camera.Element("Distortion")));
+            width, rows, (k[0], k[4]), (k[2] + 1.0, k[5] + 1.0 + rowsAbove), k[1], Lens(camera.Element("Distortion")));
         XElement q = Child(Child(general, "CameraOrientation"), "Quaternion");
         UnitQuaternion moonFromCamera = UnitQuaternion.FromComponents(
             Number(Text(q, "x")), Number(Text(q, "y")), Number(Text(q, "z")), Number(Text(q, "r")));
-        CameraState state = rows?.States[0] ?? new CameraState(Vector(general, "CameraPosition"), moonFromCamera);
+        CameraState state = scan?.States[0] ?? new CameraState(Vector(general, "CameraPosition"), moonFromCamera);
         return new ExportedFrame(
             Path.GetFileNameWithoutExtension(path),
             model.At(state),
@@ -72,7 +75,7 @@ public static class MetaFileFrame
             globe)
         {
             IsMoving = general.Element("CommandLine")?.Value.Contains(" --motion ", StringComparison.Ordinal) == true,
-            Scan = rows?.Describe(Number(Child(general, "HeightOverTerrain").Value)),
+            Scan = scan,
         };
     }
 

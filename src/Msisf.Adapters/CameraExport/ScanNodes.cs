@@ -31,7 +31,11 @@ internal sealed record ScanNodes(double First, double Spacing, IReadOnlyList<(Ve
         IReadOnlyList<(Vector3D Position, UnitQuaternion Turn)> poses,
         Func<int, (Vector3D Position, UnitQuaternion Turn), double> errorOf)
     {
-        double[][] known = Continuous(poses);
+        double[][] known =
+        [
+            .. poses.Zip(Continuous(poses.Select(pose => pose.Turn)), (pose, turn) => (double[])
+                [pose.Position.X, pose.Position.Y, pose.Position.Z, turn.X, turn.Y, turn.Z, turn.W]),
+        ];
         double spacing = 1.0;
         while ((known.Length - 1) / (2.0 * spacing) >= Order - 1)
         {
@@ -54,20 +58,20 @@ internal sealed record ScanNodes(double First, double Spacing, IReadOnlyList<(Ve
         }
     }
 
-    /// <summary>Neighbouring quaternions with the signs that bring them near each other: USGSCSM interpolates components.</summary>
-    private static double[][] Continuous(IReadOnlyList<(Vector3D Position, UnitQuaternion Turn)> poses)
+    /// <summary>Neighbours with the signs that bring them near each other: USGSCSM interpolates components.</summary>
+    public static UnitQuaternion[] Continuous(IEnumerable<UnitQuaternion> rotations)
     {
-        double[][] rows = [.. poses.Select(pose => (double[])
-            [pose.Position.X, pose.Position.Y, pose.Position.Z, pose.Turn.X, pose.Turn.Y, pose.Turn.Z, pose.Turn.W])];
-        for (int i = 1; i < rows.Length; i++)
+        UnitQuaternion[] turns = [.. rotations];
+        for (int i = 1; i < turns.Length; i++)
         {
-            if (rows[i].Skip(3).Zip(rows[i - 1].Skip(3), (a, b) => a * b).Sum() < 0.0)
+            (UnitQuaternion a, UnitQuaternion b) = (turns[i - 1], turns[i]);
+            if ((a.X * b.X) + (a.Y * b.Y) + (a.Z * b.Z) + (a.W * b.W) < 0.0)
             {
-                rows[i] = [.. rows[i].Select((value, index) => index < 3 ? value : -value)];
+                turns[i] = UnitQuaternion.FromComponents(-b.X, -b.Y, -b.Z, -b.W);
             }
         }
 
-        return rows;
+        return turns;
     }
 
     private static (Vector3D Position, UnitQuaternion Turn) PoseOf(double[] row)

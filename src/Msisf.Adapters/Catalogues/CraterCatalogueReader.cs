@@ -84,7 +84,8 @@ public static class CraterCatalogueReader
     }
 
     private static IReadOnlyList<Crater> Open(string path, Func<TextReader, IReadOnlyList<Crater>> read) => !File.Exists(path)
-        ? throw new BadInputException($"{path}: there is no such file. A catalogue of craters in CSV is needed.")
+        ? throw new BadInputException(
+            $"{path}: {(Directory.Exists(path) ? "is a folder" : "there is no such file")}. A catalogue of craters in CSV is needed.")
         : FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             using StreamReader reader = new(path, Encoding.UTF8);

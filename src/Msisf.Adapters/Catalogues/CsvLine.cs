@@ -3,7 +3,7 @@ using System.Text;
 namespace Msisf.Adapters.Catalogues;
 
 /// <summary>Lines of CSV.</summary>
-internal static class CsvLine
+public static class CsvLine
 {
     /// <summary>Whether a line ends within quotes, so that its last field goes on in the next one.</summary>
     public static bool IsOpen(string line) => line.AsSpan().Count('"') % 2 == 1;
@@ -39,6 +39,7 @@ internal static class CsvLine
         return fields;
     }
 
+    /// <summary>A text as a field: in quotes where it needs them.</summary>
     public static string Field(string text) => text.AsSpan().IndexOfAny(",\"\r\n") < 0
         ? text
         : $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"";

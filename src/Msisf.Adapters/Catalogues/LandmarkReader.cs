@@ -23,7 +23,8 @@ public static class LandmarkReader
     /// <returns>At least one.</returns>
     /// <exception cref="BadInputException">It can't be read, a value is wrong, or an identity is there twice.</exception>
     public static IReadOnlyList<Landmark> Read(string path, double referenceRadius, int most = MostLandmarks) => !File.Exists(path)
-        ? throw new BadInputException($"{path}: there is no such file. A list of landmarks in CSV is needed.")
+        ? throw new BadInputException(
+            $"{path}: {(Directory.Exists(path) ? "is a folder" : "there is no such file")}. A list of places in CSV is needed.")
         : FileErrors.ToBadInput($"{path}: can't be read", () =>
         {
             using StreamReader reader = new(path, Encoding.UTF8);
@@ -71,6 +72,15 @@ public static class LandmarkReader
             ? landmarks
             : throw new BadInputException($"{fileName}: no landmarks below the heading. Give a list.");
     }
+
+    /// <summary>The names of a list's columns, in small letters.</summary>
+    /// <param name="path">The file.</param>
+    /// <exception cref="BadInputException">It can't be read.</exception>
+    public static IReadOnlyList<string> ColumnsOf(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
+    {
+        using StreamReader reader = new(path, Encoding.UTF8);
+        return CsvRow.HeaderOf(reader);
+    });
 
     private static Landmark Of(CsvRow row, Columns columns, int number, double referenceRadius)
     {

@@ -170,7 +170,7 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
                 throw _place.Error(Invariant($"more than {MostNumbers} numbers behind the time."));
             }
 
-            numbers[count++] = CcsdsNumber.Parse(rest[..end], _place);
+            numbers[count++] = _place.Number(rest[..end]);
         }
 
         message.TakeData(epoch, numbers[..count], areNamed: false);

@@ -163,7 +163,7 @@ internal sealed class CcsdsXmlReader(CcsdsMessage message)
             else if (name != "COMMENT")
             {
                 int index = IndexOf(parent, name, axis, unit);
-                _numbers[index] = CcsdsNumber.Parse(value, _place);
+                _numbers[index] = _place.Number(value);
                 count = Math.Max(count, index + 1);
             }
         }

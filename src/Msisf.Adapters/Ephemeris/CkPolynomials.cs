@@ -1,3 +1,5 @@
+using Msisf.Core.Ephemeris;
+
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>The polynomials of CK types 5 and 6, of any of their subtypes.</summary>
@@ -96,4 +98,99 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
 
     private static double Dot(ReadOnlySpan<double> a, ReadOnlySpan<double> b) =>
         (a[0] * b[0]) + (a[1] * b[1]) + (a[2] * b[2]) + (a[3] * b[3]);
+}
+
+/// <summary>CK type 5, ESOC's: quaternions with polynomials through those nearest to a time; intervals tell where there are gaps.</summary>
+/// <remarks>NAIF, CK Required Reading, "Data Type 5".</remarks>
+internal sealed class CkInterpolated : CkSegment
+{
+    private readonly CkPolynomials _polynomials;
+    private readonly Lazy<TickIntervals> _times;
+
+    /// <summary>Reads the segment's sizes.</summary>
+    /// <exception cref="Core.Errors.BadInputException">They contradict each other.</exception>
+    public CkInterpolated(DafFile file, DafSummary summary)
+        : base(file, summary)
+    {
+        _polynomials = CkPolynomials.Read(Words, Words.Count - 2);
+        int record = _polynomials.Packet;
+        int count = Words.Whole(fromEnd: 1, min: 1, Words.Count / (record + 1));
+        int intervals = Words.Whole(fromEnd: 2, min: 1, count);
+        _times = new Lazy<TickIntervals>(() => TickIntervals.Read(Words, record, count, intervals));
+    }
+
+    public override IReadOnlyList<TdbInterval> Intervals => _times.Value.All;
+
+    protected override RotationMatrix? Evaluate(double ticks)
+    {
+        TickIntervals times = _times.Value;
+        (int first, int end) = times.Of(ticks);
+        return ticks >= times.Ticks[first] && ticks <= times.Ticks[end - 1]
+            ? Matrix(_polynomials.At(ticks, times.Ticks.AsSpan(first, end - first), (long)first * _polynomials.Packet))
+            : null;
+    }
+}
+
+/// <summary>CK type 6, ESOC's: pieces one after another, each with quaternions and polynomials of its own kind.</summary>
+/// <remarks>NAIF, CK Required Reading, "Data Type 6".</remarks>
+internal sealed class CkPieces : CkSegment
+{
+    private readonly bool _isLaterAtBorder;
+    private readonly Lazy<(double[] Bounds, Piece[] Pieces)> _pieces;
+
+    /// <summary>Reads the segment's sizes.</summary>
+    /// <exception cref="Core.Errors.BadInputException">They contradict each other.</exception>
+    public CkPieces(DafFile file, DafSummary summary)
+        : base(file, summary)
+    {
+        int count = Words.Whole(fromEnd: 1, min: 1, Words.Count);
+        _isLaterAtBorder = Words.Whole(fromEnd: 2, min: -1, max: 1) == 1;
+        _pieces = new Lazy<(double[], Piece[])>(() => ReadPieces(count));
+    }
+
+    public override IReadOnlyList<TdbInterval> Intervals =>
+    [
+        .. _pieces.Value.Pieces.Select((piece, i) => new TdbInterval(
+            _pieces.Value.Bounds[i],
+            Math.Max(_pieces.Value.Bounds[i], Math.Min(_pieces.Value.Bounds[i + 1], piece.Ticks[^1])))),
+    ];
+
+    protected override RotationMatrix? Evaluate(double ticks)
+    {
+        (double[] bounds, Piece[] pieces) = _pieces.Value;
+        int index = LastAtOrBefore(bounds, ticks);
+        if (index >= 0 && index < bounds.Length && bounds[index] == ticks && !_isLaterAtBorder)
+        {
+            index--;
+        }
+
+        Piece piece = pieces[Math.Clamp(index, 0, pieces.Length - 1)];
+        return ticks >= piece.Ticks[0] && ticks <= piece.Ticks[^1]
+            ? Matrix(piece.Polynomials.At(ticks, piece.Ticks, piece.First))
+            : null;
+    }
+
+    private (double[] Bounds, Piece[] Pieces) ReadPieces(int count)
+    {
+        // At the end: bounds of the pieces, their directory, where the pieces begin, and two numbers.
+        double[] begins = Words.Read(Words.Count - 3 - count, count + 1);
+        double[] bounds = Words.ReadRising(Words.Count - 4 - (2L * count) - (count / 100), count + 1);
+        Piece[] pieces = new Piece[count];
+        for (int i = 0; i < count; i++)
+        {
+            if (!(begins[i] >= 1.0 && begins[i + 1] > begins[i] + 4.0 && begins[i + 1] <= Words.Count))
+            {
+                throw Words.Damaged("a piece has no place");
+            }
+
+            (long first, long end) = ((long)begins[i] - 1, (long)begins[i + 1] - 1);
+            CkPolynomials polynomials = CkPolynomials.Read(Words, end - 1);
+            int packets = Words.Whole((int)(Words.Count - end) + 1, min: 1, (end - first) / (polynomials.Packet + 1));
+            pieces[i] = new Piece(polynomials, first, Words.ReadRising(first + ((long)packets * polynomials.Packet), packets));
+        }
+
+        return (bounds, pieces);
+    }
+
+    private sealed record Piece(CkPolynomials Polynomials, long First, double[] Ticks);
 }

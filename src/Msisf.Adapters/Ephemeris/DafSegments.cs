@@ -105,3 +105,91 @@ public sealed record DafSummary(TdbInterval Interval, IReadOnlyList<int> Integer
     /// <summary>Address of the segment's last double, from 1.</summary>
     public int LastAddress => Integers[^1];
 }
+
+/// <summary>A segment whose states are given in another frame than J2000.</summary>
+/// <param name="frameFromJ2000">The frame at a time in TDB seconds past J2000.</param>
+internal sealed class FramedSegment(IEphemerisSegment segment, Func<double, RotationMatrix> frameFromJ2000) : IEphemerisSegment
+{
+    /// <summary>
+    /// s: the velocity by a frame that turns as fast as the Earth, 7e-5 rad/s, is then right to 1e-13 km/s; the frame's rounding adds
+    /// 1e-11.
+    /// </summary>
+    private const double Step = 20.0;
+
+    public int Body => segment.Body;
+
+    public int Center => segment.Center;
+
+    public TdbInterval Interval => segment.Interval;
+
+    public Vector3D ValueAt(double tdbSeconds) => frameFromJ2000(tdbSeconds).Transposed * segment.ValueAt(tdbSeconds);
+
+    public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
+
+    public StateVector StateAt(double tdbSeconds)
+    {
+        StateVector inFrame = segment.StateAt(tdbSeconds);
+        StateVector turned = frameFromJ2000(tdbSeconds).Transposed * inFrame;
+        return turned with { Velocity = turned.Velocity + ((8.0 * Difference(Step) - Difference(2.0 * Step)) / (12.0 * Step)) };
+
+        Vector3D Difference(double step) => (frameFromJ2000(tdbSeconds + step).Transposed * inFrame.Position)
+            - (frameFromJ2000(tdbSeconds - step).Transposed * inFrame.Position);
+    }
+}
+
+/// <summary>The numbers of one segment, each checked when it is read. Safe for several threads.</summary>
+/// <param name="file">The kernel; must outlive the object.</param>
+internal sealed class DafWords(DafFile file, DafSummary summary)
+{
+    /// <summary>How many numbers the segment has.</summary>
+    public long Count { get; } = (long)summary.LastAddress - summary.FirstAddress + 1;
+
+    /// <summary>Reads some numbers.</summary>
+    /// <param name="first">The first one, from 0.</param>
+    /// <exception cref="BadInputException">They are not all in the segment, or one is not finite.</exception>
+    public double[] Read(long first, int count)
+    {
+        if (first < 0 || count < 0 || first + count > Count)
+        {
+            throw Damaged("its data lead out of the segment");
+        }
+
+        double[] words = new double[count];
+        file.ReadDoubles(summary.FirstAddress + first, words);
+        return Array.TrueForAll(words, double.IsFinite) ? words : throw Damaged("a number is not finite");
+    }
+
+    /// <summary>Reads one of the last numbers, which must be whole.</summary>
+    /// <param name="fromEnd">1 for the last one.</param>
+    /// <param name="min">The least value that is possible.</param>
+    /// <param name="max">The largest one.</param>
+    /// <exception cref="BadInputException">It is none of these.</exception>
+    public int Whole(int fromEnd, int min, long max)
+    {
+        double value = Read(Count - fromEnd, 1)[0];
+        return value == Math.Truncate(value) && value >= min && value <= Math.Min(max, int.MaxValue)
+            ? (int)value
+            : throw Damaged(Invariant($"number {fromEnd} from its end is {value:R}, which does not fit its size"));
+    }
+
+    /// <summary>Reads times that must rise.</summary>
+    /// <param name="first">The first one, from 0.</param>
+    /// <exception cref="BadInputException">They do not rise.</exception>
+    public double[] ReadRising(long first, int count)
+    {
+        double[] times = Read(first, count);
+        for (int i = 1; i < count; i++)
+        {
+            if (!(times[i] > times[i - 1]))
+            {
+                throw Damaged(Invariant($"its times do not rise: {times[i]:R} follows {times[i - 1]:R}"));
+            }
+        }
+
+        return times;
+    }
+
+    /// <summary>The error for a segment that contradicts itself.</summary>
+    /// <param name="what">What was found.</param>
+    public BadInputException Damaged(string what) => file.Damaged(Invariant($"in the segment of {summary.Integers[0]}, {what}"));
+}

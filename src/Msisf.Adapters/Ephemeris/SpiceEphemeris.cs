@@ -8,21 +8,22 @@ namespace Msisf.Adapters.Ephemeris;
 public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
 {
     private readonly CSpice _cspice;
-    private readonly KernelSet _kernels;
+    private readonly IReadOnlyList<string> _paths;
     private readonly CelestialBody _body;
     private readonly Lazy<TdbScale> _timeScale;
+    private bool _isDisposed;
 
     /// <summary>Loads kernels into CSPICE, which must be started.</summary>
+    /// <param name="paths">Absolute paths in load order; a later one wins over an earlier one.</param>
     /// <exception cref="BadInputException">None of them has the orientation of a body other than the Moon.</exception>
     internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths, CelestialBody body)
     {
-        _cspice = cspice;
-        _body = body;
+        (_cspice, _paths, _body) = (cspice, paths, body);
         _timeScale = new Lazy<TdbScale>(() => LeapSecondsKernel.ReadScale(KernelPool.Of(paths)));
-        _kernels = new KernelSet(cspice, paths);
-        if (!body.IsMoon && !cspice.HasVariable(_kernels.Paths, body.NaifNumber, PoleKernel.PoleItem))
+        cspice.Furnish(paths);
+        if (!body.IsMoon && !cspice.HasVariable(paths, body.NaifNumber, PoleKernel.PoleItem))
         {
-            _kernels.Dispose();
+            Dispose();
             throw PoleKernel.Missing(body);
         }
     }
@@ -47,20 +48,33 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
 
     /// <inheritdoc/>
     public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) =>
-        _cspice.FrameFromJ2000(_kernels.Paths, frame, tdbSeconds);
+        _cspice.FrameFromJ2000(Open(), frame, tdbSeconds);
 
     /// <inheritdoc/>
     public StateVector StateOf(int naifNumber, double tdbSeconds) =>
         Ask((kernels, _) => _cspice.StateOf(kernels, naifNumber, _body, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
 
     /// <summary>Unloads the kernels.</summary>
-    public void Dispose() => _kernels.Dispose();
+    public void Dispose()
+    {
+        if (!_isDisposed)
+        {
+            _isDisposed = true;
+            _cspice.Unload(_paths);
+        }
+    }
+
+    private IReadOnlyList<string> Open()
+    {
+        ObjectDisposedException.ThrowIf(_isDisposed, this);
+        return _paths;
+    }
 
     private T Ask<T>(Func<IReadOnlyList<string>, ModifiedJulianDate, T> question, ModifiedJulianDate time)
     {
         try
         {
-            return question(_kernels.Paths, time);
+            return question(Open(), time);
         }
         catch (SpiceException exception)
         {
@@ -76,7 +90,7 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
     {
         try
         {
-            using BuiltInKernels readable = new(_kernels.Paths, _body);
+            using BuiltInKernels readable = new(Open(), _body);
             return readable.Ephemeris.Cover;
         }
         catch (MsisfException)

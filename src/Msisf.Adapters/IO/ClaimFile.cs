@@ -9,14 +9,18 @@ namespace Msisf.Adapters.IO;
 /// Says which process works on what, so that several processes can share the work in one folder. A claim is a lock on one byte of a file
 /// that stays empty; the byte follows from the name of what is claimed. The system releases the claims of a process that dies, over NFS
 /// also those of a node. Where the file system (or .NET on macOS) has no such locks, every claim is granted: work is then done twice, with
-/// the same bytes as result. Safe for several threads.
+/// the same bytes as result. Objects of one process on the same file exclude each other too, by whatever links
+/// it is named. Safe for several threads.
 /// </summary>
 public sealed class ClaimFile : IDisposable
 {
-    private readonly ConcurrentDictionary<long, bool> _own = new();
-    private readonly FileStream? _locks;
+    private static readonly Dictionary<string, SharedLocks> OpenFiles = new(StringComparer.Ordinal);
 
-    private ClaimFile(FileStream? locks) => _locks = locks;
+    private readonly ConcurrentDictionary<long, bool> _own = new();
+    private readonly SharedLocks _shared;
+    private bool _isDisposed;
+
+    private ClaimFile(SharedLocks shared) => _shared = shared;
 
     /// <summary>Opens the file, or creates it.</summary>
     /// <param name="path">
@@ -24,15 +28,17 @@ public sealed class ClaimFile : IDisposable
     /// </param>
     public static ClaimFile Open(string path)
     {
-        try
+        string fullPath = RealPath.Of(path);
+        lock (OpenFiles)
         {
-            // Sharing both ways takes no lock on the whole file over NFS, which would be in the way of the claims.
-            return new ClaimFile(
-                new FileStream(path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0));
-        }
-        catch (Exception exception) when (exception.IsFileError())
-        {
-            return new ClaimFile(null);
+            if (!OpenFiles.TryGetValue(fullPath, out SharedLocks? shared))
+            {
+                OpenFiles.Add(fullPath, shared = new SharedLocks(fullPath));
+            }
+
+            shared.Users++;
+            shared.File ??= TryOpen(fullPath);
+            return new ClaimFile(shared);
         }
     }
 
@@ -41,56 +47,129 @@ public sealed class ClaimFile : IDisposable
     /// <returns>Gives the claim back when disposed; null if another process or thread has it.</returns>
     public Claim? TryTake(string name)
     {
+        ObjectDisposedException.ThrowIf(_isDisposed, this);
         long place = PlaceOf(name);
-        if (!_own.TryAdd(place, true))
+        if (_shared.TryTake(place) is not { } isExclusive)
         {
             return null;
         }
 
-        try
+        _own.TryAdd(place, true);
+        return new Claim(() => GiveBack(place), isExclusive);
+    }
+
+    /// <summary>Releases all claims that this object has granted.</summary>
+    public void Dispose()
+    {
+        lock (OpenFiles)
         {
-            if (_locks is null || OperatingSystem.IsMacOS())
+            if (_isDisposed)
             {
-                return new Claim(() => GiveBack(place), isExclusive: false);
+                return;
             }
 
-            _locks.Lock(place, 1);
-            return new Claim(() => GiveBack(place), isExclusive: true);
-        }
-        catch (Exception exception) when (exception.IsFileError())
-        {
-            if (!FileLock.IsHeldByAnother(exception))
+            _isDisposed = true;
+            foreach (long place in _own.Keys)
             {
-                return new Claim(() => GiveBack(place), isExclusive: false); // this file system knows no locks
+                GiveBack(place);
             }
 
-            _own.TryRemove(place, out _);
-            return null;
+            if (--_shared.Users == 0)
+            {
+                OpenFiles.Remove(_shared.Path);
+                _shared.File?.Dispose();
+            }
         }
     }
 
-    /// <summary>Releases all claims.</summary>
-    public void Dispose() => _locks?.Dispose();
+    private static FileStream? TryOpen(string path)
+    {
+        try
+        {
+            // Sharing both ways takes no lock on the whole file over NFS, which would be in the way of the claims.
+            return new FileStream(
+                path, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
+        }
+        catch (Exception exception) when (exception.IsFileError())
+        {
+            return null;
+        }
+    }
 
     private static long PlaceOf(string name) =>
         BinaryPrimitives.ReadInt64LittleEndian(SHA256.HashData(Encoding.UTF8.GetBytes(name))) & (long.MaxValue >> 1);
 
     private void GiveBack(long place)
     {
-        try
+        if (_own.TryRemove(place, out _))
         {
-            if (!OperatingSystem.IsMacOS())
+            _shared.GiveBack(place);
+        }
+    }
+
+    /// <summary>
+    /// One open file for all objects on a path: the system's locks belong to the process, which gets each lock that it has already, and
+    /// loses them all when it closes one of its files of that path.
+    /// </summary>
+    private sealed class SharedLocks(string path)
+    {
+        private readonly ConcurrentDictionary<long, bool> _taken = new();
+
+        public string Path { get; } = path;
+
+        /// <summary>Null if the folder can't be written to.</summary>
+        public FileStream? File { get; set; }
+
+        /// <summary>Number of objects that share the file.</summary>
+        public int Users { get; set; }
+
+        /// <summary>Takes a place; tells whether the file system keeps other processes from it. Null if another has it.</summary>
+        public bool? TryTake(long place)
+        {
+            if (!_taken.TryAdd(place, true))
             {
-                _locks?.Unlock(place, 1);
+                return null;
+            }
+
+            try
+            {
+                if (File is null || OperatingSystem.IsMacOS())
+                {
+                    return false;
+                }
+
+                File.Lock(place, 1);
+                return true;
+            }
+            catch (Exception exception) when (exception.IsFileError())
+            {
+                if (!FileLock.IsHeldByAnother(exception))
+                {
+                    return false; // this file system knows no locks
+                }
+
+                _taken.TryRemove(place, out _);
+                return null;
             }
         }
-        catch (Exception exception) when (exception.IsFileError())
+
+        public void GiveBack(long place)
         {
-            return; // there was no lock: the claim held within the process only
-        }
-        finally
-        {
-            _own.TryRemove(place, out _);
+            try
+            {
+                if (!OperatingSystem.IsMacOS())
+                {
+                    File?.Unlock(place, 1);
+                }
+            }
+            catch (Exception exception) when (exception.IsFileError())
+            {
+                return; // there was no lock: the claim held within the process only
+            }
+            finally
+            {
+                _taken.TryRemove(place, out _);
+            }
         }
     }
 }

@@ -5,7 +5,18 @@ namespace Msisf.Adapters.Illumination;
 /// <param name="Unit">Unit, empty for none.</param>
 /// <param name="Meaning">One sentence.</param>
 /// <param name="Values">Line by line from the top.</param>
-public sealed record LightMap(string Name, string Unit, string Meaning, float[] Values);
+public sealed record LightMap(string Name, string Unit, string Meaning, float[] Values)
+{
+    /// <summary>m over the ground.</summary>
+    public required double Height { get; init; }
+}
+
+/// <summary>What the times of maps are.</summary>
+/// <param name="Start">UTC.</param>
+/// <param name="End">UTC.</param>
+/// <param name="StepHours">From one time to the next.</param>
+/// <param name="Sun">disc or point.</param>
+public sealed record MapTimes(string Start, string End, double StepHours, string Sun);
 
 /// <summary>Where the cells of maps lie.</summary>
 /// <param name="Samples">Cells of a line.</param>

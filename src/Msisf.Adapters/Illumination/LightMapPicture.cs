@@ -33,6 +33,8 @@ public static class LightMapPicture
         int height = (int)Math.Ceiling(placement.Lines * scale);
         (float least, float most) = (map.Values.Min(), map.Values.Max());
         using CairoImage image = CairoImage.Black(width, height + Foot);
+        image.SetColor(0.5, 0.5, 0.5, 1.0); // beside a narrow map, where black would look like a dark place
+        image.FillRectangle(0.0, 0.0, width, height);
         for (int y = 0; y < height; y++)
         {
             int line = Math.Min(placement.Lines - 1, (int)(y / scale));

@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Scene;
 
 namespace Msisf.Adapters.Input;
@@ -46,5 +47,129 @@ public static class BatchFileReader
 
         BatchNotes.Write(parser, fileName, scene, warn, note);
         return parser.States;
+    }
+}
+
+/// <summary>Takes the lines of a batch file one after another.</summary>
+/// <param name="scene">Terrain, Sun and the Moon's turning.</param>
+/// <param name="conventions">How the numbers are meant, as far as the file does not say it.</param>
+internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions conventions)
+{
+    private const string ExampleHeader = "time,lat,lon,height";
+
+    private static readonly string Expected = string.Join(' ', SpacecraftState.NumberNames);
+
+    private readonly List<SpacecraftState> _states = [];
+    private BatchConventions _said = conventions;
+    private BatchFrame? _frame;
+
+    /// <summary>The states so far.</summary>
+    public IReadOnlyList<SpacecraftState> States => _states;
+
+    /// <summary>The named columns; null if there are none.</summary>
+    public BatchColumns? Columns { get; private set; }
+
+    /// <summary>What makes states of the named columns; null if there are none.</summary>
+    public BatchStates? ColumnStates { get; private set; }
+
+    /// <summary>Takes a line.</summary>
+    /// <param name="line">The line without its end.</param>
+    /// <param name="lineNumber">Its number, from 1.</param>
+    /// <exception cref="BadInputException">It is wrong; the message is to follow the number of the line.</exception>
+    public void Take(ReadOnlySpan<char> line, int lineNumber)
+    {
+        int comment = line.IndexOf('#');
+        ReadOnlySpan<char> content = (comment < 0 ? line : line[..comment]).TrimEnd();
+        if (comment >= 0 && BatchKeyLine.IsOne(line[(comment + 1)..]))
+        {
+            if (!content.IsWhiteSpace() || _frame is not null)
+            {
+                throw new BadInputException(
+                    "a '# msis:' line stands by itself, above the names of the columns and the states. Move it there.");
+            }
+
+            _said = BatchKeyLine.Add(line[(comment + 1)..], _said);
+        }
+
+        if (content.IsWhiteSpace())
+        {
+            return;
+        }
+
+        if (_frame is null && Begin(content))
+        {
+            return;
+        }
+
+        _states.Add(ColumnStates is null ? ParseState(content) : ColumnStates.Read(content, lineNumber));
+    }
+
+    /// <summary>Takes the first line that is no comment.</summary>
+    /// <returns>Whether it names columns, so that it is no state.</returns>
+    private bool Begin(ReadOnlySpan<char> content)
+    {
+        bool isHeader = BatchColumns.IsHeader(content);
+        Columns = isHeader ? new BatchColumns(content.ToString(), _said.IgnoresColumns) : null;
+        new BatchRules(Columns, _said).Check();
+        _frame = new BatchFrame(_said, scene);
+        ColumnStates = Columns is null ? null : new BatchStates(Columns, _said, _frame, scene);
+        return isHeader;
+    }
+
+    private SpacecraftState ParseState(ReadOnlySpan<char> content)
+    {
+        Span<double> numbers = stackalloc double[SpacecraftState.NumberNames.Count + CameraMotion.NumberNames.Count];
+        int count = 0;
+        int position = 0;
+        while (TryNextWord(content, ref position, out ReadOnlySpan<char> word))
+        {
+            bool isTime = count == 0;
+            double number;
+            if (isTime ? !TimeText.TryParse(word, out number) : !NumberText.TryParse(word, out number))
+            {
+                string problem = isTime ? TimeText.ProblemWith(word) : NumberText.ProblemWith(word);
+                string header = word.Contains(',') ? $" Values apart by commas need a header line, e.g. {ExampleHeader}."
+                    : BatchNames.Known(word.ToString()) is not null
+                        ? $" Names of columns, and their values, are apart by commas, e.g. {ExampleHeader}."
+                    : string.Empty;
+                throw new BadInputException(
+                    $", column {position - word.Length + 1}: {problem}. A line is: "
+                        + $"{Expected}; comments begin with '#'.{header}");
+            }
+
+            if (count < numbers.Length)
+            {
+                numbers[count] = number;
+            }
+
+            count++;
+        }
+
+        int needed = SpacecraftState.NumberNames.Count;
+        if (count != needed && count != numbers.Length)
+        {
+            throw new BadInputException(
+                $"{count} numbers, {needed} expected ({Expected}). "
+                    + $"{(count < needed ? "Complete" : "Shorten")} or remove the line.");
+        }
+
+        return BatchStates.Of(numbers[..count], _frame!);
+    }
+
+    private static bool TryNextWord(ReadOnlySpan<char> content, ref int position, out ReadOnlySpan<char> word)
+    {
+        while (position < content.Length && char.IsWhiteSpace(content[position]))
+        {
+            position++;
+        }
+
+        int start = position;
+        while (position < content.Length && !char.IsWhiteSpace(content[position]))
+        {
+            position++;
+        }
+
+        word = content[start..position];
+        return word.Length > 0;
     }
 }

@@ -9,32 +9,24 @@ public static class NearestName
     /// <summary>Maximum part of a word's characters that may differ for a name to be worth naming.</summary>
     private const double LargestDifference = 0.5;
 
-    /// <summary>A question that names the nearest name, e.g. ": did you mean --renderer?"; empty if no name is near.</summary>
+    /// <summary>
+    /// A question that names the nearest name, e.g. ": did you mean --renderer?". It is the one that needs the fewest insertions,
+    /// deletions and replacements of characters, whatever their case; the first if several need as few.
+    /// </summary>
     /// <param name="word">The misspelt word.</param>
     /// <param name="names">The possible names.</param>
-    public static string Question(string word, IReadOnlyCollection<string> names)
+    /// <param name="otherwise">What stands in the question's place if no name is near.</param>
+    public static string Question(string word, IReadOnlyCollection<string> names, string otherwise = "")
     {
         if (names.Count == 0 || word.Length > LongestWord)
         {
-            return string.Empty;
+            return otherwise;
         }
 
-        string nearest = To(word, names);
+        string nearest = names.MinBy(name => Distance(Folded(word), Folded(name)))!;
         return Distance(Folded(word), Folded(nearest)) <= LargestDifference * word.TrimStart('-').Length
             ? $": did you mean {nearest}?"
-            : string.Empty;
-    }
-
-    /// <summary>
-    /// The name that needs the fewest insertions, deletions and replacements of characters to be made from a word, whatever their case; the
-    /// first if several need as few.
-    /// </summary>
-    /// <param name="word">The misspelt word.</param>
-    /// <param name="names">The possible names, at least one.</param>
-    private static string To(string word, IEnumerable<string> names)
-    {
-        string start = Folded(word[..Math.Min(word.Length, LongestWord)]);
-        return names.MinBy(name => Distance(start, Folded(name)))!;
+            : otherwise;
     }
 
     private static string Folded(string word) => word.ToUpperInvariant();

@@ -21,9 +21,8 @@ public sealed class SettingsSection
         (_fileName, _what, _place, _entries) = (fileName, what, place, entries);
         if (entries.FirstOrDefault(entry => !keys.Contains(entry.Key)) is { } unknown)
         {
-            string question = NearestName.Question(unknown.Key, keys);
             throw At(unknown, $"{NumberText.Shown(unknown.Key)} is no key of {what}"
-                + (question.Length > 0 ? question : $"; there are {string.Join(", ", keys)}"));
+                + NearestName.Question(unknown.Key, keys, otherwise: $"; there are {string.Join(", ", keys)}"));
         }
     }
 

@@ -10,44 +10,24 @@ internal static class CSpiceError
     private const int MessageLength = 1841;
 
     /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="time">What it was asked for.</param>
+    /// <param name="argument">What it was called with: a text, a time, or TDB seconds past J2000.</param>
     /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
-    public static void ThrowIfFailed(string function, ModifiedJulianDate time)
+    public static void ThrowIfFailed<T>(string function, T argument)
     {
-        if (CSpiceNative.failed_c() != 0)
+        if (CSpiceNative.failed_c() == 0)
         {
-            throw Take(function, Invariant($"{time.ToIsoUtc()}, MJD {time.Days:R}"));
+            return;
         }
-    }
 
-    /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="ephemerisSeconds">The time that it was asked for: TDB seconds past J2000.</param>
-    /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
-    public static void ThrowIfFailed(string function, double ephemerisSeconds)
-    {
-        if (CSpiceNative.failed_c() != 0)
+        string what = argument switch
         {
-            throw Take(function, Invariant($"{ephemerisSeconds:R} s past J2000"));
-        }
-    }
-
-    /// <summary>Throws if the last call failed, and makes CSPICE usable again.</summary>
-    /// <param name="argument">What it was called with.</param>
-    /// <exception cref="SpiceException">With SPICE's own short and long text.</exception>
-    public static void ThrowIfFailed(string function, string argument)
-    {
-        if (CSpiceNative.failed_c() != 0)
-        {
-            throw Take(function, argument);
-        }
-    }
-
-    private static SpiceException Take(string function, string argument)
-    {
-        string shortText = Message("SHORT");
-        string longText = Message("LONG");
+            ModifiedJulianDate time => Invariant($"{time.ToIsoUtc()}, MJD {time.Days:R}"),
+            double ephemerisSeconds => Invariant($"{ephemerisSeconds:R} s past J2000"),
+            _ => $"{argument}",
+        };
+        string said = $"{Message("SHORT")}: {Message("LONG")}";
         CSpiceNative.reset_c();
-        return new SpiceException($"CSPICE failed in {function} ({argument}): {shortText}: {longText}");
+        throw new SpiceException($"CSPICE failed in {function} ({what}): {said}");
     }
 
     private static string Message(string option)

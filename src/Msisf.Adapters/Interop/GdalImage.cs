@@ -6,6 +6,13 @@ namespace Msisf.Adapters.Interop;
 /// <summary>An image that GDAL reads; its first band counts. Not safe for several threads.</summary>
 internal sealed unsafe class GdalImage : IDisposable
 {
+    /// <summary>
+    /// Arguments of gdalwarp for floats, bilinear between pixels. The scales: always between four pixels, as GDAL otherwise takes the mean
+    /// of more where its pixels are a little larger.
+    /// </summary>
+    private static readonly string[] Bilinear =
+        ["-of", "VRT", "-ot", "Float32", "-r", "bilinear", "-wo", "XSCALE=1", "-wo", "YSCALE=1", "-et", "0", "-dstnodata", "nan"];
+
     /// <summary>Ends of the names of files that hold nothing but statistics and coarser levels.</summary>
     private static readonly string[] Derived = [".aux.xml", ".ovr"];
 
@@ -170,12 +177,12 @@ internal sealed unsafe class GdalImage : IDisposable
         return projection;
     }
 
-    /// <summary>The image in another projection, computed where it is read.</summary>
-    /// <param name="words">Arguments of gdalwarp.</param>
+    /// <summary>The image in another projection, bilinear between pixels, computed where it is read.</summary>
+    /// <param name="words">Further arguments of gdalwarp.</param>
     /// <returns>The image, to be closed before this one; null if GDAL can't bring it there.</returns>
-    public GdalImage? Warped(IEnumerable<string> words)
+    public GdalImage? Warped(params IEnumerable<string> words)
     {
-        nint[] texts = [.. ((string[])["-of", "VRT", .. words]).Select(Marshal.StringToCoTaskMemUTF8), 0];
+        nint[] texts = [.. ((string[])[.. Bilinear, .. words]).Select(Marshal.StringToCoTaskMemUTF8), 0];
         nint options;
         fixed (nint* start = texts)
         {

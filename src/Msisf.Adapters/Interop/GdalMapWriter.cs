@@ -31,6 +31,7 @@ internal static unsafe class GdalMapWriter
                     + $"GEOTRANSFORM={map.Corner.Left:R}/{map.Corner.Cell:R}/0/{map.Corner.Top:R}/0/{-map.Corner.Cell:R}"));
             if (memory != 0)
             {
+                Describe(gdal, gdal.GDALGetRasterBand(memory, 1), map);
                 written = Copy(gdal, path, memory, map);
                 gdal.GDALClose(memory);
             }
@@ -59,6 +60,15 @@ internal static unsafe class GdalMapWriter
         fixed (byte* text = Encoding.UTF8.GetBytes(name + '\0'))
         {
             return gdal.GDALOpenEx(text, GdalNative.OpenRaster, 0, 0, 0);
+        }
+    }
+
+    private static void Describe(GdalNative gdal, nint band, GdalMap map)
+    {
+        fixed (byte* description = Encoding.UTF8.GetBytes(map.Description + '\0'), unit = Encoding.UTF8.GetBytes(map.Unit + '\0'))
+        {
+            gdal.GDALSetDescription(band, description);
+            _ = gdal.GDALSetRasterUnitType(band, unit);
         }
     }
 
@@ -97,6 +107,12 @@ internal sealed record GdalMap(string Type, int Samples, int Lines, (double Left
 {
     /// <summary>Numbers of a cell.</summary>
     public int Bands { get; init; } = 1;
+
+    /// <summary>What the first band holds, as programs show it; empty for nothing.</summary>
+    public string Description { get; init; } = string.Empty;
+
+    /// <summary>Of the first band's numbers; empty for none.</summary>
+    public string Unit { get; init; } = string.Empty;
 
     /// <summary>More arguments of gdal_translate.</summary>
     public IReadOnlyList<string> MoreOptions { get; init; } = [];

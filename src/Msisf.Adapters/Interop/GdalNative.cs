@@ -56,6 +56,8 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterScale;
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterOffset;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetRasterUnitType;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*, int> GDALSetRasterUnitType;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*, void> GDALSetDescription;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetProjectionRef;
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint> OSRNewSpatialReference;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte**, int> OSRExportToProj4;
@@ -104,6 +106,8 @@ internal sealed unsafe class GdalNative
         GDALGetRasterScale = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterScale));
         GDALGetRasterOffset = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterOffset));
         GDALGetRasterUnitType = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetRasterUnitType));
+        GDALSetRasterUnitType = (delegate* unmanaged[Cdecl]<nint, byte*, int>)Find(nameof(GDALSetRasterUnitType));
+        GDALSetDescription = (delegate* unmanaged[Cdecl]<nint, byte*, void>)Find(nameof(GDALSetDescription));
         GDALGetProjectionRef = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetProjectionRef));
         OSRNewSpatialReference = (delegate* unmanaged[Cdecl]<byte*, nint>)Find(nameof(OSRNewSpatialReference));
         OSRExportToProj4 = (delegate* unmanaged[Cdecl]<nint, byte**, int>)Find(nameof(OSRExportToProj4));

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Msisf.Adapters.IO;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
@@ -29,12 +30,10 @@ internal static class LayersJson
                 json.WriteNumber("referenceRadiusM", frame.Globe.ReferenceRadius);
             }
 
-            WriteNumbers(
-                json, "cameraPositionM", frame.Camera.PositionBodyFixed.X, frame.Camera.PositionBodyFixed.Y,
-                frame.Camera.PositionBodyFixed.Z);
-            WriteNumbers(json, "cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
+            json.WriteNumbers("cameraPositionM", frame.Camera.PositionBodyFixed);
+            json.WriteNumbers("cameraQuaternionXyz0", orientation.X, orientation.Y, orientation.Z, orientation.W);
             json.WriteNumber("fieldOfViewDegrees", frame.FieldOfViewDegrees);
-            WriteNumbers(json, "sunPositionM", frame.SunPositionBodyFixed.X, frame.SunPositionBodyFixed.Y, frame.SunPositionBodyFixed.Z);
+            json.WriteNumbers("sunPositionM", frame.SunPositionBodyFixed);
             json.WriteNumber("flightAltitudeM", frame.FlightAltitude);
             json.WriteNumber("heightOverTerrainM", frame.HeightOverTerrain);
             WriteCamera(json, CameraMatrix.Of(frame.Camera));
@@ -71,11 +70,11 @@ internal static class LayersJson
         json.WriteNumber("height", camera.Height);
         WriteRows(json, "K", camera.IntrinsicRows);
         WriteRows(json, "R", camera.RotationRows);
-        WriteNumbers(json, "t", camera.Translation.X, camera.Translation.Y, camera.Translation.Z);
+        json.WriteNumbers("t", camera.Translation);
         if (camera.Distortion is { } distortion)
         {
             json.WriteString("distortionModel", distortion.Name);
-            WriteNumbers(json, "distortion", [.. distortion.Coefficients]);
+            json.WriteNumbers("distortion", distortion.Coefficients);
         }
     }
 
@@ -84,11 +83,7 @@ internal static class LayersJson
         json.WriteStartArray(name);
         foreach (Vector3D row in rows)
         {
-            json.WriteStartArray();
-            json.WriteNumberValue(row.X);
-            json.WriteNumberValue(row.Y);
-            json.WriteNumberValue(row.Z);
-            json.WriteEndArray();
+            json.WriteNumbers(row.X, row.Y, row.Z);
         }
 
         json.WriteEndArray();
@@ -105,16 +100,5 @@ internal static class LayersJson
         {
             json.WriteNumber(metreKey, resolution.MetresPerPixel);
         }
-    }
-
-    private static void WriteNumbers(Utf8JsonWriter json, string name, params ReadOnlySpan<double> numbers)
-    {
-        json.WriteStartArray(name);
-        foreach (double number in numbers)
-        {
-            json.WriteNumberValue(number);
-        }
-
-        json.WriteEndArray();
     }
 }

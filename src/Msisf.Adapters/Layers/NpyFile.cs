@@ -1,12 +1,13 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 using System.Text;
+using System.Text.RegularExpressions;
 using Msisf.Core.Layers;
 
 namespace Msisf.Adapters.Layers;
 
 /// <summary>The head of an array file of NumPy, format 1.0 (numpy.lib.format).</summary>
-public static class NpyFile
+public static partial class NpyFile
 {
     /// <summary>bytes: the data begins at a multiple of it.</summary>
     private const int Alignment = 64;
@@ -40,13 +41,17 @@ public static class NpyFile
         byte[] head = new byte[BinaryPrimitives.ReadUInt16LittleEndian(prefix.AsSpan(MagicLength))];
         stream.ReadExactly(head);
         string text = Encoding.ASCII.GetString(head);
-        int[] shape = [.. text[(text.IndexOf("'shape': (", StringComparison.Ordinal) + 10)..].Split(')')[0]
-            .Split(',', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
-            .Select(length => int.Parse(length, CultureInfo.InvariantCulture))];
-        bool isDouble = text.Contains(TypeText(LayerType.Real64), StringComparison.Ordinal);
-        if (shape.Length != 2 || !(isDouble || text.Contains(TypeText(LayerType.Real32), StringComparison.Ordinal)))
+        if (HeadOfReals().Match(text) is not { Success: true } form || form.Groups["order"].Value[0] != ByteOrder)
         {
             throw new InvalidDataException($"not a layer of real numbers: {text.Trim()}");
+        }
+
+        int[] shape = [.. ((string[])["height", "width"]).Select(side =>
+            int.Parse(form.Groups[side].Value, NumberStyles.None, CultureInfo.InvariantCulture))];
+        bool isDouble = form.Groups["size"].Value == "8";
+        if ((long)shape[0] * shape[1] * (isDouble ? sizeof(double) : sizeof(float)) > stream.Length - stream.Position)
+        {
+            throw new EndOfStreamException("it is shorter than its head says.");
         }
 
         double[] values = new double[checked(shape[0] * shape[1])];
@@ -99,4 +104,7 @@ public static class NpyFile
         LayerType.Unsigned8 => "|u1",
         _ => $"{ByteOrder}i4",
     };
+
+    [GeneratedRegex(@"'descr': '(?<order>[<>])f(?<size>[48])', 'fortran_order': False, 'shape': \((?<height>\d+), (?<width>\d+),?\)")]
+    private static partial Regex HeadOfReals();
 }

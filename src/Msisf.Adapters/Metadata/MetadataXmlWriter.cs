@@ -79,37 +79,34 @@ public static class MetadataXmlWriter
 
         """;
 
-    private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
-    {
-        return Invariant($"""
-            <MSISRendering>
-              <GeneralInformation>
-                <SimulationTime>
-                  <MJD>{LongE.ToText(frame.SimulationTime.Days, digits)}</MJD>
-                  <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
-                </SimulationTime>
-                <CameraPosition unit="m">
-                  {VectorXml.Of(frame.Camera.PositionBodyFixed, digits)}
-                </CameraPosition>
-                <CameraOrientation>
-                  {VectorXml.Of(frame.Camera.MoonFromCamera, digits)}
-                </CameraOrientation>
-                <SunPosition unit="m">
-                  {VectorXml.Of(frame.SunPositionBodyFixed, digits)}
-                </SunPosition>
-                <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude, digits)}</FlightAltitude>
-                <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
-                <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
-                <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
-                <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(pixels.Surface, frame)}
-                <FormatVersion>{FormatVersion}</FormatVersion>
-                <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain, digits)}</HeightOverTerrain>
-            {OriginXml.Lines(frame, digits)}{ScanXml.Lines(frame, pixels.Grid, digits)}{RigXml.Lines(frame.Rig, digits)}
-              </GeneralInformation>
-              <PixelInformation>
+    private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits) => Invariant($"""
+        <MSISRendering>
+          <GeneralInformation>
+            <SimulationTime>
+              <MJD>{LongE.ToText(frame.SimulationTime.Days, digits)}</MJD>
+              <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
+            </SimulationTime>
+            <CameraPosition unit="m">
+              {VectorXml.Of(frame.Camera.PositionBodyFixed, digits)}
+            </CameraPosition>
+            <CameraOrientation>
+              {VectorXml.Of(frame.Camera.MoonFromCamera, digits)}
+            </CameraOrientation>
+            <SunPosition unit="m">
+              {VectorXml.Of(frame.SunPositionBodyFixed, digits)}
+            </SunPosition>
+            <FlightAltitude unit="m">{LongE.ToText(frame.FlightAltitude, digits)}</FlightAltitude>
+            <SurfaceResolution unit="{frame.Elevation.Resolution.Unit}">{frame.Elevation.Resolution.NumberText}</SurfaceResolution>
+            <FOV unit="deg">{frame.FieldOfViewDegrees:R}</FOV>
+            <MSISVersion>{XmlText.Escape(frame.Version)}</MSISVersion>
+            <CommandLine>{XmlText.Escape(frame.CommandLine)}</CommandLine>{SurfaceLine(pixels.Surface, frame)}
+            <FormatVersion>{FormatVersion}</FormatVersion>
+            <HeightOverTerrain unit="m">{LongE.ToText(frame.HeightOverTerrain, digits)}</HeightOverTerrain>
+        {OriginXml.Lines(frame, digits)}{ScanXml.Lines(frame, pixels.Grid, digits)}{RigXml.Lines(frame.Rig, digits)}
+          </GeneralInformation>
+          <PixelInformation>
 
-            """);
-    }
+        """);
 
     private static string SurfaceLine(PixelSurface surface, FrameMetadata frame) => surface == PixelSurface.Terrain
         ? Invariant($"\n    <PixelSurface type=\"terrain\" renderer=\"{frame.RendererName}\" formatVersion=\"{FormatVersion}\" />")

@@ -27,14 +27,7 @@ internal static class NavigationDrawing
     {
         foreach (CraterView view in navigation.Craters?.Views ?? [])
         {
-            if (view.Hidden > 0.5)
-            {
-                image.SetColor(0.6, 0.6, 0.6, 1.0);
-            }
-            else
-            {
-                image.SetColor(1.0, 0.9, 0.0, 1.0);
-            }
+            SetColor(image, view.Hidden > 0.5, 1.0, 0.9, 0.0);
 
             Draw(image, view);
         }
@@ -47,14 +40,7 @@ internal static class NavigationDrawing
 
     private static void Draw(CairoImage image, LandmarkView view)
     {
-        if (view.HiddenBy is null)
-        {
-            image.SetColor(0.2, 1.0, 0.3, 1.0);
-        }
-        else
-        {
-            image.SetColor(0.6, 0.6, 0.6, 1.0);
-        }
+        SetColor(image, view.HiddenBy is not null, 0.2, 1.0, 0.3);
 
         (double x, double y) = (view.X - 0.5, view.Y - 0.5);
         image.DrawLine(x - CrossArm, y, x + CrossArm, y, LineWidth);
@@ -85,6 +71,12 @@ internal static class NavigationDrawing
             image.DrawText(
                 text, view.Ellipse.X - 0.5 - (0.5 * image.MeasureText(text, FontSize)), view.Ellipse.Y - 0.5 + (0.5 * FontSize), FontSize);
         }
+    }
+
+    private static void SetColor(CairoImage image, bool isHidden, double red, double green, double blue)
+    {
+        (double r, double g, double b) = isHidden ? (0.6, 0.6, 0.6) : (red, green, blue);
+        image.SetColor(r, g, b, 1.0);
     }
 
     /// <summary>Lines far outside are left out: cairo's coordinates reach to 8 million px only.</summary>

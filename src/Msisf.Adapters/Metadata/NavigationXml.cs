@@ -1,5 +1,7 @@
 using System.Text;
 using Msisf.Core.Navigation;
+using Msisf.Core.Surface;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Metadata;
 
@@ -85,4 +87,81 @@ internal static class NavigationXml
             text.Append(' ').Append(name).Append("=\"").Append(XmlText.EscapeAttribute(value)).Append('"');
         }
     }
+}
+
+/// <summary>The numbers of a crater in an image, by their names in CSV; degrees, m and px, round-trip.</summary>
+internal static class CraterFields
+{
+    public static string WordOf(CraterRim rim) => rim == CraterRim.Terrain ? "terrain" : "disc";
+
+    public static string WordOf(CraterLeftOutReason reason) => reason == CraterLeftOutReason.Hyperbola ? "hyperbola" : "no-ellipse";
+
+    /// <summary>The numbers; null where one is not defined.</summary>
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public static IEnumerable<(string Name, double? Value)> Of(CraterView view, double referenceRadius) =>
+    [
+        ("latitude", view.Crater.LatitudeDegrees),
+        ("longitude", view.Crater.LongitudeDegrees),
+        ("diameter", view.Crater.Diameter),
+        ("minorDiameter", view.Crater.MinorDiameter),
+        ("angle", view.Crater.AngleDegrees),
+        ("height", view.Disc.Centre.Length - referenceRadius),
+        ("h", view.Ellipse.X),
+        ("v", view.Ellipse.Y),
+        ("semiMajor", view.Ellipse.SemiMajor),
+        ("semiMinor", view.Ellipse.SemiMinor),
+        ("turn", double.RadiansToDegrees(view.Ellipse.Angle)),
+        ("inside", view.Inside),
+        ("hidden", view.Hidden),
+        ("lit", view.Lit),
+        ("incidence", double.RadiansToDegrees(view.Incidence)),
+        ("emission", double.RadiansToDegrees(view.Emission)),
+        ("residual", view.Residual),
+    ];
+
+    /// <summary>A number as text; empty for none.</summary>
+    public static string TextOf(double? value) => value?.ToString("R", CultureInfo.InvariantCulture) ?? string.Empty;
+}
+
+/// <summary>The values of a landmark in an image, by their names in CSV; degrees, m and px, round-trip.</summary>
+internal static class LandmarkFields
+{
+    /// <summary>The values; empty where one is not defined.</summary>
+    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+    public static IEnumerable<(string Name, string Value)> Of(LandmarkView view, double referenceRadius)
+    {
+        SelenographicPoint place = SelenographicPoint.Below(view.PointBodyFixed);
+        PixelDerivatives by = view.Derivatives;
+        return
+        [
+            ("latitude", Text(double.RadiansToDegrees(place.Latitude))),
+            ("longitude", Text(double.RadiansToDegrees(place.Longitude))),
+            ("height", Text(view.PointBodyFixed.Length - referenceRadius)),
+            ("x", Text(view.PointBodyFixed.X)),
+            ("y", Text(view.PointBodyFixed.Y)),
+            ("z", Text(view.PointBodyFixed.Z)),
+            ("h", Text(view.X)),
+            ("v", Text(view.Y)),
+            ("visible", view.HiddenBy is null ? "yes" : "no"),
+            ("hiddenBy", view.HiddenBy is { } facet ? Text(facet) : string.Empty),
+            ("lit", view.IsLit ? "yes" : "no"),
+            ("incidence", view.Incidence is { } incidence ? Text(double.RadiansToDegrees(incidence)) : string.Empty),
+            ("range", Text(view.Range)),
+            ("pixelScale", Text(view.PixelScale)),
+            ("hByShift", Text(by.XByShift)),
+            ("hByTurn", Text(by.XByTurn)),
+            ("hByPoint", Text(by.XByPoint)),
+            ("vByShift", Text(by.YByShift)),
+            ("vByTurn", Text(by.YByTurn)),
+            ("vByPoint", Text(by.YByPoint)),
+        ];
+    }
+
+    private static string Text(double value) => CraterFields.TextOf(value);
+
+    private static string Text(Vector3D vector) => $"{Text(vector.X)} {Text(vector.Y)} {Text(vector.Z)}";
+
+    /// <summary>Part, line, sample and half of the cell.</summary>
+    private static string Text(FacetId facet) =>
+        Invariant($"{facet.Part} {facet.Line} {facet.Sample} {(facet.Half == FacetHalf.SouthWest ? "SW" : "NE")}");
 }

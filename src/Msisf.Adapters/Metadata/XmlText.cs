@@ -17,36 +17,18 @@ internal static class XmlText
         StringBuilder escaped = new(text.Length);
         foreach (Rune rune in text.EnumerateRunes())
         {
-            switch (rune.Value)
+            escaped.Append(rune.Value switch
             {
-                case '&':
-                    escaped.Append("&amp;");
-                    break;
-                case '<':
-                    escaped.Append("&lt;");
-                    break;
-                case '>':
-                    escaped.Append("&gt;");
-                    break;
-                case '\t':
-                    escaped.Append("&#9;");
-                    break;
-                case '\n':
-                    escaped.Append("&#10;");
-                    break;
-                case '\r':
-                    escaped.Append("&#13;");
-                    break;
-                case < ' ':
-                    escaped.Append((char)(ControlImages + rune.Value));
-                    break;
-                case 0xFFFE or 0xFFFF:
-                    escaped.Append((char)Rune.ReplacementChar.Value);
-                    break;
-                default:
-                    escaped.Append(rune.ToString());
-                    break;
-            }
+                '&' => "&amp;",
+                '<' => "&lt;",
+                '>' => "&gt;",
+                '\t' => "&#9;",
+                '\n' => "&#10;",
+                '\r' => "&#13;",
+                < ' ' => $"{(char)(ControlImages + rune.Value)}",
+                0xFFFE or 0xFFFF => Rune.ReplacementChar.ToString(),
+                _ => rune.ToString(),
+            });
         }
 
         return escaped.ToString();

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using Msisf.Adapters.IO;
 using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Navigation;
@@ -77,12 +78,12 @@ public static class CocoWriter
         json.WriteNumber("image_id", image);
         json.WriteNumber("category_id", 1);
         json.WriteNumber("iscrowd", 0);
-        WriteNumbers(json, "bbox", [
-            left, top, Math.Clamp(ellipse.X + right - 0.5, 0.0, camera.Width) - left,
-            Math.Clamp(ellipse.Y + down - 0.5, 0.0, camera.Height) - top]);
+        json.WriteNumbers(
+            "bbox", left, top, Math.Clamp(ellipse.X + right - 0.5, 0.0, camera.Width) - left,
+            Math.Clamp(ellipse.Y + down - 0.5, 0.0, camera.Height) - top);
         json.WriteNumber("area", ellipse.Area * view.Inside);
         json.WriteStartArray("segmentation");
-        WriteNumbers(json, null, PolygonOf(ellipse, camera.Width, camera.Height));
+        json.WriteNumbers(PolygonOf(ellipse, camera.Width, camera.Height));
         json.WriteEndArray();
         json.WriteStartObject("crater");
         json.WriteString("id", view.Crater.Identity);
@@ -101,35 +102,16 @@ public static class CocoWriter
 
         if (view.Covariance is { } covariance)
         {
-            WriteNumbers(json, "covariance", covariance);
+            json.WriteNumbers("covariance", covariance);
         }
 
         if (view.Curve.Count > 0)
         {
-            WriteNumbers(json, "curve", view.Curve.SelectMany(point => (double[])[point.X, point.Y]));
+            json.WriteNumbers("curve", view.Curve.SelectMany(point => (double[])[point.X, point.Y]));
         }
 
         json.WriteEndObject();
         json.WriteEndObject();
-    }
-
-    private static void WriteNumbers(Utf8JsonWriter json, string? name, IEnumerable<double> numbers)
-    {
-        if (name is null)
-        {
-            json.WriteStartArray();
-        }
-        else
-        {
-            json.WriteStartArray(name);
-        }
-
-        foreach (double number in numbers)
-        {
-            json.WriteNumberValue(number);
-        }
-
-        json.WriteEndArray();
     }
 
     /// <summary>The part of an ellipse in the image as a polygon: x, y, x, y, ... from the image's corner.</summary>

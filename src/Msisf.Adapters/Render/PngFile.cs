@@ -9,7 +9,7 @@ public static class PngFile
     private const int BufferSize = 65536;
     private const int HeaderLength = 13;
 
-    private static ReadOnlySpan<byte> Signature => [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
+    internal static ReadOnlySpan<byte> Signature => [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
 
     /// <summary>Copies a whole PNG without its time stamps and texts (POV-Ray writes tIME and a tEXt with the render date).</summary>
     /// <param name="source">The file, from its first byte to its end.</param>

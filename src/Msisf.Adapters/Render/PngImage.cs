@@ -18,12 +18,8 @@ public sealed class PngImage : IDisposable
     /// <param name="height">px.</param>
     /// <param name="bitDepth">Bits of a level: 8 or 16.</param>
     /// <param name="transfer">What the levels mean, for the file's gamma.</param>
-    public PngImage(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer)
-        : this(destination, width, height, bitDepth, transfer, significantBits: null)
-    {
-    }
-
-    private PngImage(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer, byte? significantBits)
+    /// <param name="significantBits">Bits of a detector's numbers, which are scaled to all 16; null for levels.</param>
+    public PngImage(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer, byte? significantBits = null)
     {
         _destination = destination;
         PngWriter.WriteHead(destination, width, height, bitDepth, transfer);

@@ -16,8 +16,6 @@ public static class PngWriter
     private const byte GreyColorType = 0;
     private const byte TrueColorType = 2;
 
-    private static ReadOnlySpan<byte> Signature => [0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A];
-
     /// <summary>Writes an image of 8 bits.</summary>
     /// <param name="destination">The file; stays open.</param>
     /// <param name="levels">By rows from the top, each from left to right.</param>
@@ -57,7 +55,7 @@ public static class PngWriter
     public static void WriteColors(Stream destination, ReadOnlySpan<ushort> colors, int width)
     {
         const int channels = 3;
-        destination.Write(Signature);
+        destination.Write(PngFile.Signature);
         WriteHeader(destination, width, colors.Length / channels / width, bitDepth: 16, TrueColorType);
         byte[] bytes = new byte[sizeof(ushort) * colors.Length];
         for (int i = 0; i < colors.Length; i++)
@@ -74,7 +72,7 @@ public static class PngWriter
 
     internal static void WriteHead(Stream destination, int width, int height, byte bitDepth, GreyTransfer transfer)
     {
-        destination.Write(Signature);
+        destination.Write(PngFile.Signature);
         WriteHeader(destination, width, height, bitDepth, GreyColorType);
 
         // Hundred-thousandths of the exponent from level to light's inverse; beside sRGB the standard wants 1 / 2.2 for old readers.

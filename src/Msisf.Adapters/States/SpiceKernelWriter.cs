@@ -75,7 +75,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
     }
 
     /// <summary>The clock: microseconds since <see cref="_clockZero"/>, in TDB.</summary>
-    public void WriteClock(TextWriter writer) => Write(writer, "SCLK", FormattableString.Invariant($$"""
+    public void WriteClock(TextWriter writer) => Write(writer, "SCLK", Invariant($$"""
         SCLK_KERNEL_ID             = ( @2024-01-01 )
         SCLK_DATA_TYPE_999         = ( 1 )
         SCLK01_TIME_SYSTEM_999     = ( 1 )
@@ -89,7 +89,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         """));
 
     /// <summary>The frame of the camera, whose orientation the CK has.</summary>
-    public void WriteFrame(TextWriter writer) => Write(writer, "FK", FormattableString.Invariant($$"""
+    public void WriteFrame(TextWriter writer) => Write(writer, "FK", Invariant($$"""
         NAIF_BODY_NAME            += ( '{{SpacecraftName}}' '{{CameraName}}' )
         NAIF_BODY_CODE            += ( {{Spacecraft}} {{Instrument}} )
         FRAME_{{CameraName}}         = {{Instrument}}
@@ -117,7 +117,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
                     ' ', (left + (corner.Item1 * camera.Width) - (skew * down)) * PitchMillimetres, down, focal);
             }),
         ];
-        Write(writer, "IK", FormattableString.Invariant($$"""
+        Write(writer, "IK", Invariant($$"""
             INS{{Instrument}}_FOV_FRAME            = '{{CameraName}}'
             INS{{Instrument}}_FOV_SHAPE            = 'POLYGON'
             INS{{Instrument}}_BORESIGHT            = ( 0.0 0.0 {{focal:R}} )

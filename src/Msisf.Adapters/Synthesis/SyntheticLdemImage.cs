@@ -9,20 +9,17 @@ internal sealed class SyntheticLdemImage
     private const long LargestMemory = 220_000_000; // bytes of all threads' blocks: many cores do not mean much memory
 
     private readonly SyntheticTerrain _terrain;
-    private readonly SyntheticLdemProduct _product;
+    private readonly SyntheticLdemOptions _product;
     private readonly RegionWeights _weights;
-    private readonly int _threads;
     private long _samplesDone;
 
     /// <summary>An image to write.</summary>
     /// <param name="terrain">The model.</param>
     /// <param name="product">The part of it.</param>
-    /// <param name="threads">At least 1.</param>
-    public SyntheticLdemImage(SyntheticTerrain terrain, SyntheticLdemProduct product, int threads)
+    public SyntheticLdemImage(SyntheticTerrain terrain, SyntheticLdemOptions product)
     {
         _terrain = terrain;
         _product = product;
-        _threads = Math.Max(1, threads);
         _weights = new RegionWeights(
             product.Region, product.PixelsPerDegree, product.Rest == SyntheticRest.Base ? terrain.FadeDegrees : 0.0);
     }
@@ -37,7 +34,7 @@ internal sealed class SyntheticLdemImage
     {
         TileSynthesizer typical = new(_terrain);
         int side = typical.PreferredSide;
-        int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, _threads);
+        int fitting = (int)Math.Clamp(LargestMemory / typical.PreferredBytes, 1, Math.Max(1, _product.Threads));
         int blocksAcross = (_product.LineSamples + side - 1) / side;
         int blocksDown = (_product.Lines + side - 1) / side;
         SyntheticImageFile image = new(file, _product.ProductId, _product.Format, _product.LineSamples);

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 using Msisf.Synthesis;
@@ -40,6 +41,39 @@ public sealed record SyntheticLdemOptions(int PixelsPerDegree, ulong Seed, strin
     /// The most threads to compute with; fewer are used where their blocks would take more than 220 MB. The bytes do not depend on it.
     /// </summary>
     public int Threads { get; init; } = Environment.ProcessorCount;
+
+    /// <summary>
+    /// Name of the product, e.g. "LDEM_64_SYNTHETIC", or "LDEM_512_SYNTHETIC_00N_45N_000_090" for a part, borders named as in the LOLA
+    /// archive.
+    /// </summary>
+    public string ProductId
+    {
+        get
+        {
+            string kind = Body.IsMoon ? "LDEM" : $"{Body.CapitalName}_DEM";
+            string whole = Invariant($"{kind}_{PixelsPerDegree}_{LdemLabel.SyntheticMark}");
+            return Region == MoonRegion.WholeMoon ? whole : $"{whole}_{LdemPartName.BordersOf(Region)}";
+        }
+    }
+
+    /// <summary>The part of the Moon that the image covers.</summary>
+    public MoonRegion Cover => Rest == SyntheticRest.None ? Region : MoonRegion.WholeMoon;
+
+    /// <summary>Lines of the image.</summary>
+    public int Lines => LinesOf(Cover);
+
+    /// <summary>Samples of a line.</summary>
+    public int LineSamples => SamplesOf(Cover);
+
+    /// <summary>Bytes of the image.</summary>
+    public long Bytes => (long)Format.SampleBytes * Lines * LineSamples;
+
+    /// <summary>Bytes that the image takes on the disk: of a flat rest nothing is stored.</summary>
+    public long StoredBytes => Rest == SyntheticRest.Flat ? (long)Format.SampleBytes * LinesOf(Region) * SamplesOf(Region) : Bytes;
+
+    private int LinesOf(MoonRegion region) => (region.NorthDegrees - region.SouthDegrees) * PixelsPerDegree;
+
+    private int SamplesOf(MoonRegion region) => (region.EastDegrees - region.WestDegrees) * PixelsPerDegree;
 }
 
 /// <summary>The map projection of a synthetic model.</summary>

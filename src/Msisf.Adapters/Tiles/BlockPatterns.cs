@@ -51,7 +51,7 @@ public sealed class BlockPatterns
     /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or a model is damaged.</exception>
     /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
     public PatternSet Ensure(IEnumerable<SceneBlock> blocks, int maxParallelism, CancellationToken cancellation) => _repository.Ensure(
-        [.. blocks.Select(block => new BlockPatternOrder(Path.Combine(Folder, FileNameOf(block)), _blocks, block))],
+        [.. blocks.Select(OrderOf)],
         Folder,
         maxParallelism,
         progress: null,
@@ -71,6 +71,13 @@ public sealed class BlockPatterns
         return Shortened(name.ToString(), productId, MaxNameLength);
     }
 
+    private PatternOrder OrderOf(SceneBlock block) => new(Path.Combine(Folder, FileNameOf(block)), () =>
+    {
+        IReadOnlyList<BlockMesh> meshes = _blocks.MeshesOf(block);
+        byte[] header = PatternHeader.WithoutLength(_blocks, block, meshes);
+        return new PatternContent(header, () => stream => PatternWriter.Write(stream, meshes, header, isOneSided: !_blocks.IsClosed));
+    });
+
     /// <summary>A name; a long one is cut off, and ends with the checksum of what it names.</summary>
     private static string Shortened(string name, string named, int maxLength)
     {
@@ -81,17 +88,5 @@ public sealed class BlockPatterns
 
         string checksum = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(named)))[..16];
         return $"{name[..(maxLength - checksum.Length - 1)]}_{checksum}";
-    }
-}
-
-/// <summary>A pattern of a block of a surface.</summary>
-/// <param name="path">Its file.</param>
-internal sealed class BlockPatternOrder(string path, SceneBlocks blocks, SceneBlock block) : PatternOrder(path)
-{
-    public override Content Read()
-    {
-        IReadOnlyList<BlockMesh> meshes = blocks.MeshesOf(block);
-        byte[] header = PatternHeader.WithoutLength(blocks, block, meshes);
-        return new Content(Path, header, () => stream => PatternWriter.Write(stream, meshes, header, isOneSided: !blocks.IsClosed));
     }
 }

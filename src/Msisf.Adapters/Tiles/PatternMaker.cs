@@ -74,8 +74,8 @@ internal sealed class PatternMaker
     private bool? TryEnsure(PatternOrder order, bool isNew, bool mayWait)
     {
         // What has been seen missing is not read again until its claim is free.
-        PatternOrder.Content? content = isNew ? order.Read() : null;
-        if (content?.IsThere() == true)
+        PatternContent? content = isNew ? order.Read() : null;
+        if (content?.IsIn(order.Path) == true)
         {
             return false;
         }
@@ -87,12 +87,12 @@ internal sealed class PatternMaker
         }
 
         content ??= order.Read();
-        if (content.IsThere())
+        if (content.IsIn(order.Path))
         {
             return false; // made by another one meanwhile
         }
 
-        content.Write(isClaimed: claim is { IsExclusive: true });
+        content.WriteTo(order.Path, isClaimed: claim is { IsExclusive: true });
         return true;
     }
 
@@ -107,5 +107,38 @@ internal sealed class PatternMaker
             // Which tiles fail first depends on the threads; for a repeatable message, take the first by text.
             ExceptionDispatchInfo.Throw(exception.InnerExceptions.OrderBy(inner => inner.Message, StringComparer.Ordinal).First());
         }
+    }
+}
+
+/// <summary>A pattern that a scene needs.</summary>
+/// <param name="Path">Its file.</param>
+/// <param name="Read">Reads the model, which says what the file must hold; a damaged model is a <see cref="BadInputException"/>.</param>
+internal sealed record PatternOrder(string Path, Func<PatternContent> Read);
+
+/// <summary>What the file of a pattern must hold.</summary>
+/// <param name="Header">Its header, without the length (<see cref="PatternHeader"/>).</param>
+/// <param name="MakeWriter">Makes what writes the whole file.</param>
+internal sealed record PatternContent(byte[] Header, Func<Action<Stream>> MakeWriter)
+{
+    /// <summary>Whether the file is there and complete; one read, whatever its size.</summary>
+    /// <exception cref="BadInputException">The file is not of this program.</exception>
+    /// <exception cref="ExternalPartException">The file is there but can't be read.</exception>
+    public bool IsIn(string path) => PatternFile.Inspect(path, Header) switch
+    {
+        PatternFile.State.Good => true,
+        PatternFile.State.Foreign => throw new BadInputException(
+            $"{path}: has a pattern's name, but this program has not made it, so it stays as it is. "
+                + $"Move it away, or choose another pattern repository."),
+        _ => false,
+    };
+
+    /// <summary>Makes the file.</summary>
+    /// <param name="isClaimed">Whether no other process or thread can be making it.</param>
+    /// <exception cref="ExternalPartException">The repository can't be written.</exception>
+    public void WriteTo(string path, bool isClaimed)
+    {
+        Action<Stream> write = MakeWriter();
+        Action<string, Action<Stream>, bool> writeFile = isClaimed ? AtomicFile.WriteClaimed : AtomicFile.Write;
+        writeFile(path, write, false); // a power cut's short file is found by its header
     }
 }

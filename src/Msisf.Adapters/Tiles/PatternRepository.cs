@@ -69,7 +69,7 @@ public sealed class PatternRepository : IDisposable
     {
         TileMeshBuilder builder = new(grid);
         int resolution = grid.PixelsPerDegree;
-        IEnumerable<PatternOrder> orders = tiles.Distinct().Order().Select(tile => new TilePatternOrder(
+        IEnumerable<PatternOrder> orders = tiles.Distinct().Order().Select(tile => OrderOf(
             PathOf(tile, resolution),
             TileMeshLayout.For(tile, resolution, options.MarginSamples(resolution)),
             builder,
@@ -87,7 +87,7 @@ public sealed class PatternRepository : IDisposable
     public PatternSet EnsureParts(
         IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
     {
-        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => new TilePatternOrder(
+        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => OrderOf(
             PathOf(part, builders.PixelsPerDegree),
             TileMeshLayout.For(part, builders.PixelsPerDegree),
             builders.Of(part.Level),
@@ -121,6 +121,21 @@ public sealed class PatternRepository : IDisposable
 
         return new PatternSet([.. orders.Select(order => order.Path)], written);
     }
+
+    /// <summary>A pattern of a tile or part of one.</summary>
+    /// <param name="layout">What its mesh joins.</param>
+    /// <param name="builder">Makes the mesh.</param>
+    private static PatternOrder OrderOf(
+        string path, TileMeshLayout layout, TileMeshBuilder builder, string productId, PatternFormat format) => new(path, () =>
+    {
+        double[] radii = builder.ReadRadii(layout);
+        byte[] header = PatternHeader.WithoutLength(layout, radii, builder.SkirtFootRadius, productId, format);
+        return new PatternContent(header, () =>
+        {
+            TileMesh mesh = builder.Build(layout, radii);
+            return stream => PatternWriter.Write(stream, mesh, header, format);
+        });
+    });
 
     /// <summary>The claims of a folder. Their file stays open: closing it would release every claim of the process on it.</summary>
     private ClaimFile ClaimsIn(string folder)
@@ -175,24 +190,3 @@ public sealed class PatternRepository : IDisposable
 /// <param name="Paths">Their files, by latitude, then longitude.</param>
 /// <param name="Written">How many were made now; the others were there already.</param>
 public sealed record PatternSet(IReadOnlyList<string> Paths, int Written);
-
-/// <summary>A pattern of a tile or part of one.</summary>
-/// <param name="path">Its file.</param>
-/// <param name="layout">What its mesh joins.</param>
-/// <param name="builder">Makes the mesh.</param>
-/// <param name="productId">The elevation model.</param>
-/// <param name="format">The form of the mesh.</param>
-internal sealed class TilePatternOrder(
-    string path, TileMeshLayout layout, TileMeshBuilder builder, string productId, PatternFormat format) : PatternOrder(path)
-{
-    public override Content Read()
-    {
-        double[] radii = builder.ReadRadii(layout);
-        byte[] header = PatternHeader.WithoutLength(layout, radii, builder.SkirtFootRadius, productId, format);
-        return new Content(Path, header, () =>
-        {
-            TileMesh mesh = builder.Build(layout, radii);
-            return stream => PatternWriter.Write(stream, mesh, header, format);
-        });
-    }
-}

@@ -60,7 +60,7 @@ internal sealed class PieceArguments
     {
         if (Words(option).Length > 0)
         {
-            throw new UsageException($"{option.Name} {why}. Leave it out.").About(option);
+            throw option.Wrong($"{why}. Leave it out.");
         }
     }
 

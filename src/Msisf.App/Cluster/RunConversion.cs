@@ -20,7 +20,6 @@ internal sealed class RunConversion(ProgramHost host)
     private const int LongestCall = 2000;
 
     /// <summary>Checks the run, cuts it into pieces, and writes the script and the files that it needs.</summary>
-    /// <param name="values">The options of the run, of the pieces, and of Slurm.</param>
     /// <param name="call">The words of the call, for the head of the script.</param>
     /// <param name="scriptPath">Path of the script, relative to the folder of the outputs; missing folders are created.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
@@ -42,10 +41,9 @@ internal sealed class RunConversion(ProgramHost host)
 
         if (settings is { Camera: not null, Rig: null } && ImageOptions.Camera.ReadIfGiven(values) is null)
         {
-            throw new UsageException(
-                $"{MissionOptions.Instrument.Name} gives the camera of its instrument kernel, which the pieces of a run do not read. Give "
-                    + $"the camera with {ImageOptions.Camera.Name}.")
-                .About(MissionOptions.Instrument, ImageOptions.Camera);
+            throw MissionOptions.Instrument.Wrong(
+                "gives the camera of its instrument kernel, which the pieces of a run do not read. Give the camera with "
+                    + $"{ImageOptions.Camera.Name}.", ImageOptions.Camera);
         }
 
         if (cameras.Any(camera => camera.Scan is not null || camera.Jitter is not null) && trajectory is not BatchFileSettings)
@@ -58,9 +56,9 @@ internal sealed class RunConversion(ProgramHost host)
 
         if (settings is { Rig: not null, Native.FindsExposureTime: true })
         {
-            throw new UsageException(
-                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} finds a time for each camera of a rig, and pieces take "
-                    + "one. Give seconds, or 'exposure-time' in the camera files.").About(NativeOptions.ExposureTime, RigOptions.Rig);
+            throw NativeOptions.ExposureTime.Wrong(
+                $"{NativeOptions.AutomaticTime} finds a time for each camera of a rig, and pieces take one. Give seconds, or "
+                    + "'exposure-time' in the camera files.", RigOptions.Rig);
         }
 
         using EphemerisSource ephemeris = new(settings, host);

@@ -1,8 +1,44 @@
+using System.Buffers;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Settings;
+using Msisf.Core.Scene;
 
 namespace Msisf.App.Cluster;
+
+/// <summary>The content of a script that makes a run in pieces, independent of the script's format.</summary>
+internal sealed record PieceScript
+{
+    /// <summary>Full path of the script itself.</summary>
+    public required string Path { get; init; }
+
+    /// <summary>The call that made the script, as one line for the script's head.</summary>
+    public required string Call { get; init; }
+
+    public required string Version { get; init; }
+
+    /// <summary>Full path of the file that starts the program.</summary>
+    public required string Launcher { get; init; }
+
+    /// <summary>Full path of the folder in which the call was made; relative paths in its options start there.</summary>
+    public required string WorkingFolder { get; init; }
+
+    /// <summary>Arguments of the call that makes a piece, except <c>--frames</c>.</summary>
+    public required IReadOnlyList<string> Arguments { get; init; }
+
+    /// <summary>Whether <see cref="Arguments"/> say how many frames are made at once.</summary>
+    public required bool HasJobs { get; init; }
+
+    /// <summary>Whether the run needs patterns.</summary>
+    public required bool NeedsPatterns { get; init; }
+
+    /// <summary>Arguments of the call of <c>msis patterns</c> that makes the patterns before the pieces.</summary>
+    public required IReadOnlyList<string> PatternArguments { get; init; }
+
+    public required string OutputFolder { get; init; }
+
+    public required IReadOnlyList<StepRanges> Pieces { get; init; }
+}
 
 /// <summary>Makes the text of a script that runs the pieces.</summary>
 internal static class ScriptText
@@ -10,7 +46,6 @@ internal static class ScriptText
     /// <summary>Maximum number of pieces in a job array: Slurm's default MaxArraySize is 1001, which allows indices up to 1000.</summary>
     private const int MaxSlurmPieces = 1000;
 
-    /// <summary>The whole script.</summary>
     /// <param name="format">Format of the script; for <see cref="ScriptFormat.Slurm"/> call <see cref="Slurm"/>.</param>
     /// <param name="script">Content of the script.</param>
     /// <exception cref="UsageException">A batch file can't hold one of the names.</exception>
@@ -25,7 +60,6 @@ internal static class ScriptText
         _ => ScriptTemplate.Fill("sh.sh", CommonValues(script)),
     };
 
-    /// <summary>The script for Slurm.</summary>
     /// <param name="script">Content of the script.</param>
     /// <exception cref="UsageException">There are more pieces than a job array can have, or sbatch does not accept a path.</exception>
     public static string Slurm(PieceScript script, SlurmSettings slurm)
@@ -114,7 +148,6 @@ internal static class ScriptText
 /// </summary>
 internal static partial class ScriptTemplate
 {
-    /// <summary>Fills a template in.</summary>
     /// <param name="name">File name of the template.</param>
     /// <param name="values">A value for each name in the template.</param>
     public static string Fill(string name, IReadOnlyDictionary<string, string> values)
@@ -127,4 +160,41 @@ internal static partial class ScriptTemplate
 
     [GeneratedRegex("@(?<name>[A-Z_]+)@")]
     private static partial Regex Placeholder();
+}
+
+/// <summary>Quotes words for a POSIX shell and for the #SBATCH lines of a script, which follow the same rules.</summary>
+internal static class PosixWord
+{
+    private static readonly SearchValues<char> Plain =
+        SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=,+@%-");
+
+    /// <summary>Quotes a text so that the shell reads it unchanged, whatever characters it contains.</summary>
+    public static string Of(string text) =>
+        text.Length > 0 && !text.AsSpan().ContainsAnyExcept(Plain)
+            ? text
+            : $"'{text.Replace("'", "'\\''", StringComparison.Ordinal)}'";
+}
+
+/// <summary>Quotes words for a Windows batch file, which both cmd and the called program's own argument parser take apart.</summary>
+internal static class CmdWord
+{
+    private static readonly SearchValues<char> Plain =
+        SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:\\+@-");
+
+    /// <summary>Quotes a word if needed, doubling percent signs and a backslash before the closing quote.</summary>
+    /// <exception cref="UsageException">cmd can't pass this text to a program.</exception>
+    public static string Of(string text)
+    {
+        string inner = Inner(text);
+        int backslashes = inner.Length - inner.TrimEnd('\\').Length;
+        return text.Length > 0 && !text.AsSpan().ContainsAnyExcept(Plain) ? text : $"\"{inner}{new string('\\', backslashes)}\"";
+    }
+
+    /// <summary>The text for a place between quotes that only cmd reads.</summary>
+    /// <exception cref="UsageException">cmd can't hold this text.</exception>
+    public static string Inner(string text) => text.Contains('"') || text.Any(char.IsControl)
+        ? throw new UsageException(
+            $"--format bat: {text.ReplaceLineEndings(" ")} has a quotation mark or a control character in it, "
+                + $"which a batch file can't pass on. Choose another name, or another --format.")
+        : text.Replace("%", "%%", StringComparison.Ordinal);
 }

@@ -22,10 +22,8 @@ internal sealed record DataSetCard
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
     };
 
-    /// <summary>What was asked for.</summary>
     public required DataSetSpec Spec { get; init; }
 
-    /// <summary>How the states were drawn.</summary>
     public required DrawnStates Drawn { get; init; }
 
     /// <summary>How their numbers are distributed.</summary>
@@ -34,13 +32,11 @@ internal sealed record DataSetCard
     /// <summary>Canonical arguments of the frames.</summary>
     public required string Arguments { get; init; }
 
-    /// <summary>Version of the program.</summary>
     public required string Version { get; init; }
 
     /// <summary>Width and height of the images, px, and K in the form of OpenCV, by rows.</summary>
     public required (int Width, int Height, double[][] K) Camera { get; init; }
 
-    /// <summary>What it is made from.</summary>
     public required IReadOnlyList<DataSetSource> Sources { get; init; }
 
     /// <summary>States and index.</summary>

@@ -45,7 +45,6 @@ internal sealed class DataSetFile
 
     /// <summary>Reads a file.</summary>
     /// <param name="line">The options of the command line, which go before those of the file.</param>
-    /// <param name="host">Knows the user's home folder.</param>
     /// <exception cref="MsisfException">What is wrong in it, by file, line and column.</exception>
     public static DataSetSpec Read(string path, OptionValues line, ProgramHost host)
     {

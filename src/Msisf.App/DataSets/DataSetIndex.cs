@@ -17,7 +17,6 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
     private static readonly Quantity[] Drawn =
         [Quantity.Altitude, Quantity.OffNadir, Quantity.Azimuth, Quantity.Roll, Quantity.Exposure, Quantity.Shift, Quantity.Turn];
 
-    /// <summary>Writes all images in CSV.</summary>
     public void WriteCsv(TextWriter writer)
     {
         writer.WriteLine(string.Join(
@@ -48,11 +47,9 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
         }
     }
 
-    /// <summary>Writes the index of a split in one of the other formats.</summary>
     /// <param name="files">Receives the files.</param>
     /// <param name="split">Name of the split.</param>
     /// <param name="format">coco, tum or kitti.</param>
-    /// <returns>The paths.</returns>
     public IReadOnlyList<string> Write(AtomicFileSet files, string folder, string split, string format)
     {
         DataSetImage[] own = [.. images.Where(image => image.Drawn.Split == split)];
@@ -124,8 +121,8 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
         json.WriteStartArray("annotations");
         foreach (DataSetImage image in own)
         {
-            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(image.PathOf(folder, ".craters.json")!));
-            foreach (JsonElement annotation in document.RootElement.GetProperty("annotations").EnumerateArray())
+            JsonElement craters = JsonElement.Parse(File.ReadAllBytes(image.PathOf(folder, ".craters.json")!));
+            foreach (JsonElement annotation in craters.GetProperty("annotations").EnumerateArray())
             {
                 json.WriteStartObject();
                 json.WriteNumber("id", ++number);
@@ -150,7 +147,6 @@ internal sealed record DataSetImage(int Number, DrawnState Drawn, IReadOnlyList<
 {
     public string FileName => Files[0].Name;
 
-    /// <summary>The path of one of its files by its ending; null if there is none.</summary>
     /// <param name="ending">E.g. ".craters.csv".</param>
     public string? PathOf(string folder, string ending) =>
         Files.FirstOrDefault(file => file.Name == Path.GetFileNameWithoutExtension(FileName) + ending) is { } found

@@ -33,7 +33,6 @@ internal sealed class DataSetRun
 
     /// <summary>Makes a data set, here or on Slurm.</summary>
     /// <param name="path">The data set's file.</param>
-    /// <param name="line">Options of the command line.</param>
     /// <param name="words">Words of the call, for the head of a script.</param>
     /// <param name="cancellation">Cancels the work; finished images are kept.</param>
     /// <returns>The exit code.</returns>

@@ -36,8 +36,7 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
     /// <param name="description">The settings of the run, as the manifest has them.</param>
     public static IReadOnlyList<DataSetSource> Of(DataSetSpec spec, string description)
     {
-        using JsonDocument json = JsonDocument.Parse(description);
-        JsonElement root = json.RootElement;
+        JsonElement root = JsonElement.Parse(description);
         JsonElement model = root.GetProperty("model");
         List<DataSetSource> sources = [];
         Add("elevation model", Text(model, "product"), Text(model, "sha256_of_parts"));
@@ -64,11 +63,7 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
 
     /// <summary>Canonical arguments of the frames of a run.</summary>
     /// <param name="description">The settings of the run, as the manifest has them.</param>
-    public static string ArgumentsOf(string description)
-    {
-        using JsonDocument json = JsonDocument.Parse(description);
-        return json.RootElement.GetProperty("arguments").GetString()!;
-    }
+    public static string ArgumentsOf(string description) => JsonElement.Parse(description).GetProperty("arguments").GetString()!;
 
     /// <summary>A kind of inputs in plain words: "AlbedoMap" is "albedo map".</summary>
     private static string WordsOf(string kind) =>

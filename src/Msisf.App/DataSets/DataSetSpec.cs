@@ -5,7 +5,6 @@ namespace Msisf.App.DataSets;
 /// <summary>What a data set's file asks for (docs/data-sets.md).</summary>
 internal sealed record DataSetSpec
 {
-    /// <summary>Path of the file.</summary>
     public required string Path { get; init; }
 
     /// <summary>SHA-256 of the file, hexadecimal.</summary>
@@ -31,7 +30,6 @@ internal sealed record DataSetSpec
     /// <summary>How the numbers of a state are distributed; those that are not drawn are missing.</summary>
     public required IReadOnlyDictionary<Quantity, Distribution> Distributions { get; init; }
 
-    /// <summary>Its parts.</summary>
     public required IReadOnlyList<Split> Splits { get; init; }
 
     /// <summary>Whether each image has a second one near it.</summary>
@@ -46,7 +44,6 @@ internal sealed record DataSetSpec
     /// <summary>Licences by the names of files.</summary>
     public required IReadOnlyDictionary<string, string> Licences { get; init; }
 
-    /// <summary>The options of the run.</summary>
     public required OptionValues Options { get; init; }
 
     public int Images => Splits.Sum(split => split.Count) * (HasPairs ? 2 : 1);

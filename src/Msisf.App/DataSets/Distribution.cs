@@ -23,16 +23,13 @@ internal sealed record Distribution(string Kind, IReadOnlyList<double> Numbers)
     /// <summary>Greatest number.</summary>
     public double Max => Numbers[^1];
 
-    /// <summary>A single number.</summary>
     public static Distribution Of(double number) => new(Constant, [number]);
 
     /// <summary>All numbers of an interval alike.</summary>
     public static Distribution Of(double min, double max) => new(Uniform, [min, max]);
 
-    /// <summary>Reads a distribution.</summary>
     /// <param name="values">The value of a key, or its list of two.</param>
     /// <param name="parse">Reads a number.</param>
-    /// <exception cref="BadInputException">It is none.</exception>
     public static Distribution Parse(IReadOnlyList<string> values, Func<string, double> parse)
     {
         string[] words = [.. values.SelectMany(value => value.Split(' ', StringSplitOptions.RemoveEmptyEntries))];

@@ -52,7 +52,6 @@ internal sealed record Quantity(
 
     public static readonly Quantity Turn = new("turn", Pair, "degrees", 0.0, 180.0, Distribution.Of(0.0), 13);
 
-    /// <summary>All of them.</summary>
     public static IReadOnlyList<Quantity> All { get; } =
         [Altitude, OffNadir, Azimuth, Roll, SunElevation, SunAzimuth, Time, Exposure, Shift, Turn];
 }

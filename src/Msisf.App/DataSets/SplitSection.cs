@@ -8,7 +8,6 @@ namespace Msisf.App.DataSets;
 /// </summary>
 internal static partial class SplitSection
 {
-    /// <summary>Its key in the file.</summary>
     public const string Key = "split";
 
     /// <summary>Name of the only split of a data set that has no others.</summary>
@@ -23,7 +22,6 @@ internal static partial class SplitSection
     /// <summary>degrees of longitude between two lunes.</summary>
     private const double DefaultGap = 1.0;
 
-    /// <summary>Reads the splits.</summary>
     /// <param name="file">The data set's file.</param>
     /// <param name="section">The section; null for one split.</param>
     /// <param name="states">The section of the states, which has the region of all.</param>

@@ -12,7 +12,12 @@ namespace Msisf.App.DataSets;
 /// <summary>
 /// Draws the states of a data set: point after point of the unit cube, until as many states meet the conditions as the data set needs.
 /// </summary>
-internal sealed class StateDraw
+/// <param name="spec">What the data set asks for.</param>
+/// <param name="scene">Terrain.</param>
+/// <param name="ephemeris">Not used where each state has its Sun.</param>
+/// <param name="probe">Tells what an image will show.</param>
+internal sealed class StateDraw(
+    DataSetSpec spec, RenderSettings settings, ISceneGeometry scene, Func<IEphemeris> ephemeris, ViewProbe probe)
 {
     /// <summary>So many states in a row that meet no condition are enough to give up.</summary>
     private const int MostInVain = 2000;
@@ -26,31 +31,18 @@ internal sealed class StateDraw
     private const string SunElevation = "sun-elevation";
     private const string OneRegion = "one region";
 
-    private readonly DataSetSpec _spec;
-    private readonly RenderSettings _settings;
-    private readonly ISceneGeometry _scene;
-    private readonly Func<IEphemeris> _sun;
-    private readonly ViewProbe _probe;
-    private readonly StateMaker _maker;
+    private readonly StateMaker _maker = new(spec, scene);
 
-    /// <param name="spec">What the data set asks for.</param>
-    /// <param name="scene">Terrain.</param>
-    /// <param name="sun">The ephemeris; not used where each state has its Sun.</param>
-    /// <param name="probe">Tells what an image will show.</param>
-    public StateDraw(DataSetSpec spec, RenderSettings settings, ISceneGeometry scene, Func<IEphemeris> sun, ViewProbe probe) =>
-        (_spec, _settings, _scene, _sun, _probe, _maker) = (spec, settings, scene, sun, probe, new StateMaker(spec, scene));
-
-    /// <summary>Draws all states.</summary>
     /// <param name="progress">Receives a step for each image.</param>
     /// <exception cref="BadInputException">No state meets the conditions.</exception>
     public DrawnStates Run(IRunProgress progress, CancellationToken cancellation)
     {
         List<DrawnState> taken = [];
         List<SplitDraw> draws = [];
-        for (int index = 0; index < _spec.Splits.Count; index++)
+        for (int index = 0; index < spec.Splits.Count; index++)
         {
-            Split split = _spec.Splits[index];
-            UnitCubePoints points = new(Quantity.Coordinates, _spec.IsSobol, _spec.Seed, index);
+            Split split = spec.Splits[index];
+            UnitCubePoints points = new(Quantity.Coordinates, spec.IsSobol, spec.Seed, index);
             SortedDictionary<string, int> rejected = new(StringComparer.Ordinal);
             int found = 0;
             int inVain = 0;
@@ -81,7 +73,7 @@ internal sealed class StateDraw
                 if (inVain == MostInVain)
                 {
                     throw new BadInputException(
-                        $"{_spec.Path}: of '{split.Name}' {found} of {split.Count} images were found, and the last {MostInVain} states "
+                        $"{spec.Path}: of '{split.Name}' {found} of {split.Count} images were found, and the last {MostInVain} states "
                             + $"met not all conditions ({Listed(rejected)} of {candidate} failed). Loosen the "
                             + "conditions, or change the states.");
                 }
@@ -94,8 +86,8 @@ internal sealed class StateDraw
         return new DrawnStates([.. taken.Select(WithNoise)], draws);
     }
 
-    private DrawnState WithNoise(DrawnState drawn, int index) => _settings.Native.Detector is null ? drawn
-        : drawn with { State = drawn.State with { Noise = new NoiseSeed(_spec.NoiseSeed, (ulong)index + 1) } };
+    private DrawnState WithNoise(DrawnState drawn, int index) => settings.Native.Detector is null ? drawn
+        : drawn with { State = drawn.State with { Noise = new NoiseSeed(spec.NoiseSeed, (ulong)index + 1) } };
 
     private static string Listed(SortedDictionary<string, int> rejected) =>
         string.Join(", ", rejected.Select(entry => Invariant($"'{entry.Key}' {entry.Value}")));
@@ -109,8 +101,8 @@ internal sealed class StateDraw
 
         // CSPICE is not thread-safe, so that all lights come first.
         Frame[][] frames = [.. drawn.Select(states => FrameSetup.Of(
-            [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], _settings with { Frames = null },
-            new SunPositions(_sun, _settings.Aberration),
+            [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], settings with { Frames = null },
+            new SunPositions(ephemeris, settings.Aberration),
             cancellation))];
         (DrawnState[] States, string? Failed)[] looked = new (DrawnState[], string?)[Block];
         Parallel.For(0, Block, new ParallelOptions { CancellationToken = cancellation }, index =>
@@ -130,14 +122,14 @@ internal sealed class StateDraw
     private (DrawnState State, string? Failed) Look(DrawnState drawn, Frame frame, Split split, CancellationToken cancellation)
     {
         Vector3D position = drawn.State.PositionBodyFixed;
-        double ground = _scene.GroundRadius(position);
+        double ground = scene.GroundRadius(position);
         if (position.Length < ground + Quantity.Altitude.Least)
         {
             return (drawn, InTheGround);
         }
 
         SkyDirection sun = SkyDirection.Of(ground * position.Normalized(), frame.Light.PositionBodyFixed);
-        Conditions accept = _spec.Accept;
+        Conditions accept = spec.Accept;
         if (accept.SunElevation is { } range)
         {
             double degrees = double.RadiansToDegrees(sun.Elevation);
@@ -147,7 +139,7 @@ internal sealed class StateDraw
             }
         }
 
-        View view = _probe.Of(frame, cancellation);
+        View view = probe.Of(frame, cancellation);
         drawn = drawn with { Ground = view.Ground, Lit = view.Lit, Sun = sun };
         return (drawn, view.Ground < accept.Ground ? GroundShare
             : view.Lit < accept.Lit ? LitShare

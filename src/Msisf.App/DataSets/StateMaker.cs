@@ -1,8 +1,17 @@
+using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Preview;
+using Msisf.App.Rendering;
+using Msisf.App.Settings;
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
+using Msisf.Core.Render;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.Core.Tracing;
 
 namespace Msisf.App.DataSets;
 
@@ -11,9 +20,6 @@ namespace Msisf.App.DataSets;
 /// <param name="scene">The terrain.</param>
 internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
 {
-    /// <summary>m: the Sun's mean distance.</summary>
-    private const double SunDistance = 1.495978707e11;
-
     /// <summary>The states of one image, or of both of a pair.</summary>
     /// <param name="candidate">Number of the point.</param>
     public DrawnState[] Of(Split split, long candidate, double[] point)
@@ -47,7 +53,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     {
         LocalFrame below = LocalFrame.At(positionBodyFixed);
         Vector3D direction = below.DirectionOf(double.DegreesToRadians(azimuthDegrees), double.DegreesToRadians(elevationDegrees));
-        return (scene.GroundRadius(below.Up) * below.Up) + (SunDistance * direction);
+        return (scene.GroundRadius(below.Up) * below.Up) + (AstronomicalConstants.AstronomicalUnit * direction);
     }
 
     /// <summary>The state of a pair's second image: shifted in any direction, and turned about any axis.</summary>
@@ -67,3 +73,59 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
         return new Vector3D(across * cosine, across * sine, z);
     }
 }
+
+/// <summary>Tells what an image will show from a small one of the same view, with terrain and shadows. Thread-safe.</summary>
+internal sealed class ViewProbe
+{
+    /// <summary>px: longer side of the small image.</summary>
+    private const int LongerSide = 48;
+
+    private readonly CameraModel _camera;
+    private readonly NativeDrawing _drawing;
+
+    /// <summary>Prepares the small images.</summary>
+    public ViewProbe(RenderSettings settings, ElevationModel model, SurfaceInputs maps, RunTimes times)
+    {
+        NativeSettings native = settings.Native;
+        NativeSettings small = native with
+        {
+            Detector = null,
+            Layers = null,
+            Navigation = null,
+            Render = native.Render with { KeepGroundTruth = true, SubsamplesPerAxis = 1, Adaptive = null, Indirect = null },
+        };
+        _camera = ReducedCamera.ModelOf(settings.CameraModel, LongerSide);
+        _drawing = new NativeDrawing(small, model.Grid, maps, new NativeLevels(model.DetailOf(settings.LevelOfDetailError)), times);
+    }
+
+    public View Of(Frame frame, CancellationToken cancellation)
+    {
+        using NativeImage image = _drawing.Draw(
+            frame with { Camera = _camera.At(frame.Camera.Bands[0].Camera.State), Motion = null, Noise = null, Flow = null },
+            threads: 1,
+            cancellation);
+        IGroundTruth truth = image.ToRendered(Stream.Null).Truth!;
+        List<Vector3D> points = [];
+        int lit = 0;
+        for (int y = 1; y <= _camera.Height; y++)
+        {
+            for (int x = 1; x <= _camera.Width; x++)
+            {
+                if (truth.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light))
+                {
+                    points.Add(hit.PointBodyFixed);
+                    lit += light.VisibleFraction > 0.0 ? 1 : 0;
+                }
+            }
+        }
+
+        double ground = (double)points.Count / (_camera.Width * _camera.Height);
+        return new View(ground, points.Count > 0 ? (double)lit / points.Count : 0.0, points);
+    }
+}
+
+/// <summary>What an image shows.</summary>
+/// <param name="Ground">The part of it that shows ground.</param>
+/// <param name="Lit">The part of that ground that gets light.</param>
+/// <param name="Points">Points of the ground, m, body-fixed.</param>
+internal sealed record View(double Ground, double Lit, IReadOnlyList<Vector3D> Points);

@@ -13,7 +13,6 @@ internal sealed class ProgramHost
     private readonly Func<string, string?> _environment;
     private readonly Lazy<GeoTiffFiles> _geoTiffs;
 
-    /// <param name="environment">Gets a variable of the environment.</param>
     public ProgramHost(TimeProvider clock, Func<string, string?> environment)
     {
         _environment = environment;
@@ -34,7 +33,6 @@ internal sealed class ProgramHost
 
     public RunTimes Times { get; }
 
-    /// <summary>Version of the program, e.g. "1.0.0".</summary>
     public string Version { get; } =
         typeof(ProgramHost).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
@@ -43,6 +41,19 @@ internal sealed class ProgramHost
 
     public Installation Installation => _installation.Value;
 
+    /// <summary>Folder for files that can be made again and have no other place; null if no variable says where it is.</summary>
+    public string? CacheFolder => UserFolder("XDG_CACHE_HOME", "LOCALAPPDATA", ".cache");
+
+    /// <summary>Folder of the user's settings; null if no variable says where it is.</summary>
+    public string? ConfigFolder => UserFolder("XDG_CONFIG_HOME", "APPDATA", ".config");
+
     /// <summary>Gets a variable of the environment; null if it is not set or empty.</summary>
     public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
+
+    /// <summary>The program's folder below that of a variable, of one of Windows, or of $HOME.</summary>
+    private string? UserFolder(string variable, string ofWindows, string belowHome) =>
+        (Environment(variable) ?? Environment(ofWindows)
+            ?? (Environment("HOME") is { } home ? Path.Combine(home, belowHome) : null)) is { } parent
+            ? Path.Combine(parent, "msisf")
+            : null;
 }

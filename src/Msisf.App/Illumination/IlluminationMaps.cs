@@ -18,7 +18,7 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         foreach ((double height, PlaceLight[] lights, float[] slopes) in results)
         {
             string suffix = results.Count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $"_{height:R}m");
-            maps.AddRange(MapsOf(lights, slopes).Select(map => map with { Name = map.Name + suffix }));
+            maps.AddRange(MapsOf(height, lights, slopes).Select(map => map with { Name = map.Name + suffix }));
         }
 
         foreach (string path in WriteAll(maps))
@@ -35,10 +35,13 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
 
     private IEnumerable<string> WriteAll(IReadOnlyList<LightMap> maps)
     {
+        MapTimes times = new(
+            settings.Times[0].ToIsoUtc(), settings.Times[settings.Times.Count - 1].ToIsoUtc(), settings.StepHours,
+            settings.IsPoint ? "point" : "disc");
         if (settings.Format == MapFormat.Fits)
         {
             string path = Path.Combine(settings.Folder, "illumination.fits");
-            LightMapFiles.WriteFits(path, maps, placement);
+            LightMapFiles.WriteFits(path, maps, placement, times);
             return [path];
         }
 
@@ -48,7 +51,7 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
             string path = Path.Combine(settings.Folder, map.Name + (isTiff ? ".tif" : ".npy"));
             if (isTiff)
             {
-                LightMapFiles.WriteGeoTiff(path, map, placement, host.Environment("MSISF_GDAL"));
+                LightMapFiles.WriteGeoTiff(path, map, placement, times, host.Environment("MSISF_GDAL"));
             }
             else
             {
@@ -59,7 +62,7 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         });
     }
 
-    private IEnumerable<LightMap> MapsOf(PlaceLight[] lights, float[] slopes)
+    private IEnumerable<LightMap> MapsOf(double height, PlaceLight[] lights, float[] slopes)
     {
         double steps = settings.Times.Count;
         double hours = settings.StepHours;
@@ -67,35 +70,46 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         double days = settings.Times.StepDays;
         yield return Of("lit", string.Empty, "Part of the time with any of the Sun in view.", light => light.LitSteps / steps);
         yield return Of("disc", string.Empty, "Mean visible part of the Sun's disc, by area.", light => light.DiscPart);
-        yield return Of("longest_dark", "h", "Longest time without Sun, in steps of the interval.", light => hours * light.Dark.Count);
-        yield return Of("longest_dark_start", "d", "Days from the interval's start to that time's.", light => days * light.Dark.First);
-        yield return Of("longest_dark_end", "d", "Days from the interval's start to its end.", light => days * light.Dark.End);
-        yield return Of("longest_light", "h", "Longest time with Sun, in steps of the interval.", light => hours * light.Light.Count);
-        yield return Of("longest_light_start", "d", "Days from the interval's start to that time's.", light => days * light.Light.First);
-        yield return Of("longest_light_end", "d", "Days from the interval's start to its end.", light => days * light.Light.End);
+        yield return Of("longest_dark", "h", "Longest time without Sun, a whole number of steps.", light => hours * light.Dark.Count);
+        yield return Of("longest_dark_start", "d", "Days from the interval's start to the longest time without Sun.",
+            light => days * light.Dark.First);
+        yield return Of("longest_dark_end", "d", "Days from the interval's start to the end of the longest time without Sun.",
+            light => days * light.Dark.End);
+        yield return Of("longest_light", "h", "Longest time with Sun, a whole number of steps.", light => hours * light.Light.Count);
+        yield return Of("longest_light_start", "d", "Days from the interval's start to the longest time with Sun.",
+            light => days * light.Light.First);
+        yield return Of("longest_light_end", "d", "Days from the interval's start to the end of the longest time with Sun.",
+            light => days * light.Light.End);
         yield return Of("nights", string.Empty, FormattableString.Invariant(
             $"Times without Sun that are longer than {settings.NightLimit} h."), light => light.Nights);
         yield return Of("flux_horizontal", "W/m2", "Mean light on a horizontal plane.", light => light.Horizontal.Mean);
         yield return Of("flux_horizontal_max", "W/m2", "Greatest light on a horizontal plane.", light => light.Horizontal.Greatest);
         yield return Of("flux_tracking", "W/m2", "Mean light on a plane turned to the Sun.", light => light.Tracking.Mean);
         yield return Of("flux_tracking_max", "W/m2", "Greatest light on a plane turned to the Sun.", light => light.Tracking.Greatest);
-        if (settings.Plane is not null)
+        if (settings.Plane is { } plane)
         {
-            yield return Of("flux_plane", "W/m2", "Mean light on the chosen plane.", light => light.Fixed.Mean);
-            yield return Of("flux_plane_max", "W/m2", "Greatest light on the chosen plane.", light => light.Fixed.Greatest);
+            string name = string.Create(
+                CultureInfo.InvariantCulture,
+                $"a plane tilted by {plane.Tilt:R} degrees, its normal at {plane.Azimuth:R} degrees from north over east");
+            yield return Of("flux_plane", "W/m2", $"Mean light on {name}.", light => light.Fixed.Mean);
+            yield return Of("flux_plane_max", "W/m2", $"Greatest light on {name}.", light => light.Fixed.Greatest);
         }
 
         yield return Of("earth", string.Empty, "Part of the time with any of the Earth in view.", light => light.EarthSteps / steps);
         yield return Of("earth_whole", string.Empty, "Part of the time with all of the Earth in view.",
             light => light.WholeEarthSteps / steps);
-        yield return Of("sun_and_earth", string.Empty, "Part of the time with both in view.", light => light.BothSteps / steps);
+        yield return Of("sun_and_earth", string.Empty, "Part of the time with any of the Sun and any of the Earth in view.",
+            light => light.BothSteps / steps);
         yield return Of("never_lit", string.Empty, FormattableString.Invariant(
             $"1 where no light comes in the {settings.Times.LengthDays:R} days from MJD {start:R}."), light => light.LitSteps == 0 ? 1 : 0);
-        yield return new LightMap(
-            "slope", "degree", "Slope of the ground.", [.. slopes.Select(slope => (float)double.RadiansToDegrees(Math.Atan(slope)))]);
+        yield return Map(
+            "slope", "degree", "Slope of the ground.", slopes.Select(slope => (float)double.RadiansToDegrees(Math.Atan(slope))));
 
         LightMap Of(string name, string unit, string meaning, Func<PlaceLight, double> value) =>
-            new(name, unit, meaning, [.. lights.Select(light => (float)value(light))]);
+            Map(name, unit, meaning, lights.Select(light => (float)value(light)));
+
+        LightMap Map(string name, string unit, string meaning, IEnumerable<float> values) =>
+            new(name, unit, meaning, [.. values]) { Height = height };
     }
 
     private void Summarise(double height, PlaceLight[] lights)

@@ -9,6 +9,18 @@ namespace Msisf.App.Illumination;
 /// <summary>Writes pages that show maps and points. They need no other file and no network.</summary>
 internal sealed class IlluminationPage(IlluminationSettings settings, string version)
 {
+    /// <summary>px: width of the plot of light.</summary>
+    private const int LightWidth = 1000;
+
+    /// <summary>Steps of a path that are drawn: more make a page that is slow to open.</summary>
+    private const int MostSteps = 10_000;
+
+    /// <summary>Of many points fewer steps are drawn of each.</summary>
+    private const int StepsOfAllPaths = 200_000;
+
+    /// <summary>A month hour by hour.</summary>
+    private const int LeastSteps = 720;
+
     private const string Style =
         "body{font:15px sans-serif;margin:2em;max-width:70em}figure{display:inline-block;margin:0 2em 2em 0;vertical-align:top}"
             + "img{image-rendering:pixelated;border:1px solid #888}figcaption{max-width:32em}svg{background:#fff;border:1px solid #888}"
@@ -17,93 +29,92 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
     /// <summary>Writes a PNG of each map, with legend and scale bar, and a page of all; returns the page's path.</summary>
     public string WriteMaps(IReadOnlyList<LightMap> maps, MapPlacement placement)
     {
-        StringBuilder body = new();
         foreach (LightMap map in maps)
         {
-            string name = map.Name + ".png";
-            AtomicFile.Write(Path.Combine(settings.Folder, name), stream => LightMapPicture.Write(stream, map, placement));
-            body.Append(
-                CultureInfo.InvariantCulture,
-                $"<figure><img src=\"{name}\" alt=\"{Text(map.Meaning)}\">"
-                    + $"<figcaption>{Text(map.Name)}: {Text(map.Meaning)}</figcaption></figure>\n");
+            AtomicFile.Write(
+                Path.Combine(settings.Folder, map.Name + ".png"), stream => LightMapPicture.Write(stream, map, placement));
         }
 
-        return Write("maps.html", "Light of a region", body.ToString());
+        return Write("maps.html", "Light of a region", maps.Select(map =>
+            $"<figure><img src=\"{map.Name}.png\" alt=\"{Text(map.Meaning)}\">"
+                + $"<figcaption>{Text(map.Name)}: {Text(map.Meaning)}</figcaption></figure>\n"));
     }
 
     /// <summary>Writes a page with two plots of each point; returns its path.</summary>
     public string WritePoints(IReadOnlyList<PointResult> results, LightConditions conditions)
     {
-        StringBuilder body = new();
-        foreach (PointResult result in results)
-        {
-            string title = string.Create(
-                CultureInfo.InvariantCulture, $"{result.Point.Name ?? result.Point.Identity}, {result.Height:R} m over the ground");
-            body.Append(CultureInfo.InvariantCulture, $"<h2>{Text(title)}</h2>\n");
-            body.Append(
-                CultureInfo.InvariantCulture,
-                $"<p>Sun in view {100.0 * result.Light.LitSteps / settings.Times.Count:F2} % of the time; longest "
-                    + $"time without it {PointSpan.LongestOf(result.Spans, false)?.Hours ?? 0.0:F1} h, with it "
-                    + $"{PointSpan.LongestOf(result.Spans, true)?.Hours ?? 0.0:F1} h.</p>\n");
-            body.Append("<figure>").Append(LightPlot(result)).Append(
-                "<figcaption>Visible part of the Sun's disc over time.</figcaption></figure>\n");
-            body.Append("<figure>").Append(HorizonPlot(result, conditions)).Append(
-                "<figcaption>Horizon (grey) with the paths of the Sun (orange) and the Earth (blue); degrees.</figcaption></figure>\n");
-        }
-
-        return Write("points.html", "Light of points", body.ToString());
+        int steps = Math.Clamp(StepsOfAllPaths / results.Count, LeastSteps, MostSteps);
+        Vector3D[][] paths = [[.. conditions.SunBodyFixed.Take(steps)], [.. conditions.EarthMoonMe.Take(steps)]];
+        return Write("points.html", "Light of points", results.Select(result => string.Create(
+            CultureInfo.InvariantCulture,
+            $"<h2>{Text(result.Point.Name ?? result.Point.Identity)}, {result.Height:R} m over the ground</h2>\n"
+                + $"<p>Sun in view {100.0 * result.Light.LitSteps / settings.Times.Count:F2} % of the time; longest "
+                + $"time without it {PointSpan.LongestOf(result.Spans, false)?.Hours ?? 0.0:F1} h, with it "
+                + $"{PointSpan.LongestOf(result.Spans, true)?.Hours ?? 0.0:F1} h.</p>\n"
+                + $"<figure>{LightPlot(result)}<figcaption>Visible part of the Sun's disc over time.</figcaption></figure>\n"
+                + $"<figure>{HorizonPlot(result, paths)}<figcaption>Horizon (grey) with the paths of the Sun (orange) and the Earth "
+                + $"(blue); degrees.</figcaption></figure>\n")));
     }
 
     private static string Text(string text) => WebUtility.HtmlEncode(text);
 
     private static string Number(double number) => number.ToString("F1", CultureInfo.InvariantCulture);
 
+    /// <summary>The mean visible part of the Sun in each column of the plot of light.</summary>
+    /// <param name="parts">The visible part at each step.</param>
+    public static double[] MeansOf(float[] parts)
+    {
+        double[] means = new double[LightWidth];
+        for (int x = 0; x < LightWidth; x++)
+        {
+            int first = (int)((long)x * parts.Length / LightWidth);
+            int end = Math.Max(first + 1, (int)(((long)x + 1) * parts.Length / LightWidth));
+            for (int step = first; step < end; step++)
+            {
+                means[x] += parts[step] / (end - first);
+            }
+        }
+
+        return means;
+    }
+
     /// <summary>A column of the plot for each 1000th of the time, as high as the mean visible part; dates below.</summary>
     private string LightPlot(PointResult result)
     {
-        const int Width = 1000;
         const int Dates = 8;
         StringBuilder path = new();
         StringBuilder axis = new("<text x=\"2\" y=\"10\">100 %</text>");
         for (int date = 0; date < Dates; date++)
         {
-            int x = date * Width / Dates;
+            int x = date * LightWidth / Dates;
             string time = settings.Times[(int)((long)date * (settings.Times.Count - 1) / Dates)].ToIsoUtc();
             axis.Append(
                 CultureInfo.InvariantCulture,
                 $"<path d=\"M{x} 100v4\" stroke=\"#000\"/><text x=\"{x + 2}\" y=\"113\">{time[..10]} {time[11..16]}</text>");
         }
 
-        for (int x = 0; x < Width; x++)
+        for (int x = 0; x < LightWidth; x++)
         {
-            int first = (int)((long)x * result.Parts.Length / Width);
-            int end = Math.Max(first + 1, (int)(((long)x + 1) * result.Parts.Length / Width));
-            double mean = 0.0;
-            for (int step = first; step < Math.Min(end, result.Parts.Length); step++)
+            if (result.Means[x] > 0.0)
             {
-                mean += result.Parts[step] / (end - first);
-            }
-
-            if (mean > 0.0)
-            {
-                path.Append(CultureInfo.InvariantCulture, $"M{x}.5 100v{Number(-100.0 * mean)}");
+                path.Append(CultureInfo.InvariantCulture, $"M{x}.5 100v{Number(-100.0 * result.Means[x])}");
             }
         }
 
-        return $"<svg width=\"{Width}\" height=\"118\" font-size=\"10\" role=\"img\"><title>Light</title>"
+        return $"<svg width=\"{LightWidth}\" height=\"118\" font-size=\"10\" role=\"img\"><title>Light</title>"
             + $"<path d=\"{path}\" stroke=\"#e08000\"/>{axis}</svg>";
     }
 
-    private static string HorizonPlot(PointResult result, LightConditions conditions)
+    private static string HorizonPlot(PointResult result, Vector3D[][] paths)
     {
         const double Width = 1080.0;
         const double Height = 240.0;
-        double low = result.Horizon.Min(at => at.Elevation);
-        double high = result.Horizon.Max(at => at.Elevation);
-        Vector3D[][] paths = [[.. conditions.SunBodyFixed.Take(MostPoints)], [.. conditions.EarthMoonMe.Take(MostPoints)]];
+        const double Below = 5.0; // degrees of the paths that are shown below the lowest horizon
         List<(double X, double Elevation)>[] seen =
             [.. paths.Select(path => path.Select(position => Place(result.Frame, position)).ToList())];
-        (low, high) = (Math.Min(low, seen[0].Min(at => at.Elevation)) - 1.0, Math.Max(high, seen[0].Max(at => at.Elevation)) + 1.0);
+        double horizon = result.Horizon.Min(at => at.Elevation);
+        double low = Math.Clamp(seen[0].Min(at => at.Elevation), horizon - Below, horizon) - 1.0;
+        double high = Math.Max(result.Horizon.Max(at => at.Elevation), seen.Max(path => path.Max(at => at.Elevation))) + 1.0;
         double Y(double elevation) => Height * (high - elevation) / (high - low);
         StringBuilder svg = new();
         svg.Append(
@@ -129,7 +140,8 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
             svg.Append("\"/>");
         }
 
-        for (int degrees = (int)Math.Ceiling(low); degrees <= high; degrees += high - low > 20.0 ? 10 : 2)
+        int each = high - low > 20.0 ? 10 : 2;
+        for (int degrees = each * (int)Math.Ceiling(low / each); degrees <= high; degrees += each)
         {
             svg.Append(CultureInfo.InvariantCulture, $"<text x=\"2\" y=\"{Number(Y(degrees))}\" font-size=\"10\">{degrees}</text>");
         }
@@ -150,18 +162,25 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
         return (turns < 0.0 ? turns + 1.0 : turns, double.RadiansToDegrees(Math.Atan2(local.Z, double.Hypot(local.X, local.Y))));
     }
 
-    /// <summary>Steps of a path that are drawn: more make a page that is slow to open.</summary>
-    private const int MostPoints = 10_000;
-
-    private string Write(string name, string title, string body)
+    private string Write(string name, string title, IEnumerable<string> body)
     {
         string path = Path.Combine(settings.Folder, name);
-        AtomicFile.WriteText(path, writer => writer.Write(
-            $"<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{Style}</style></head>\n"
-                + $"<body><h1>{title}</h1>\n<p>{settings.Times[0].ToIsoUtc()} to {settings.Times[settings.Times.Count - 1].ToIsoUtc()}, "
-                + string.Create(CultureInfo.InvariantCulture, $"a step of {settings.StepHours:R} h; the Sun as a ")
-                + (settings.IsPoint ? "point. " : "disc. ")
-                + $"Made by msis {version}.</p>\n{body}</body></html>\n"));
+        AtomicFile.WriteText(path, writer =>
+        {
+            writer.Write(
+                $"<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{Style}</style></head>\n"
+                    + $"<body><h1>{title}</h1>\n"
+                    + $"<p>{settings.Times[0].ToIsoUtc()} to {settings.Times[settings.Times.Count - 1].ToIsoUtc()}, "
+                    + string.Create(CultureInfo.InvariantCulture, $"a step of {settings.StepHours:R} h; the Sun as a ")
+                    + (settings.IsPoint ? "point. " : "disc. ")
+                    + $"Made by msis {version}.</p>\n");
+            foreach (string part in body)
+            {
+                writer.Write(part);
+            }
+
+            writer.Write("</body></html>\n");
+        });
         return path;
     }
 }

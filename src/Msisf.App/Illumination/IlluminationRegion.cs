@@ -31,19 +31,20 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
             + $"+x_0=0 +y_0=0 +R={Radius:R} +units=m +no_defs");
 
     /// <summary>Finds the cells that are asked for.</summary>
-    /// <param name="settings">The settings, with a place.</param>
-    /// <param name="finestCell">m: width of the cells of the finest model.</param>
-    /// <param name="radius">m: of the sphere of the models.</param>
+    /// <param name="settings">The settings; without a place the finest model is the region.</param>
+    /// <param name="models">The models.</param>
     /// <exception cref="UsageException">There are too many, or none.</exception>
-    public static IlluminationRegion Of(IlluminationSettings settings, double finestCell, double radius)
+    public static IlluminationRegion Of(IlluminationSettings settings, ITerrain models)
     {
-        double[] place = settings.Place!;
+        ITerrainGrid finest = models.Models[^1];
+        double radius = models.ReferenceRadius;
+        double[] place = settings.Place ?? CornersOf(finest);
         foreach (double latitude in (double[])[place[0], place[^2]])
         {
             Core.Guard.InRange(latitude, -90.0, 90.0, "The latitude of the region (degrees)");
         }
 
-        double cell = settings.Cell ?? finestCell;
+        double cell = settings.Cell ?? finest.Projection.Resolution.OnSphere(radius).MetresPerPixel;
         double middle = 0.5 * (place[0] + place[^2]);
         PolarStereographic? polar = Math.Abs(middle) >= LowestPolarLatitude ? new PolarStereographic(
             middle < 0.0, MoonConstants.ReferenceRadius / radius, 0.0, 0.0) : null;
@@ -61,8 +62,16 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
                     + $"Choose another size or {IlluminationOptions.Cell.Name}.")).About(IlluminationOptions.Cell);
         }
 
+        double top = centreY + (0.5 * lines * cell);
+        if (polar is null && (Math.Max(top, (lines * cell) - top) > 0.5 * Math.PI * radius || samples * cell > 2.0 * Math.PI * radius))
+        {
+            throw new UsageException(
+                "The region leads over a pole, or more than once around: on a map in degrees there is no such place. Choose another size, "
+                    + $"or a {IlluminationOptions.Centre.Name} from 45 degrees of latitude on.").About(IlluminationOptions.Size);
+        }
+
         return new IlluminationRegion(
-            (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), centreY + (0.5 * lines * cell), polar)
+            (int)lines, (int)samples, cell, centreX - (0.5 * samples * cell), top, polar)
         {
             Radius = radius,
         };
@@ -88,6 +97,37 @@ internal sealed record IlluminationRegion(int Lines, int Samples, double Cell, d
         }
 
         return directions;
+    }
+
+    /// <summary>Directions of cells spread over the region, those of its corners among them.</summary>
+    public IEnumerable<Vector3D> Spread()
+    {
+        const int Side = 8;
+        for (int i = 0; i < (Side + 1) * (Side + 1); i++)
+        {
+            yield return DirectionOf(
+                (int)((Lines - 1) * (i / (Side + 1) / (double)Side)), (int)((Samples - 1) * (i % (Side + 1) / (double)Side)));
+        }
+    }
+
+    /// <summary>Two opposite corners of the finest model, at the middles of its samples; degrees.</summary>
+    private static double[] CornersOf(ITerrainGrid model)
+    {
+        GridWindow window = model.Window;
+        if (model.IsWholeBody)
+        {
+            throw IlluminationSettings.NoPlace("The finest model is of the whole body, which is no one map. ");
+        }
+
+        (double lat, double lon) first = DegreesOf(window.FirstLine, window.FirstSample);
+        (double lat, double lon) last = DegreesOf(window.EndLine - 1, window.EndSample - 1);
+        return [first.lat, first.lon, last.lat, last.lon];
+
+        (double Latitude, double Longitude) DegreesOf(int line, int sample)
+        {
+            SelenographicPoint point = SelenographicPoint.Below(model.Projection.DirectionOf(line, sample));
+            return (double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
+        }
     }
 
     /// <summary>m: X to the right and Y upwards, as GDAL has them.</summary>

@@ -46,7 +46,7 @@ internal sealed class IlluminationRun
         {
             IsPoint = settings.IsPoint,
             IsExact = settings.IsExact,
-            FixedPlane = settings.Plane ?? Vector3D.UnitZ,
+            FixedPlane = settings.PlaneNormal ?? Vector3D.UnitZ,
             NightLimit = settings.NightLimit / settings.StepHours,
         };
     }
@@ -75,8 +75,6 @@ internal sealed class IlluminationRun
         }
     }
 
-    private static int Threads => Environment.ProcessorCount;
-
     private Vector3D SunAt(ModifiedJulianDate time) => _engine.SunPositionBodyFixed(time, _aberration);
 
     private Vector3D EarthAt(ModifiedJulianDate time) =>
@@ -99,16 +97,13 @@ internal sealed class IlluminationRun
 
     private void MakeMaps()
     {
-        double finest = _model.Grid.Models[^1].Projection.Resolution.OnSphere(_model.Grid.ReferenceRadius).MetresPerPixel;
-        IlluminationRegion region = IlluminationRegion.Of(
-            _settings.Place is null ? _settings with { Place = CornersOf(_model.Grid.Models[^1]) } : _settings,
-            finest, _model.Grid.ReferenceRadius);
+        IlluminationRegion region = IlluminationRegion.Of(_settings, _model.Grid);
         NasaLightMap[] maps = [.. _settings.Compared.Select(path => IlluminationOptions.Compare.NamedInErrors(
             () => NasaLightMap.Read(path)))];
         int lines = Math.Max(1, PieceCells / region.Samples);
         int pieces = (region.Lines + lines - 1) / lines;
-        HorizonSurvey survey = new(_model.Grid, _model.Tracer, Corners(region), _isMoon);
-        LightSurvey lights = new(survey, _conditions, _model.Tracer);
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, region.Spread(), _isMoon);
+        LightSurvey lights = new(survey, _conditions);
         List<(double Height, PlaceLight[] Lights, float[] Slopes)> results = [];
         using (IRunProgress progress = _host.Progress.Start(
             "Horizons and light", FractionProgress.Steps, _settings.Unattended))
@@ -127,7 +122,7 @@ internal sealed class IlluminationRun
                     PlaceHorizons horizons = HorizonsOf(survey, region, directions, height, piece, Advance);
                     if (_settings.Piece.Parts == 1)
                     {
-                        lights.Of(directions, horizons, Threads, Advance, _cancellation).CopyTo(found, first * region.Samples);
+                        lights.Of(directions, horizons, _settings.Threads, Advance, _cancellation).CopyTo(found, first * region.Samples);
                         horizons.Slopes.CopyTo(slopes, first * region.Samples);
                     }
                 }
@@ -143,26 +138,6 @@ internal sealed class IlluminationRun
             CompareMaps(region, maps, results[0].Lights);
             MapPlacement placement = new(region.Lines, region.Samples, region.Cell, region.Left, region.Top, region.Proj4);
             new IlluminationMaps(_settings, placement, _host).Write(results);
-        }
-    }
-
-    /// <summary>Two opposite corners of the finest model, at the middles of its samples; degrees.</summary>
-    private static double[] CornersOf(ITerrainGrid model)
-    {
-        GridWindow window = model.Window;
-        if (model.IsWholeBody)
-        {
-            throw IlluminationSettings.NoPlace("The finest model is of the whole body, which is no one map. ");
-        }
-
-        (double lat, double lon) first = DegreesOf(window.FirstLine, window.FirstSample);
-        (double lat, double lon) last = DegreesOf(window.EndLine - 1, window.EndSample - 1);
-        return [first.lat, first.lon, last.lat, last.lon];
-
-        (double Latitude, double Longitude) DegreesOf(int line, int sample)
-        {
-            SelenographicPoint point = SelenographicPoint.Below(model.Projection.DirectionOf(line, sample));
-            return (double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude));
         }
     }
 
@@ -209,29 +184,37 @@ internal sealed class IlluminationRun
             return known;
         }
 
-        PlaceHorizons found = survey.Find(directions, height, Threads, advance, _cancellation);
+        PlaceHorizons found = survey.Find(directions, height, _settings.Threads, advance, _cancellation);
         HorizonFile.Write(path, found);
         return found;
     }
 
     private void MakePoints(string list)
     {
-        IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(
-            () => LandmarkReader.Read(list, _model.Grid.ReferenceRadius, IlluminationOptions.MaxPoints));
+        IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(() => ReadPoints(list));
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon) { IsFine = true };
-        LightSurvey lights = new(survey, _conditions with { IsExact = true }, _model.Tracer);
+        LightSurvey lights = new(survey, _conditions with { IsExact = true });
         PointTables tables = new(_settings, survey, lights, _model, _conditions, SunAt, _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);
-        tables.Write(points, Threads, progress, _cancellation);
+        tables.Write(points, progress, _cancellation);
     }
 
-    private static IEnumerable<Vector3D> Corners(IlluminationRegion region)
+    private IReadOnlyList<Landmark> ReadPoints(string list)
     {
-        const int Side = 8;
-        for (int i = 0; i < (Side + 1) * (Side + 1); i++)
+        IReadOnlyList<Landmark> points = LandmarkReader.Read(list, _model.Grid.ReferenceRadius, IlluminationOptions.MaxPoints);
+        if (points.FirstOrDefault(point => point.Height is not null) is { } high)
         {
-            yield return region.DirectionOf(
-                (int)((region.Lines - 1) * (i / (Side + 1) / (double)Side)), (int)((region.Samples - 1) * (i % (Side + 1) / (double)Side)));
+            throw new BadInputException(
+                $"{list}: the point '{high.Identity}' has a height of its own. Points lie on the ground of the models, and "
+                    + $"{IlluminationOptions.Heights.Name} gives heights over it, for all points: give lat and lon without a height.");
         }
+
+        string[] unused = [.. LandmarkReader.ColumnsOf(list).Except(["id", "name", "lat", "latitude", "lon", "long", "longitude"])];
+        if (unused.Length > 0)
+        {
+            _host.Log.Note($"{list}: columns that are not used: {string.Join(", ", unused)}.");
+        }
+
+        return points;
     }
 }

@@ -34,8 +34,11 @@ internal sealed record IlluminationSettings
     /// <summary>Whether rays decide where the horizon is not enough.</summary>
     public bool IsExact { get; init; }
 
+    /// <summary>Degrees: angle of the fixed plane with the horizontal, azimuth of its normal from north over east; null for none.</summary>
+    public (double Tilt, double Azimuth)? Plane { get; init; }
+
     /// <summary>Normal of the fixed plane along east, north and up; null for none.</summary>
-    public Vector3D? Plane { get; init; }
+    public Vector3D? PlaneNormal => Plane is { } plane ? NormalOf(plane.Tilt, plane.Azimuth) : null;
 
     /// <summary>Hours.</summary>
     public double NightLimit { get; init; }
@@ -48,6 +51,9 @@ internal sealed record IlluminationSettings
 
     /// <summary>The part of the work that is done, from 0, and how many there are.</summary>
     public (int Part, int Parts) Piece { get; init; } = (0, 1);
+
+    /// <summary>How many threads work at once.</summary>
+    public required int Threads { get; init; }
 
     /// <summary>Folder of the results.</summary>
     public required string Folder { get; init; }
@@ -86,11 +92,11 @@ internal sealed record IlluminationSettings
         }
 
         double[] heights = Numbers(IlluminationOptions.Heights, values, 1, 16)!;
-        if (heights.Any(height => height is < 0.0 or > HorizonSurvey.MaxHeight))
+        if (heights.Any(height => height is < 0.0 or > HorizonSurvey.MaxHeight) || heights.Distinct().Count() < heights.Length)
         {
             throw new UsageException(
                 $"{IlluminationOptions.Heights.Name} is {values.Text(IlluminationOptions.Heights)}; heights of 0 to 10000 m over the "
-                    + "ground are needed.").About(IlluminationOptions.Heights);
+                    + "ground are needed, each once.").About(IlluminationOptions.Heights);
         }
 
         double[]? plane = Numbers(IlluminationOptions.Plane, values, 2, 2);
@@ -111,11 +117,12 @@ internal sealed record IlluminationSettings
             Heights = heights,
             IsPoint = IlluminationOptions.Sun.Read(values) == SunModel.Point,
             IsExact = IlluminationOptions.Exact.Read(values),
-            Plane = plane is null ? null : NormalOf(plane[0], plane[1]),
+            Plane = plane is null ? null : (plane[0], plane[1]),
             NightLimit = IlluminationOptions.NightLimit.Read(values),
             Format = IlluminationOptions.Format.Read(values),
             Compared = ReadCompared(values, hasRegion: (corners ?? centre) is not null || points is null),
             Piece = ReadPiece(values),
+            Threads = IlluminationOptions.Jobs.ReadIfGiven(values) ?? Environment.ProcessorCount,
             Folder = IlluminationOptions.Folder.Read(values),
             Unattended = RunOptions.Batch.Read(values),
         };

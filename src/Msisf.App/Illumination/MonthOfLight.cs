@@ -23,7 +23,7 @@ internal sealed record MonthOfLight(double From, IReadOnlyList<MonthOfLight.Plac
         double from = middle.Days - HalfDays;
         Vector3D[] suns = sunAt(Enumerable.Range(0, Steps).Select(hour => new ModifiedJulianDate(from + (hour / HoursOfDay))));
         HorizonSurvey survey = new(model.Grid, model.Tracer, directions, isMoon: true);
-        LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true }, model.Tracer);
+        LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true });
         PlaceHorizons horizons = survey.Find(directions, 0.0, threads, null, cancellation);
         return new MonthOfLight(from, [.. directions.Select((_, place) =>
         {

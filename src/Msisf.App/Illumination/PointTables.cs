@@ -1,9 +1,10 @@
+using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.IO;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.Core.Camera;
 using Msisf.Core.Illumination;
 using Msisf.Core.Navigation;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 using Msisf.Core.Tracing;
 
@@ -17,29 +18,30 @@ internal sealed class PointTables(
     /// <summary>Directions of a horizon's table: every half degree.</summary>
     private const int Azimuths = 720;
 
-    private readonly ITerrainTracer _tracer = model.Tracer;
-
     /// <summary>Writes the tables and a page with plots.</summary>
     /// <exception cref="MsisfException">A point is outside the models, or the disk refuses.</exception>
-    public void Write(IReadOnlyList<Landmark> points, int threads, IRunProgress progress, CancellationToken cancellation)
+    public void Write(IReadOnlyList<Landmark> points, IRunProgress progress, CancellationToken cancellation)
     {
+        Vector3D[] directions = [.. points.Select(point => point.Direction)];
         List<PointResult> results = [];
         foreach (double height in settings.Heights)
         {
-            Vector3D[] directions = [.. points.Select(point => point.Direction)];
-            PlaceHorizons horizons = survey.Find(directions, height, threads, null, cancellation);
-            for (int point = 0; point < points.Count; point++)
+            PlaceHorizons horizons = survey.Find(directions, height, settings.Threads, null, cancellation);
+            PointResult[] found = new PointResult[points.Count];
+            ParallelOptions parallel = new() { MaxDegreeOfParallelism = settings.Threads, CancellationToken = cancellation };
+            Parallel.ForAsync(0, points.Count, parallel, (point, _) =>
             {
-                cancellation.ThrowIfCancellationRequested();
                 (PlaceLight light, float[] parts) = lights.At(directions, horizons, point);
-                LocalFrame frame = LocalFrame.At(horizons.Radii[point] * directions[point]);
-                float[] horizon = lights.HorizonOf(horizons, point);
-                List<(bool, ModifiedJulianDate)> events = EventsOf(frame, horizon, parts);
-                results.Add(new PointResult(
-                    points[point], height, frame, light, parts, HorizonAt(frame, horizon), events,
-                    PointSpan.Of(settings.Times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point]))));
+                PlaceRays rays = survey.RaysFrom(LocalFrame.At(horizons.Radii[point] * directions[point]));
+                float[] horizon = survey.HorizonOf(horizons, point);
+                List<(bool, ModifiedJulianDate)> events = EventsOf(rays, horizon, parts);
+                found[point] = new PointResult(
+                    points[point], height, rays.Frame, light, IlluminationPage.MeansOf(parts), HorizonAt(rays, horizon), events,
+                    PointSpan.Of(settings.Times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point])));
                 progress.Advance(points[point].Identity);
-            }
+                return ValueTask.CompletedTask;
+            }).GetAwaiter().GetResult();
+            results.AddRange(found);
         }
 
         Write("points.csv", writer =>
@@ -59,7 +61,7 @@ internal sealed class PointTables(
                 {
                     writer.WriteLine(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{result.Point.Identity},{result.Height:R},{at.Azimuth:R},{at.Elevation:F5},{at.Distance:F0},{at.Model}"));
+                        $"{IdOf(result)},{result.Height:R},{at.Azimuth:R},{at.Elevation:F5},{at.Distance:F0},{at.Model}"));
                 }
             }
         });
@@ -72,14 +74,16 @@ internal sealed class PointTables(
                 {
                     writer.WriteLine(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{result.Point.Identity},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{ToSecond(time.Days)}"));
+                        $"{IdOf(result)},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{time.ToNearestSecond().ToIsoUtc()}"));
                 }
             }
         });
         host.Results.WriteLine(new IlluminationPage(settings, host.Version).WritePoints(results, conditions));
     }
 
-    private static string ToSecond(double days) => new ModifiedJulianDate(Math.Round(days * 86400.0) / 86400.0).ToIsoUtc();
+    private static string ToSecond(double days) => new ModifiedJulianDate(days).ToNearestSecond().ToIsoUtc();
+
+    private static string IdOf(PointResult result) => CsvLine.Field(result.Point.Identity);
 
     private void Write(string name, Action<TextWriter> write)
     {
@@ -95,67 +99,38 @@ internal sealed class PointTables(
         string Longest(bool isLit) => PointSpan.LongestOf(result.Spans, isLit) is not { } span ? "0,,"
             : string.Create(CultureInfo.InvariantCulture, $"{span.Hours:F4},{ToSecond(span.Start)},{ToSecond(span.End)}");
         int nights = result.Spans.Count(span => !span.IsLit && span.Hours > settings.NightLimit);
-        string name = result.Point.Name is { } text ? $"\"{text.Replace("\"", "\"\"", StringComparison.Ordinal)}\"" : string.Empty;
         string plane = settings.Plane is null
             ? "," : string.Create(CultureInfo.InvariantCulture, $"{light.Fixed.Mean:F3},{light.Fixed.Greatest:F3}");
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{result.Point.Identity},{name},{result.Height:R},{light.LitSteps / steps:F6},{light.DiscPart:F6},"
-                + $"{Longest(isLit: false)},{Longest(isLit: true)},{nights},{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},"
+            $"{IdOf(result)},{CsvLine.Field(result.Point.Name ?? string.Empty)},{result.Height:R},"
+                + $"{light.LitSteps / steps:F6},{light.DiscPart:F6},{Longest(isLit: false)},{Longest(isLit: true)},{nights},"
+                + $"{light.Horizontal.Mean:F3},{light.Horizontal.Greatest:F3},"
                 + $"{light.Tracking.Mean:F3},{light.Tracking.Greatest:F3},{plane},{light.EarthSteps / steps:F6},"
                 + $"{light.WholeEarthSteps / steps:F6},{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
     }
 
-    /// <summary>The horizon by halving between rays that meet the ground and rays that do not, and what stands there.</summary>
-    private HorizonSample[] HorizonAt(LocalFrame frame, float[] stored)
+    /// <summary>The horizon between rays that meet the ground and rays that do not, and what stands there.</summary>
+    private HorizonSample[] HorizonAt(PlaceRays rays, float[] stored)
     {
+        IReadOnlyList<ITerrainGrid> models = model.Grid.Models;
         HorizonSample[] samples = new HorizonSample[Azimuths];
         for (int i = 0; i < Azimuths; i++)
         {
-            double azimuth = 2.0 * Math.PI * i / Azimuths;
             double guess = Math.Atan(stored[(int)((long)i * HorizonSurvey.Columns / Azimuths)]);
-            (double low, double high) = Bracket(azimuth, guess);
-            _tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(azimuth, low)), out SurfaceHit hit);
+            (double elevation, SurfaceHit hit) = rays.HorizonAt(2.0 * Math.PI * i / Azimuths, guess);
             bool isGround = hit.NormalBodyFixed != default;
-            IReadOnlyList<Core.Terrain.ITerrainGrid> models = model.Grid.Models;
             samples[i] = new HorizonSample(
-                360.0 * i / Azimuths, double.RadiansToDegrees(0.5 * (low + high)),
-                isGround ? (hit.PointBodyFixed - frame.PositionBodyFixed).Length : double.NaN,
+                360.0 * i / Azimuths, double.RadiansToDegrees(elevation),
+                isGround ? (hit.PointBodyFixed - rays.Frame.PositionBodyFixed).Length : double.NaN,
                 !isGround ? string.Empty : hit.Facet.Part < models.Count ? models[hit.Facet.Part].ProductId : "seam");
         }
 
         return samples;
-
-        (double Low, double High) Bracket(double azimuth, double guess)
-        {
-            const double Least = 1e-8; // rad
-            double step = 2.0 * double.DegreesToRadians(HorizonSurvey.ErrorDegrees);
-            (double low, double high) = (guess - step, guess + step);
-            for (; low > -1.5 && !IsGround(azimuth, low); step *= 2.0)
-            {
-                (low, high) = (low - step, low);
-            }
-
-            for (; high < 1.5 && IsGround(azimuth, high); step *= 2.0)
-            {
-                (low, high) = (high, high + step);
-            }
-
-            while (high - low > Least)
-            {
-                double middle = 0.5 * (low + high);
-                (low, high) = IsGround(azimuth, middle) ? (middle, high) : (low, middle);
-            }
-
-            return (low, high);
-        }
-
-        bool IsGround(double azimuth, double elevation) =>
-            _tracer.TryTrace(new Ray(frame.PositionBodyFixed, frame.DirectionOf(azimuth, elevation)), out _);
     }
 
     /// <summary>Sunrises and sunsets between steps at which the Sun is in view and steps at which it is not.</summary>
-    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(LocalFrame frame, float[] horizon, float[] parts)
+    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(PlaceRays rays, float[] horizon, float[] parts)
     {
         List<(bool, ModifiedJulianDate)> events = [];
         for (int step = 1; step < settings.Times.Count; step++)
@@ -164,7 +139,7 @@ internal sealed class PointTables(
             if (isRise != parts[step - 1] > 0.0f)
             {
                 events.Add((isRise, lights.ChangeBetween(
-                    frame, horizon, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
+                    rays, horizon, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
             }
         }
 
@@ -174,7 +149,7 @@ internal sealed class PointTables(
 
 /// <summary>The light of a point at one height.</summary>
 internal sealed record PointResult(
-    Landmark Point, double Height, LocalFrame Frame, PlaceLight Light, float[] Parts, HorizonSample[] Horizon,
+    Landmark Point, double Height, LocalFrame Frame, PlaceLight Light, double[] Means, HorizonSample[] Horizon,
     IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> Events, IReadOnlyList<PointSpan> Spans, double SlopeDegrees);
 
 /// <summary>The horizon of a point in one direction.</summary>

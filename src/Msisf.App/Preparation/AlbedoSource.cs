@@ -14,7 +14,6 @@ internal static class AlbedoSource
     private static readonly string[] Images = [".tif", ".tiff", ".img", ".cub", ".jp2", ".vrt", ".jpg", ".jpeg", ".png"];
 
     /// <summary>Opens the maps, the coarsest first; none if the run has none. What is used is logged.</summary>
-    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <exception cref="MsisfException">A map is given, but can't be used.</exception>
     public static IReadOnlyList<OpenedAlbedoMap> Open(RenderSettings settings, ProgramHost host)
     {
@@ -94,8 +93,8 @@ internal static class AlbedoSource
     {
         (int band, string? gdal) = (albedo.Band.Nanometres, host.Environment("MSISF_GDAL"));
         IReadOnlyList<OpenedAlbedoMap> maps = paths is [var only]
-            ? [OpenedAlbedoMap.Open(only.Path, albedo.Properties, band, CacheFolder.Of(host), gdal)]
-            : OpenedAlbedoMap.OpenSeveral(paths, band, CacheFolder.Of(host), gdal);
+            ? [OpenedAlbedoMap.Open(only.Path, albedo.Properties, band, host.CacheFolder, gdal)]
+            : OpenedAlbedoMap.OpenSeveral(paths, band, host.CacheFolder, gdal);
         if (albedo.Sha256 is { } expected && OpenedAlbedoMap.WholeOf(maps) is var whole && expected != whole.Sha256)
         {
             foreach (OpenedAlbedoMap map in maps)

@@ -149,7 +149,6 @@ internal sealed class ElevationModel : IDisposable
 
     /// <summary>The same model with invented detail.</summary>
     /// <param name="detail">What is invented.</param>
-    /// <param name="host">Receives log messages.</param>
     /// <param name="isClosedWithIt">Whether this model is closed with the refined one, also if this fails.</param>
     /// <exception cref="BadInputException">It is a map of a part of the Moon.</exception>
     public ElevationModel Refined(RefineSettings detail, ProgramHost host, bool isClosedWithIt = true)
@@ -181,7 +180,6 @@ internal sealed class ElevationModel : IDisposable
     public TileSelection Select(Frame frame) =>
         Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, WholeMoon, _summary.Value);
 
-    /// <summary>The surface parts that a frame needs.</summary>
     /// <param name="errorPixels">
     /// px: how far levels of detail may shift a point in the image; null for the whole patterns of the tiles without levels of detail.
     /// </param>

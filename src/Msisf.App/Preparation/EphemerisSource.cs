@@ -9,11 +9,6 @@ namespace Msisf.App.Preparation;
 /// <summary>The ephemeris engine of a run.</summary>
 internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host) : IDisposable
 {
-    private IReadOnlyList<string> KernelNames => KernelList.OnTop(
-        settings.Body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel,
-        settings.Kernels,
-        settings.TrajectoryKernels);
-
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
 
@@ -25,11 +20,7 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
     {
         if (Opened is null)
         {
-            Opened = LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
-                settings.Ephemeris, KernelNames, host.Installation.Root, host.Environment("MSISF_CSPICE"))
-            {
-                Body = settings.Body,
-            }));
+            Opened = Open(host, settings.Ephemeris, settings.Body, settings.Kernels, settings.TrajectoryKernels);
             host.Log.Note(Opened.Notice);
             Orientation = NamedOrientation(Opened);
         }
@@ -45,9 +36,24 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
     }
 
     /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>
-    public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(() => KernelList.Expand(KernelNames));
+    public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(
+        () => KernelList.Expand(NamesOf(host, settings.Body, settings.Kernels, settings.TrajectoryKernels)));
+
+    /// <summary>Opens an engine with the kernels of the installation and those that a user names.</summary>
+    /// <param name="ofTrajectory">Those of the spacecraft.</param>
+    public static OpenedEphemeris Open(
+        ProgramHost host, EphemerisChoice engine, CelestialBody body, IReadOnlyList<string> kernels,
+        IReadOnlyList<string> ofTrajectory) => LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
+            engine, NamesOf(host, body, kernels, ofTrajectory), host.Installation.Root, host.Environment("MSISF_CSPICE"))
+        {
+            Body = body,
+        }));
 
     public void Dispose() => Opened?.Dispose();
+
+    private static IReadOnlyList<string> NamesOf(
+        ProgramHost host, CelestialBody body, IReadOnlyList<string> kernels, IReadOnlyList<string> ofTrajectory) => KernelList.OnTop(
+        body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel, kernels, ofTrajectory);
 
     /// <summary>Which kernels give the Moon's frame; null for those of the installation.</summary>
     /// <exception cref="BadInputException">Two of them give different ones.</exception>

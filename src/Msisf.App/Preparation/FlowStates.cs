@@ -40,9 +40,8 @@ internal static class FlowStates
 
         if (states.Count < 2)
         {
-            throw new UsageException(
-                $"{NavigationOptions.Flow.Name} {target} leads to another image of the run, but that has one only. Name a meta file or a "
-                    + "state, or give more states.").About(NavigationOptions.Flow);
+            throw NavigationOptions.Flow.Wrong(
+                $"{target} leads to another image of the run, but that has one only. Name a meta file or a state, or give more states.");
         }
 
         return [.. states.Select((state, index) => other(index) >= 0 && other(index) < states.Count
@@ -63,7 +62,7 @@ internal static class FlowStates
                 $"{target}: there is no such file. Give next, previous, pair, a meta file or a state {{MJD,rx,ry,rz,qx,qy,qz,q0}}.");
         }
 
-        IReadOnlyList<string> words = MetaFileCommand.Read(target)
+        IReadOnlyList<string> words = MetaFileOrigin.Command(target)
             ?? throw new BadInputException($"{target}: no meta file, or it does not say what made it. Give the .xml file of an image.");
         int at = words.ToList().IndexOf(CameraOptions.FixedState.Name);
         if (at < 0 || at + 1 >= words.Count)

@@ -16,7 +16,6 @@ internal sealed partial class FrameNaming
 
     private readonly string _pattern;
 
-    /// <summary>Checks a pattern.</summary>
     /// <param name="pattern">The pattern; of a rig that does not name the camera its name is put behind it.</param>
     /// <param name="camera">Name of the rig's camera; null without a rig.</param>
     /// <exception cref="UsageException">The pattern contains a folder, an unknown or unclosed field, or an invalid format.</exception>
@@ -32,15 +31,15 @@ internal sealed partial class FrameNaming
         string literal = Field().Replace(pattern, string.Empty);
         if (literal.Contains('{') || literal.Contains('}'))
         {
-            throw new UsageException($"--output-name {pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. "
-                + $"{{step:00000}}, and {RigOptions.CameraField} with {RigOptions.Rig.Name}.").About(OutputOptions.Name);
+            throw OutputOptions.Name.Wrong(
+                $"{pattern}: a field is {{step}} or {{mjd}}, if need be with a number format, e.g. {{step:00000}}, and "
+                    + $"{RigOptions.CameraField} with {RigOptions.Rig.Name}.");
         }
 
         if (pattern.Contains('/') || pattern.Contains('\\') || pattern.Any(char.IsControl) || pattern.Trim().Length == 0
             || pattern[0] == '.')
         {
-            throw new UsageException($"--output-name '{pattern}': a file name is needed, without folders; "
-                + $"the folder is given by --output-dir.").About(OutputOptions.Name);
+            throw OutputOptions.Name.Wrong($"'{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
         }
 
         NameOf(1, default);
@@ -65,7 +64,6 @@ internal sealed partial class FrameNaming
                 + $"at most {LongestName} are possible.").About(OutputOptions.Name);
     }
 
-    /// <summary>The names of all frames.</summary>
     /// <exception cref="UsageException">Two frames would get one name.</exception>
     public IReadOnlyList<string> NamesOf(IReadOnlyList<ModifiedJulianDate> times)
     {
@@ -76,10 +74,9 @@ internal sealed partial class FrameNaming
             names[index] = NameOf(index + 1, times[index]);
             if (!stepOfName.TryAdd(names[index], index + 1))
             {
-                throw new UsageException(
-                    $"--output-name {_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. "
-                        + $"Add {{step:00000}} to the pattern.")
-                    .About(OutputOptions.Name);
+                throw OutputOptions.Name.Wrong(
+                    $"{_pattern}: steps {stepOfName[names[index]]} and {index + 1} would both be written to {names[index]}. Add "
+                        + $"{{step:00000}} to the pattern.");
             }
         }
 

@@ -17,7 +17,6 @@ internal static class FrameSetup
     /// <param name="states">The states of the whole run, in the order of the input.</param>
     /// <param name="settings">The settings of the run, which also select the steps to make.</param>
     /// <param name="sun">Where the Sun is; not used if it is ignored.</param>
-    /// <param name="cancellation">Cancels the work between two states.</param>
     /// <exception cref="MsisfException">A step is not part of the run, a time lies outside the kernels' coverage, ...</exception>
     public static Frame[] Of(
         IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, SunPositions sun,
@@ -109,7 +108,6 @@ internal sealed record Frame(
     /// <summary>How the image is scanned; null for a frame.</summary>
     public Scan? Scan { get; init; }
 
-    /// <summary>The camera without its states.</summary>
     public CameraModel? Model { get; init; }
 
     /// <summary>

@@ -19,7 +19,6 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
     /// <summary>Maximum number of images of --every; a frame a second for four months.</summary>
     private const double MaxImages = 10_000_000.0;
 
-    /// <summary>Opens the files.</summary>
     /// <param name="settings">Where the spacecraft is, and how its camera points.</param>
     /// <param name="kernels">The engine with its kernels.</param>
     /// <param name="scene">Terrain and Sun.</param>
@@ -55,7 +54,6 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         return new MissionPath(path, kernels.Engine.TimeScale);
     }
 
-    /// <summary>The times of the images.</summary>
     /// <param name="settings">Times, or a step.</param>
     /// <exception cref="UsageException">The step gives too many images.</exception>
     public IEnumerable<ModifiedJulianDate> Times(MissionSettings settings)
@@ -68,10 +66,9 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         double count = Path.Cover.Intervals.Sum(interval => Math.Floor((interval.End - interval.Start) / step) + 1.0);
         return count <= MaxImages
             ? Path.Cover.Intervals.SelectMany(interval => Steps(interval, step))
-            : throw new UsageException(Invariant(
-                $"{MissionOptions.Every.Name} {step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
-                    + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."))
-                .About(MissionOptions.Every);
+            : throw MissionOptions.Every.Wrong(Invariant(
+                $"{step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
+                    + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."));
     }
 
     private static KernelAttitude Attitude(InstrumentChoice choice, OpenedEphemeris kernels)

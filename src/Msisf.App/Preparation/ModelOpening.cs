@@ -19,9 +19,7 @@ internal static class ModelOpening
     /// <param name="explicitPath">The user's <c>--ldem</c>, or null to look in ./input/ldem and in the installation.</param>
     /// <param name="resolution">The resolution; that of a polar map if the path is one.</param>
     /// <param name="isSparing">Use less memory at the cost of time: POV-Ray needs much memory, and the program waits for it anyway.</param>
-    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <param name="body">The body of which it must be; null for the Moon.</param>
-    /// <param name="cancellation">Ends the first look at a large raster.</param>
     public static ElevationModel Open(
         string? explicitPath, GridResolution resolution, bool isSparing, ProgramHost host, CelestialBody? body = null,
         CancellationToken cancellation = default)
@@ -66,8 +64,6 @@ internal static class ModelOpening
     /// <param name="paths">Labels or images.</param>
     /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
-    /// <param name="host">Receives log messages.</param>
-    /// <param name="cancellation">Ends the first look at a large raster.</param>
     /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
     public static ElevationModel OpenSeveral(
         IReadOnlyList<string> paths, NestBlend blend, bool hasLevels, ProgramHost host, CancellationToken cancellation = default)
@@ -87,7 +83,7 @@ internal static class ModelOpening
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
                 MovedModel.MeetBorders(opened, paths, blend, host.Log);
-                SeamFiles files = new([.. opened.Select(model => model.Set)], CacheFolder.Of(host), host.Log.Warning);
+                SeamFiles files = new([.. opened.Select(model => model.Set)], host.CacheFolder, host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
                 nested.Prepare(hasLevels);
                 BorderMisfit[] misfits = [.. nested.BorderMisfits()];
@@ -139,7 +135,7 @@ internal static class ModelOpening
                 $"Its projection ({grid.WarpedFrom}) is warped to {grid.Projection.Resolution}: heights are bilinear between its pixels.");
         }
 
-        if (grid.Prepare(CacheFolder.Of(host), () => Display(grid.ProductId, host), cancellation) is { } warning)
+        if (grid.Prepare(host.CacheFolder, () => Display(grid.ProductId, host), cancellation) is { } warning)
         {
             host.Log.Warning(warning);
         }
@@ -201,7 +197,7 @@ internal static class ModelOpening
     {
         ModelLevels levels = ModelLevels.Open(
             image,
-            CacheFolder.Of(host),
+            host.CacheFolder,
             samplesBetweenReleases: isSparing ? LodLevels.SparingSamplesBetweenReleases : LodLevels.DefaultSamplesBetweenReleases);
         if (levels.Warning is not null)
         {

@@ -106,5 +106,5 @@ internal static class MovedModel
     }
 
     private static UsageException Wrong(ModelPath path, string what) =>
-        new UsageException($"{SurfaceOptions.Ldem.Name} {path.Path}: {what}").About(SurfaceOptions.Ldem);
+        SurfaceOptions.Ldem.Wrong($"{path.Path}: {what}");
 }

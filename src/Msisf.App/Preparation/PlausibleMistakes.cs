@@ -44,7 +44,6 @@ internal static class PlausibleMistakes
     private const double LowOrbit = 200_000.0;
 
     /// <summary>The warnings that the camera's settings deserve.</summary>
-    /// <param name="body">The body that is drawn.</param>
     public static IEnumerable<string> In(TrajectorySettings trajectory, CelestialBody body) => trajectory switch
     {
         OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
@@ -106,7 +105,6 @@ internal static class PlausibleMistakes
 
     /// <summary>What a position inside the body most likely means, by the way in which it was given.</summary>
     /// <param name="positionBodyFixed">m, body-fixed.</param>
-    /// <param name="body">The body that is drawn.</param>
     /// <param name="trajectory">How the position was given; null if that is not known.</param>
     /// <returns>A sentence with a blank before it.</returns>
     public static string Inside(Vector3D positionBodyFixed, CelestialBody body, TrajectorySettings? trajectory) => trajectory switch

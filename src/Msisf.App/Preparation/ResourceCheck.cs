@@ -83,7 +83,6 @@ internal static class ResourceCheck
     /// The number of POV-Ray processes with small scenes to run at once: POV-Ray sleeps a third of its time with such scenes, so there are
     /// twice as many as large ones, unless memory is scarce or <c>--jobs</c> gives a number.
     /// </summary>
-    /// <param name="settings">Settings of the run.</param>
     /// <param name="atOnce">Number of processes with large scenes.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     /// <returns><paramref name="atOnce"/>, or a multiple of it.</returns>
@@ -127,7 +126,6 @@ internal static class ResourceCheck
     }
 
     /// <summary>Checks the memory for the states of a scan's exposures, before they are made.</summary>
-    /// <param name="settings">The scan.</param>
     /// <param name="memoryThere">Bytes of memory that can be used.</param>
     /// <exception cref="BadInputException">It is not sufficient.</exception>
     public static void CheckExposures(RenderSettings settings, long memoryThere)

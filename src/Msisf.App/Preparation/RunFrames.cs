@@ -26,7 +26,6 @@ internal sealed record RunFrames(
     /// <param name="ephemeris">Opened if the states or the Sun need it.</param>
     /// <param name="model">Opened if a camera is placed or pointed by the terrain.</param>
     /// <returns>Those of each camera.</returns>
-    /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<RunFrames> Read(
         TrajectorySettings trajectory,
         IReadOnlyList<RenderSettings> cameras,
@@ -80,10 +79,9 @@ internal sealed record RunFrames(
     {
         if (cameras.Any(settings => settings.Native.FindsExposureTime) && trajectory is BatchFileSettings { IsStandardInput: true })
         {
-            throw new UsageException(
-                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} reads the whole run again in each call, and standard "
-                    + "input can be read once. Give seconds, or save the states to a file.")
-                .About(NativeOptions.ExposureTime, CameraOptions.BatchFile);
+            throw NativeOptions.ExposureTime.Wrong(
+                $"{NativeOptions.AutomaticTime} reads the whole run again in each call, and standard input can be read once. Give seconds, "
+                    + "or save the states to a file.", CameraOptions.BatchFile);
         }
     }
 

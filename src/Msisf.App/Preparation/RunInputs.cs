@@ -21,13 +21,12 @@ internal sealed class RunInputs : IDisposable
     private Task<IReadOnlyList<InputFile>>? _model;
     private IReadOnlyList<InputFile> _maps = [];
 
-    /// <summary>Begins with the kernels.</summary>
     /// <param name="kernels">Finds the paths of the kernels, in load order.</param>
     public RunInputs(Func<IReadOnlyList<string>> kernels, ProgramHost host, CancellationToken cancellation)
     {
         _end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         _log = host.Log;
-        _cacheFolder = CacheFolder.Of(host);
+        _cacheFolder = host.CacheFolder;
         CancellationToken end = _end.Token;
         Kernels = Task.Run<IReadOnlyList<InputFile>>(() => OfKernels(kernels(), end), end);
     }
@@ -35,7 +34,6 @@ internal sealed class RunInputs : IDisposable
     /// <summary>The kernels, in load order.</summary>
     public Task<IReadOnlyList<InputFile>> Kernels { get; }
 
-    /// <summary>Begins with the elevation models.</summary>
     /// <param name="maps">The maps of the surface, whose checksums are known.</param>
     public void Begin(IReadOnlyList<LdemSet> models, IReadOnlyList<InputFile> maps)
     {

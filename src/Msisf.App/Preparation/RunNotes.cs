@@ -1,5 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
+using Msisf.Core.Orbit;
 using Msisf.Core.Preview;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
@@ -49,8 +50,6 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
     /// <param name="trajectory">Has the epoch of an orbit.</param>
     /// <param name="cameras">The frames that this call makes.</param>
     /// <param name="terrain">The elevation model.</param>
-    /// <param name="log">Receives the notes.</param>
-    /// <param name="cancellation">Cancels the work between two frames.</param>
     public static void Write(
         TrajectorySettings trajectory, IReadOnlyList<RunFrames> cameras, ITerrain terrain, ILog log, CancellationToken cancellation)
     {
@@ -70,7 +69,6 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
         }
     }
 
-    /// <summary>Takes one frame.</summary>
     public void Add(Frame frame, FramePreview view)
     {
         _first = _count == 0 || frame.Time.Days < _first.Days ? frame.Time : _first;
@@ -95,33 +93,14 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
         }
     }
 
-    /// <summary>Writes the notes.</summary>
     /// <param name="trajectory">Has the epoch of an orbit; null if that was looked at.</param>
-    /// <param name="log">Receives the notes.</param>
     public void Write(TrajectorySettings? trajectory, ILog log)
     {
-        if (_withoutMoon.Count > 0)
-        {
-            Note(_count == 1
-                ? "The image does not show the Moon."
-                : $"{Frames(_withoutMoon, "does", "do")} not show the Moon{Steps(_withoutMoon)}.");
-        }
-
-        if (_besideMap.Count > 0)
-        {
-            Note((_count == 1
-                ? "The image shows nothing of the elevation model"
-                : $"{Frames(_besideMap, "shows", "show")} nothing of the elevation model{Steps(_besideMap)}")
-                + ", a map of a part of the Moon. Add a model of the whole Moon by a second --ldem, or move the camera.");
-        }
-
-        if (_unlit.Count > 0)
-        {
-            Note(_count == 1
-                ? "The image shows no lit ground."
-                : $"{Frames(_unlit, "shows", "show")} no lit ground{Steps(_unlit)}.");
-        }
-
+        NoteOf(_withoutMoon, "does", "do", "not show the Moon", ".");
+        NoteOf(
+            _besideMap, "shows", "show", "nothing of the elevation model",
+            ", a map of a part of the Moon. Add a model of the whole Moon by a second --ldem, or move the camera.");
+        NoteOf(_unlit, "shows", "show", "no lit ground", ".");
         if (_widestCell > WidestCell && !isRefined)
         {
             string step = _count == 1 ? string.Empty : Invariant($" at step {_widestStep}");
@@ -135,6 +114,16 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
         if (trajectory is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)
         {
             log.Note($"The epoch is {away}: a real orbit has long left the two-body one by then.");
+        }
+
+        void NoteOf(List<int> steps, string verbOfOne, string verbOfMany, string what, string end)
+        {
+            if (steps.Count > 0)
+            {
+                Note(_count == 1
+                    ? $"The image {verbOfOne} {what}{end}"
+                    : $"{Frames(steps, verbOfOne, verbOfMany)} {what}{Steps(steps)}{end}");
+            }
         }
 
         void Note(string text) => log.Note(Camera is null ? text : $"{Camera}: {text}");
@@ -163,5 +152,45 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
         string text = StepRanges.Of(steps).ToString();
         int end = text.Length <= LongestList ? text.Length : text.LastIndexOf(',', LongestList);
         return $" ({(steps.Count == 1 ? "step" : "steps")} {text[..end]}{(end < text.Length ? ", ..." : string.Empty)})";
+    }
+}
+
+/// <summary>Notes on the frames of an orbit whose defaults a user may not expect.</summary>
+internal static class OrbitNotes
+{
+    /// <summary>s: longer times are told in days.</summary>
+    private const double LongestInHours = 2.0 * 86400.0;
+
+    /// <summary>All notes that apply.</summary>
+    /// <param name="orbit">The orbit; its times are computed once each.</param>
+    public static IEnumerable<string> Of(OrbitSettings orbit)
+    {
+        double seconds = orbit.Times.Select(time => Math.Abs(time.SecondsSince(orbit.Epoch))).DefaultIfEmpty().Max();
+        if (orbit.Frame == OrbitFrame.MoonMe && !orbit.IsFrameGiven && seconds > 0.0)
+        {
+            yield return $"the orbit is propagated in Moon axes that turn with the Moon (the default, {CameraOptions.OrbitFrame.Name} "
+                + $"moon-me, as in the thesis): {Cost(seconds)}. For a real orbit take {CameraOptions.OrbitFrame.Name} moon-me-epoch "
+                + "(given in the Moon's axes of the epoch) or j2000.";
+        }
+
+        if (orbit.Attitude is not null && orbit.AttitudeFrame is null && orbit.Frame != OrbitFrame.MoonMe)
+        {
+            yield return "--attitude is taken in Moon axes that turn with the Moon (the default, "
+                + $"{CameraOptions.AttitudeFrame.Name} moon-me), the orbit in {CameraOptions.OrbitFrame.WordOf(orbit.Frame)}. "
+                + $"{CameraOptions.AttitudeFrame.Name} names other axes.";
+        }
+    }
+
+    /// <summary>How far the ground track moves away from that of a real orbit.</summary>
+    private static string Cost(double seconds)
+    {
+        double angle = MoonConstants.RotationRate * seconds;
+        string time = seconds < LongestInHours
+            ? Invariant($"{seconds / 3600.0:G3} h")
+            : Invariant($"{seconds / 86400.0:G4} days");
+        string distance = angle < Math.PI
+            ? Invariant($"{double.RadiansToDegrees(angle):G3} degrees, up to {MoonConstants.ReferenceRadius * angle / 1000.0:G3} km")
+            : Invariant($"{angle / (2.0 * Math.PI):G3} turns of the Moon");
+        return $"{time} from the epoch its ground track is off by {distance}";
     }
 }

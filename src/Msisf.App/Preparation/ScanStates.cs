@@ -78,10 +78,9 @@ internal static class ScanStates
             settings.Positions ?? (hasVelocities ? InterpolationMethod.Hermite : InterpolationMethod.Lagrange);
         return positions != InterpolationMethod.Hermite || hasVelocities
             ? new SampledMotion(samples, positions, settings.IsSmooth)
-            : throw new UsageException(
-                $"{ScanOptions.Positions.Name} hermite needs velocities: {string.Join(", ", CameraMotion.NumberNames)} in each line of "
-                    + $"{file}. Add them, or choose lagrange.")
-                .About(ScanOptions.Positions);
+            : throw ScanOptions.Positions.Wrong(
+                $"hermite needs velocities: {string.Join(", ", CameraMotion.NumberNames)} in each line of {file}. Add them, or choose "
+                    + "lagrange.");
     }
 
     /// <summary>The state of an image between samples.</summary>

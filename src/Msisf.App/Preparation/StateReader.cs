@@ -15,18 +15,10 @@ using Msisf.Core.Time;
 namespace Msisf.App.Preparation;
 
 /// <summary>Reads the states of the spacecraft for the images of a run; all are known before the first image.</summary>
-internal sealed class StateReader
+/// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
+/// <param name="geometry">Terrain and Sun, for cameras that are placed or pointed by them.</param>
+internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geometry, ProgramHost host)
 {
-    private readonly Func<IEphemeris> _ephemeris;
-    private readonly ISceneGeometry _scene;
-    private readonly ProgramHost _host;
-
-    /// <param name="ephemeris">Opens the ephemeris, which not every orbit needs.</param>
-    /// <param name="scene">Terrain and Sun, for cameras that are placed or pointed by them.</param>
-    public StateReader(Func<IEphemeris> ephemeris, ISceneGeometry scene, ProgramHost host) =>
-        (_ephemeris, _scene, _host) = (ephemeris, scene, host);
-
-    /// <summary>The body that is drawn.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>Opens the ephemeris with its kernels; only the files of a mission need it.</summary>
@@ -46,17 +38,15 @@ internal sealed class StateReader
 
     /// <summary>Reads or computes all states, as <see cref="StateNeeds.Of(IReadOnlyList{SpacecraftState}, TrajectorySettings)"/> makes
     /// those of a camera of them.</summary>
-    /// <param name="trajectory">The source of the states.</param>
-    /// <param name="cancellation">Cancels the work, also while it waits for a terminal or pipe.</param>
     /// <exception cref="NothingToRenderException">There is no state.</exception>
     public IReadOnlyList<SpacecraftState> ReadBody(TrajectorySettings trajectory, CancellationToken cancellation)
     {
         foreach (string mistake in PlausibleMistakes.In(trajectory, Body))
         {
-            _host.Log.Warning(mistake);
+            host.Log.Warning(mistake);
         }
 
-        ISceneGeometry scene = SceneWithSun.Of(_scene, trajectory.SunPositionBodyFixed);
+        ISceneGeometry scene = SceneWithSun.Of(geometry, trajectory.SunPositionBodyFixed);
         IReadOnlyList<SpacecraftState> states = trajectory switch
         {
             FixedStateSettings fixedState => [fixedState.State],
@@ -71,12 +61,12 @@ internal sealed class StateReader
         {
             foreach (string mistake in PlausibleMistakes.Speed(states.Select(state => state.Motion)))
             {
-                _host.Log.Warning(mistake);
+                host.Log.Warning(mistake);
             }
         }
 
         return states.Count > 0
-            ? Exposed(WithSun(states, trajectory), trajectory)
+            ? WithOptions(states, trajectory)
             : throw new NothingToRenderException(trajectory is BatchFileSettings empty
                 ? $"{NameOf(empty)}: no state in it: only comments and empty lines. Add lines of MJD rx ry rz qx qy qz q0, "
                     + "or below a header line of its columns."
@@ -84,32 +74,33 @@ internal sealed class StateReader
                     + "or change the step's sign.");
     }
 
-    private static IReadOnlyList<SpacecraftState> WithSun(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
+    /// <summary>The states with the Sun and the exposure of the options.</summary>
+    private static IReadOnlyList<SpacecraftState> WithOptions(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
     {
-        if (trajectory.SunPositionBodyFixed is not { } sun)
+        if (trajectory.SunPositionBodyFixed is { } sun)
         {
-            return states;
+            RefuseTwo(states.Any(state => state.SunPositionBodyFixed is not null), LightOptions.SunPosition, "where the Sun is");
+            states = [.. states.Select(state => state with { SunPositionBodyFixed = sun })];
         }
 
-        return states.All(state => state.SunPositionBodyFixed is null)
-            ? [.. states.Select(state => state with { SunPositionBodyFixed = sun })]
-            : throw new UsageException(
-                $"{LightOptions.SunPosition.Name} and the batch file both say where the Sun is. Leave one out.")
-                .About(LightOptions.SunPosition);
+        if (trajectory.ExposureFactor is { } factor)
+        {
+            RefuseTwo(states.Any(state => state.ExposureFactor is not null), NativeOptions.ExposureFactor, "the exposure");
+            states = [.. states.Select(state => state with { ExposureFactor = factor })];
+        }
+
+        return states;
     }
 
-    private static IReadOnlyList<SpacecraftState> Exposed(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory)
+    /// <summary>Refuses what an option and the states of a file both say.</summary>
+    /// <param name="isInFile">Whether a state says it.</param>
+    /// <exception cref="UsageException">It does.</exception>
+    public static void RefuseTwo(bool isInFile, OptionSpec option, string what)
     {
-        if (trajectory.ExposureFactor is not { } factor)
+        if (isInFile)
         {
-            return states;
+            throw option.Wrong($"and the batch file both say {what}. Leave one out.");
         }
-
-        return states.All(state => state.ExposureFactor is null)
-            ? [.. states.Select(state => state with { ExposureFactor = factor })]
-            : throw new UsageException(
-                $"{NativeOptions.ExposureFactor.Name} and the batch file both say the exposure. Leave one out.")
-                .About(NativeOptions.ExposureFactor);
     }
 
     private static string NameOf(BatchFileSettings file) => file.IsStandardInput ? "standard input" : file.Path;
@@ -127,7 +118,7 @@ internal sealed class StateReader
 
         if (file.IsStandardInput)
         {
-            return States(_host.StandardInput(), file, scene);
+            return States(host.StandardInput(), file, scene);
         }
 
         if (!File.Exists(file.Path))
@@ -149,7 +140,7 @@ internal sealed class StateReader
     }
 
     private IReadOnlyList<SpacecraftState> States(TextReader reader, BatchFileSettings file, ISceneGeometry scene) => BatchFileReader.Read(
-        reader, NameOf(file), scene, file.Conventions, _host.Log.Warning, _host.Log.Note);
+        reader, NameOf(file), scene, file.Conventions, host.Log.Warning, host.Log.Note);
 
     private SpacecraftState[] AtPlace(PlaceSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
@@ -157,7 +148,7 @@ internal sealed class StateReader
             () => settings.Place.ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius));
         if (settings.Pointing.IsTargetHidden(position, scene))
         {
-            _host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
+            host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
         }
 
         return [.. settings.Times.Select(time =>
@@ -170,23 +161,23 @@ internal sealed class StateReader
     private SpacecraftState[] OnOrbit(OrbitSettings settings, CancellationToken cancellation)
     {
         OrbitPropagator orbit = new(
-            settings.Elements, settings.Epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : _ephemeris());
+            settings.Elements, settings.Epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : ephemeris());
         if (orbit.PeriapsisRadius < MoonConstants.ReferenceRadius)
         {
-            _host.Log.Warning(Invariant(
+            host.Log.Warning(Invariant(
                 $"the orbit's periapsis lies {(MoonConstants.ReferenceRadius - orbit.PeriapsisRadius) / 1000.0:F3} km below the Moon's "
                     + $"reference radius; times on that part are refused."));
         }
 
         foreach (string note in OrbitNotes.Of(settings))
         {
-            _host.Log.Note(note);
+            host.Log.Note(note);
         }
 
         AttitudeFrame frame = settings.AttitudeFrame ?? AttitudeFrame.MoonMe;
         FramedAttitude? attitude = settings.Attitude is { } transition
             ? new FramedAttitude(
-                transition, frame, settings.Epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : _ephemeris())
+                transition, frame, settings.Epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : ephemeris())
             : null;
         return [.. settings.Times.Select(time =>
         {
@@ -226,13 +217,11 @@ internal sealed class StateReader
     {
         if (settings.Position is OemPosition && !Body.IsMoon)
         {
-            throw new UsageException(
-                $"{MissionOptions.Oem.Name} reads trajectories about Moon and Earth, but {Body.NameInText} is drawn. Give an SPK.")
-                .About(MissionOptions.Oem);
+            throw MissionOptions.Oem.Wrong($"reads trajectories about Moon and Earth, but {Body.NameInText} is drawn. Give an SPK.");
         }
 
         OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");
-        MissionPath mission = MissionPath.Open(settings, kernels, scene, _host.Log.Note);
+        MissionPath mission = MissionPath.Open(settings, kernels, scene, host.Log.Note);
         return [.. mission.Times(settings).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();

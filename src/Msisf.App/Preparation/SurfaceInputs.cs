@@ -1,8 +1,11 @@
+using Msisf.Adapters.Catalogues;
+using Msisf.Adapters.IO;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Metadata;
+using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 
 namespace Msisf.App.Preparation;
@@ -27,8 +30,6 @@ internal sealed record SurfaceInputs(
         }
     }
 
-    /// <summary>Opens the maps.</summary>
-    /// <param name="host">Knows the folder of the installation, and receives log messages.</param>
     /// <exception cref="MsisfException">A map can't be used.</exception>
     public static SurfaceInputs Open(RenderSettings settings, ProgramHost host)
     {
@@ -45,7 +46,6 @@ internal sealed record SurfaceInputs(
         return new SurfaceInputs(maps.Count > 0 ? maps[0] : null, [.. maps.Skip(1)], hapke, files);
     }
 
-    /// <summary>Closes the maps of the reflectance.</summary>
     public void Dispose()
     {
         Albedo?.Dispose();
@@ -54,4 +54,43 @@ internal sealed record SurfaceInputs(
             site.Dispose();
         }
     }
+}
+
+/// <summary>What the truth for navigation of a run is made from.</summary>
+/// <param name="Craters">Finds the craters of a frame; null without a catalogue.</param>
+/// <param name="Landmarks">Finds the landmarks of a frame; null without a list.</param>
+/// <param name="Files">The files that were read.</param>
+internal sealed record NavigationInputs(CraterFinder? Craters, LandmarkFinder? Landmarks, IReadOnlyList<InputFile> Files)
+{
+    /// <summary>Reads the files.</summary>
+    /// <param name="settings">The settings; null for none.</param>
+    /// <param name="referenceRadius">m: radius of the body.</param>
+    /// <returns>Null if no such truth is wanted.</returns>
+    /// <exception cref="MsisfException">A file can't be used.</exception>
+    public static NavigationInputs? Open(NavigationSettings? settings, double referenceRadius)
+    {
+        if (settings is null)
+        {
+            return null;
+        }
+
+        CraterFinder? craters = settings.Craters is { } path
+            ? NavigationOptions.Craters.NamedInErrors(() => new CraterFinder(
+                new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius)), settings.Rim, settings.LeastDiameter))
+            : null;
+        LandmarkFinder? landmarks = settings.Landmarks is { } list
+            ? NavigationOptions.Landmarks.NamedInErrors(() => new LandmarkFinder(LandmarkReader.Read(list, referenceRadius)))
+            : null;
+        return new NavigationInputs(
+            craters,
+            landmarks,
+            [
+                .. settings.Craters is { } catalogue ? [FileOf(InputKind.CraterCatalogue, catalogue)] : (InputFile[])[],
+                .. settings.Landmarks is { } points ? [FileOf(InputKind.Landmarks, points)] : (InputFile[])[],
+            ]);
+    }
+
+    private static InputFile FileOf(InputKind kind, string path) => FileErrors.ToBadInput(
+        $"{path}: can't be read",
+        () => new InputFile(kind, Path.GetFileName(path), new FileInfo(path).Length, FileHash.Sha256Of(path)));
 }

@@ -14,11 +14,8 @@ namespace Msisf.App.Preview;
 internal static class DryRun
 {
     /// <summary>Reads the run and looks through each camera; notes what is striking about the whole run.</summary>
-    /// <param name="trajectory">The positions of the camera.</param>
     /// <param name="cameras">The run's other settings: those of each camera.</param>
-    /// <param name="cancellation">Cancels the work between two frames.</param>
     /// <returns>A row for each frame that would be made.</returns>
-    /// <exception cref="MsisfException">The run can't be made.</exception>
     public static IReadOnlyList<PreviewRow> Of(
         TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, ProgramHost host, CancellationToken cancellation)
     {

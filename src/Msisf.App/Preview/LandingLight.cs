@@ -24,9 +24,7 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
     public static bool IsLanding(IReadOnlyList<double> heights) =>
         heights.Count > 1 && heights[^1] < LowEnd && heights[^1] < 0.5 * heights[0] && heights[^1] <= heights.Min();
 
-    /// <summary>Writes the note.</summary>
     /// <param name="positionBodyFixed">The last camera, m.</param>
-    /// <param name="log">Receives the note.</param>
     public void Write(Vector3D positionBodyFixed, ModifiedJulianDate time, ILog log, CancellationToken cancellation)
     {
         Vector3D direction = positionBodyFixed.Normalized();
@@ -54,17 +52,17 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
                 break;
             }
 
-            LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true }, model.Tracer);
+            LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true });
             float[] parts = lights.At([direction], horizons, 0).Parts;
             isLit ??= parts[0] > 0.0f;
             int change = Array.FindIndex(parts, part => part > 0.0f != isLit);
             if (change >= 0)
             {
                 ModifiedJulianDate exact = lights.ChangeBetween(
-                    frame, lights.HorizonOf(horizons, 0), new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)),
+                    survey.RaysFrom(frame), survey.HorizonOf(horizons, 0),
+                    new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)),
                     !isLit.Value, at => engine.SunPositionBodyFixed(at));
-                ModifiedJulianDate end = new(Math.Round(exact.Days * 86400.0) / 86400.0);
-                log.Note(Text(site, isLit.Value, time, end));
+                log.Note(Text(site, isLit.Value, time, exact.ToNearestSecond()));
                 return;
             }
 

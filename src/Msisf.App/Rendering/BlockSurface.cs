@@ -14,24 +14,20 @@ namespace Msisf.App.Rendering;
 /// A map of a part of the Moon, or several models, of which scenes include blocks, of the same levels of detail as the native renderer
 /// draws. Thread-safe.
 /// </summary>
-internal sealed class BlockSurface : ISceneSurface
+/// <param name="terrain">The models themselves.</param>
+/// <param name="detail">Chooses the levels of a frame.</param>
+/// <param name="subsamplesPerAxis">Samples along a pixel's edge for which it does.</param>
+/// <param name="repository">The folder of the patterns; disposed with this object.</param>
+internal sealed class BlockSurface(ITerrain terrain, IFrameTerrain detail, int subsamplesPerAxis, PatternRepository repository)
+    : ISceneSurface
 {
     /// <summary>Bytes of memory that POV-Ray 3.7 needs for a triangle, measured (docs/performance.md).</summary>
     private const long PovRayBytesPerFace = 240;
 
-    private readonly ITerrain _terrain;
-    private readonly IFrameTerrain _detail;
-    private readonly int _subsamplesPerAxis;
-    private readonly PatternRepository _repository;
+    private readonly ITerrain _terrain = terrain;
+    private readonly PatternRepository _repository = repository;
     private readonly ConditionalWeakTable<ITerrain, BlockLevel> _levels = [];
     private readonly ReadyPatterns<(string Level, SceneBlock Block)> _ready = new();
-
-    /// <param name="terrain">The models themselves.</param>
-    /// <param name="detail">Chooses the levels of a frame.</param>
-    /// <param name="subsamplesPerAxis">Samples along a pixel's edge for which it does.</param>
-    /// <param name="repository">The folder of the patterns; disposed with this object.</param>
-    public BlockSurface(ITerrain terrain, IFrameTerrain detail, int subsamplesPerAxis, PatternRepository repository) =>
-        (_terrain, _detail, _subsamplesPerAxis, _repository) = (terrain, detail, subsamplesPerAxis, repository);
 
     public string Folder => _repository.FolderOf(FolderName);
 
@@ -44,7 +40,7 @@ internal sealed class BlockSurface : ISceneSurface
     public ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation)
     {
         BlockLevel level = _levels.GetValue(
-            _detail.For(frame.Camera, _subsamplesPerAxis), drawn => new BlockLevel(_terrain, drawn, _repository));
+            detail.For(frame.Camera, subsamplesPerAxis), drawn => new BlockLevel(_terrain, drawn, _repository));
         Meshes meshes = new(this, level, frame, BlocksOf(level, frame, null, threads, cancellation));
         long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
         return meshes.Faces * PovRayBytesPerFace <= memory ? meshes : throw new BadInputException(Invariant(
@@ -91,5 +87,51 @@ internal sealed class BlockSurface : ISceneSurface
             HashSet<SceneBlock> ofRows = [.. BlocksOf(level, frame, rows, threads: 1, cancellation)];
             return [.. blocks.Where(ofRows.Contains).Select(level.Patterns.FileNameOf)];
         }
+    }
+}
+
+/// <summary>A surface as frames show it, at one level of each model, as blocks with their patterns. Thread-safe.</summary>
+internal sealed class BlockLevel
+{
+    private readonly Lazy<TerrainTracer> _tracer;
+
+    /// <param name="models">The models themselves.</param>
+    /// <param name="drawn">They at the levels that are drawn.</param>
+    /// <param name="repository">The folder of the patterns.</param>
+    public BlockLevel(ITerrain models, ITerrain drawn, PatternRepository repository)
+    {
+        Name = NameOf(ResolutionsOf(models), ResolutionsOf(drawn));
+        Resolution = drawn.Resolution;
+        PartResolutions = drawn.DrawnResolutions;
+        Blocks = new SceneBlocks(drawn);
+        Patterns = new BlockPatterns(repository, Blocks, drawn, Name);
+        _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(drawn));
+    }
+
+    /// <summary>The level of each model, "x" for one that is left out; empty for the models themselves.</summary>
+    public string Name { get; }
+
+    /// <summary>Resolution of the finest model that is drawn.</summary>
+    public GridResolution Resolution { get; }
+
+    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    public IReadOnlyList<GridResolution?> PartResolutions { get; }
+
+    public SceneBlocks Blocks { get; }
+
+    public BlockPatterns Patterns { get; }
+
+    /// <summary>Traces single rays; created on first use.</summary>
+    public ITerrainTracer Tracer => _tracer.Value;
+
+    private static IReadOnlyList<GridResolution?> ResolutionsOf(ITerrain terrain) =>
+        terrain.DrawnResolutions is { Count: > 0 } several ? several : [terrain.Resolution];
+
+    private static string NameOf(IReadOnlyList<GridResolution?> models, IReadOnlyList<GridResolution?> drawn)
+    {
+        int?[] levels = [.. models.Zip(drawn, (model, level) => level is { } there ? model!.Value.HalvingsTo(there) : (int?)null)];
+        return levels.All(level => level == 0)
+            ? string.Empty
+            : string.Join('-', levels.Select(level => level?.ToString(CultureInfo.InvariantCulture) ?? "x"));
     }
 }

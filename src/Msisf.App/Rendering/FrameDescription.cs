@@ -17,7 +17,6 @@ internal sealed class FrameDescription(
     public string? Orientation { get; init; }
 
     /// <summary>What the meta file says of the whole frame.</summary>
-    /// <param name="rendered">The result of the renderer.</param>
     /// <param name="arguments">The canonical arguments of the frame.</param>
     public FrameMetadata Describe(Frame frame, RenderedFrame rendered, string arguments) => new(
         frame.Time,

@@ -9,33 +9,15 @@ namespace Msisf.App.Rendering;
 /// Makes many frames, several at once, so that the cores are neither idle nor shared by too many threads. A failed frame is recorded, and
 /// the other frames are still made. A frame that another process is making is handled last.
 /// </summary>
-internal sealed class FrameLoop
+/// <param name="maker">Makes one frame; the renderer itself limits how many frames are drawn at once.</param>
+/// <param name="ahead">
+/// Number of frames to begin in addition to those that are drawn at once (<see cref="IFrameRenderer.FramesAhead"/>).
+/// </param>
+/// <param name="failFast">Whether the first failed frame ends the run.</param>
+/// <param name="progress">Progress display; receives one step per frame.</param>
+/// <param name="log">Receives the errors of single frames.</param>
+internal sealed class FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, ILog log)
 {
-    private readonly FrameMaker _maker;
-    private readonly int _ahead;
-    private readonly bool _failFast;
-    private readonly IRunProgress _progress;
-    private readonly TextWriter _results;
-    private readonly ILog _log;
-
-    /// <param name="maker">Makes one frame; the renderer itself limits how many frames are drawn at once.</param>
-    /// <param name="ahead">
-    /// Number of frames to begin in addition to those that are drawn at once (<see cref="IFrameRenderer.FramesAhead"/>).
-    /// </param>
-    /// <param name="failFast">Whether the first failed frame ends the run.</param>
-    /// <param name="progress">Progress display; receives one step per frame.</param>
-    /// <param name="results">Receives the paths of the files.</param>
-    /// <param name="log">Receives the errors of single frames.</param>
-    public FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, ILog log)
-    {
-        _maker = maker;
-        _ahead = ahead;
-        _failFast = failFast;
-        _progress = progress;
-        _results = results;
-        _log = log;
-    }
-
     /// <summary>Makes all frames; the paths of a frame's files are printed when those of all earlier frames have been printed.</summary>
     /// <param name="known">For each frame, its outputs if it exists and is complete, or null if it must be made.</param>
     /// <param name="atOnce">Number of frames drawn at once.</param>
@@ -50,7 +32,7 @@ internal sealed class FrameLoop
     {
         int threads = Math.Max(1, cores / atOnce);
         FrameOutputs?[] outputs = [.. known];
-        OrderedPrinter printer = new(_results, frames.Count);
+        OrderedPrinter printer = new(results, frames.Count);
         ConcurrentQueue<int> failed = new();
         ConcurrentQueue<int> elsewhere = new();
 
@@ -70,22 +52,22 @@ internal sealed class FrameLoop
             {
                 failed.Enqueue(frame.Step);
                 string message = $"step {frame.Step} ({frame.Name}): {exception.Message}";
-                if (_failFast)
+                if (failFast)
                 {
                     throw new ExternalPartException(
                         $"{message} Stopped there, as --fail-fast asks; finished frames are complete.", exception);
                 }
 
-                _log.Error(message);
+                log.Error(message);
             }
 
             printer.Done(index, outputs[index]?.Paths ?? []);
-            _progress.Advance(frame.Name);
+            progress.Advance(frame.Name);
         }
 
         ParallelOptions options = new()
         {
-            MaxDegreeOfParallelism = Math.Min(atOnce + _ahead, Math.Max(1, frames.Count)),
+            MaxDegreeOfParallelism = Math.Min(atOnce + ahead, Math.Max(1, frames.Count)),
             CancellationToken = cancellation,
         };
         int[] missing = [.. Enumerable.Range(0, frames.Count).Where(index => known[index] is null)];
@@ -94,17 +76,50 @@ internal sealed class FrameLoop
             printer.Done(index, known[index]!.Paths);
         }
 
-        await Parallel.ForEachAsync(missing, options, (index, stop) => Make(index, _maker.TryMakeAsync, stop)).ConfigureAwait(false);
+        await Parallel.ForEachAsync(missing, options, (index, stop) => Make(index, maker.TryMakeAsync, stop)).ConfigureAwait(false);
         await Parallel.ForEachAsync(
             elsewhere.Order().ToArray(),
             options,
             (index, stop) => Make(
                 index,
-                async (frame, share, end) => await _maker.MakeAsync(frame, share, end).ConfigureAwait(false),
+                async (frame, share, end) => await maker.MakeAsync(frame, share, end).ConfigureAwait(false),
                 stop)).ConfigureAwait(false);
         return failed.IsEmpty
             ? [.. outputs.OfType<FrameOutputs>()]
             : throw new ExternalPartException(
                 $"{failed.Count} of {frames.Count} frames failed: steps {StepRanges.Of(failed.Distinct())}. The others are complete.");
+    }
+}
+
+/// <summary>
+/// Prints the results of steps in the order of the steps, each as early as possible, whatever order they end in. Thread-safe.
+/// </summary>
+internal sealed class OrderedPrinter(TextWriter results, int steps)
+{
+    private readonly Lock _gate = new();
+    private readonly IReadOnlyList<string>?[] _waiting = new IReadOnlyList<string>?[steps];
+    private int _next;
+
+    /// <summary>Reports that a step is done.</summary>
+    /// <param name="index">Index of the step, from 0.</param>
+    /// <param name="lines">The lines of the step; empty if it failed.</param>
+    public void Done(int index, IReadOnlyList<string> lines)
+    {
+        lock (_gate)
+        {
+            _waiting[index] = lines;
+            while (_next < _waiting.Length && _waiting[_next] is IReadOnlyList<string> ready)
+            {
+                foreach (string line in ready)
+                {
+                    results.WriteLine(line);
+                }
+
+                _waiting[_next] = [];
+                _next++;
+            }
+
+            results.Flush();
+        }
     }
 }

@@ -8,7 +8,6 @@ namespace Msisf.App.Rendering;
 /// <summary>Makes a frame unless it already exists and is complete, or another process is making it. Thread-safe.</summary>
 /// <param name="render">Draws a frame with some threads and writes its files.</param>
 /// <param name="ledger">Records of the run's frames.</param>
-/// <param name="times">Receives the time of each frame that is made.</param>
 internal sealed class FrameMaker(Func<Frame, int, CancellationToken, Task<FrameOutputs>> render, FrameLedger ledger, FrameTimes times)
 {
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(50);
@@ -20,7 +19,6 @@ internal sealed class FrameMaker(Func<Frame, int, CancellationToken, Task<FrameO
     private static readonly TimeSpan LongestWait = TimeSpan.FromMinutes(10);
 
     /// <summary>Makes a frame, unless another process is making it.</summary>
-    /// <param name="threads">Number of threads for drawing.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     /// <returns>The frame's files; null if another process is making it.</returns>
     /// <exception cref="MsisfException">The frame could not be made; the cause is in the manifest.</exception>

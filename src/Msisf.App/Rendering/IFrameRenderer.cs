@@ -17,7 +17,6 @@ internal interface IFrameRenderer : IDisposable
     int FramesAhead { get; }
 
     /// <summary>Makes one frame. Its files appear when all are complete, the image last.</summary>
-    /// <param name="threads">Number of threads that it may use.</param>
     /// <param name="cancellation">Cancels the work; no file is left.</param>
     Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation);
 }
@@ -31,7 +30,6 @@ internal sealed class RendererOfRun(IReadOnlyList<IFrameRenderer> cameras) : IFr
     public Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation) =>
         cameras[frame.CameraIndex].RenderAsync(frame, threads, cancellation);
 
-    /// <summary>Disposes the renderers.</summary>
     public void Dispose()
     {
         foreach (IFrameRenderer camera in cameras)

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using Msisf.Adapters.Tiles;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -11,7 +12,6 @@ namespace Msisf.App.Rendering;
 /// <summary>The surface of a run as POV-Ray's scenes include it: as meshes in pattern files. Thread-safe.</summary>
 internal interface ISceneSurface : IDisposable
 {
-    /// <summary>The folder of the patterns.</summary>
     string Folder { get; }
 
     /// <summary>Name of that folder in the pattern repository.</summary>
@@ -20,8 +20,6 @@ internal interface ISceneSurface : IDisposable
     /// <summary>Number of patterns that were checked or made.</summary>
     int Count { get; }
 
-    /// <summary>Selects what a frame needs.</summary>
-    /// <param name="threads">Number of threads that it may use.</param>
     ISceneMeshes Select(Frame frame, int threads, CancellationToken cancellation);
 }
 
@@ -66,5 +64,36 @@ internal static class SceneSurfaces
         return model.IsWholeMoon
             ? new TileSurface(model, settings.LevelOfDetailError, repository)
             : new BlockSurface(model.Grid, model.DetailOf(settings.LevelOfDetailError), settings.DetailSubsamplesPerAxis, repository);
+    }
+}
+
+/// <summary>The patterns of a run, each checked or made once per run. Thread-safe.</summary>
+/// <typeparam name="T">Names a pattern.</typeparam>
+internal sealed class ReadyPatterns<T>
+    where T : struct
+{
+    private readonly ConcurrentDictionary<T, bool> _ready = new();
+
+    /// <summary>Number of patterns that were checked or made.</summary>
+    public int Count => _ready.Count;
+
+    /// <summary>Makes the patterns that are missing.</summary>
+    /// <param name="ensure">Checks or makes those that were not asked for before.</param>
+    /// <returns>Number of patterns that were made.</returns>
+    public int Ensure(IEnumerable<T> wanted, Func<T[], PatternSet> ensure)
+    {
+        T[] unknown = [.. wanted.Where(pattern => !_ready.ContainsKey(pattern))];
+        if (unknown.Length == 0)
+        {
+            return 0;
+        }
+
+        PatternSet set = ensure(unknown);
+        foreach (T pattern in unknown)
+        {
+            _ready[pattern] = true;
+        }
+
+        return set.Written;
     }
 }

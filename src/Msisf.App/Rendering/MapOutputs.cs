@@ -17,10 +17,7 @@ namespace Msisf.App.Rendering;
 /// <param name="log">Is told of frames without ground.</param>
 internal sealed class MapOutputs(MapSettings settings, NativeSettings native, string? libraryPath, ILog log)
 {
-    /// <summary>Writes the files of a frame.</summary>
-    /// <param name="files">Receives them.</param>
     /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <param name="rendered">The drawn frame.</param>
     /// <returns>The paths; none if the frame shows no ground.</returns>
     public IReadOnlyList<string> Write(
         AtomicFileSet files, string stem, Frame frame, RenderedFrame rendered, FrameMetadata metadata, LayerProvenance provenance,

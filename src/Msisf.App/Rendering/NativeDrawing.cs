@@ -12,7 +12,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Rendering;
 
 /// <summary>Draws frames of one camera and one set of options with the program's own renderer, in memory. Thread-safe.</summary>
-internal sealed class NativeDrawing
+internal sealed class NativeDrawing(
+    NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
 {
     /// <summary>
     /// Number of frames after which the model's memory pages are released. Mapping the pages of the next frames again takes some ms, which
@@ -26,42 +27,25 @@ internal sealed class NativeDrawing
     /// </summary>
     private const double WorthCollecting = 0.25;
 
-    private readonly NativeRenderOptions _options;
-    private readonly ITerrain _model;
-    private readonly SurfaceInputs _maps;
-    private readonly NativeLevels _levels;
-    private readonly DetectorsOfRun? _detectors;
-    private readonly RunTimes _times;
-    private readonly GreyTable _grey;
+    private readonly NativeRenderOptions _options = settings.Render with
+    {
+        Albedo = maps.Albedo?.Map,
+        AlbedoSites = [.. maps.Sites.Select(site => site.Map)],
+        Hapke = maps.Hapke?.Map,
+    };
+
+    private readonly DetectorsOfRun? _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);
+    private readonly GreyTable _grey = new(settings.Grey, settings.BitDepth);
     private int _frames;
     private long _collectedBytes;
 
-    public NativeDrawing(NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
-    {
-        Settings = settings;
-        _grey = new GreyTable(settings.Grey, settings.BitDepth);
-        _options = settings.Render with
-        {
-            Albedo = maps.Albedo?.Map,
-            AlbedoSites = [.. maps.Sites.Select(site => site.Map)],
-            Hapke = maps.Hapke?.Map,
-        };
-        _model = model;
-        _maps = maps;
-        _levels = levels;
-        _detectors = settings.Detector is null ? null : new DetectorsOfRun(settings.Detector.Settings);
-        _times = times;
-    }
-
-    /// <summary>The settings of the renderer.</summary>
-    public NativeSettings Settings { get; }
+    public NativeSettings Settings { get; } = settings;
 
     /// <summary>Turns radiance factors of a frame into grey levels.</summary>
     internal GreyTable GreyOf(Frame frame) => frame.ExposureFactor is { } factor
         ? new GreyTable(new GreyScale(factor * Settings.Grey.Exposure, Settings.Grey.Transfer), Settings.BitDepth)
         : _grey;
 
-    /// <summary>Draws a frame.</summary>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
     public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
@@ -75,7 +59,7 @@ internal sealed class NativeDrawing
 
         CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
         ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
-        NativeRenderer renderer = _levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
+        NativeRenderer renderer = levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
         NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try
@@ -97,8 +81,8 @@ internal sealed class NativeDrawing
     {
         if (Interlocked.Increment(ref _frames) % FramesBetweenReleases == 0)
         {
-            _model.ReleasePages(); // an orbit would have the whole model in memory in the end
-            _maps.ReleasePages();
+            model.ReleasePages(); // an orbit would have the whole model in memory in the end
+            maps.ReleasePages();
             ReturnReplaced();
         }
     }
@@ -108,7 +92,7 @@ internal sealed class NativeDrawing
     /// </summary>
     private void ReturnReplaced()
     {
-        long replaced = _levels.ReplacedBytes;
+        long replaced = levels.ReplacedBytes;
         if (replaced - Interlocked.Read(ref _collectedBytes) > WorthCollecting * GC.GetTotalMemory(forceFullCollection: false))
         {
             Interlocked.Exchange(ref _collectedBytes, replaced);
@@ -120,10 +104,10 @@ internal sealed class NativeDrawing
     private NativeFrame Draw(
         NativeRenderer renderer, ICamera camera, Frame frame, NativeRenderOptions options, int threads,
         CancellationToken cancellation) =>
-        _times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
+        times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
 
     /// <summary>The renderer of a frame's level of detail.</summary>
-    public NativeRenderer RendererOf(Frame frame) => _levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
+    public NativeRenderer RendererOf(Frame frame) => levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
 
     /// <summary>Draws some rows of an image that is scanned: those of whole exposures.</summary>
     /// <param name="keepsTruth">Whether their ground truth is asked for.</param>
@@ -137,7 +121,7 @@ internal sealed class NativeDrawing
             return DrawExposures(frame, shot, renderer, rows, options, threads, cancellation);
         }
 
-        NativeFrame drawn = _times.Measure(
+        NativeFrame drawn = times.Measure(
             Phase.Draw, () => renderer.RenderRows(frame.Camera, frame.Light, rows, options, threads, cancellation));
         return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, null);
     }
@@ -149,7 +133,7 @@ internal sealed class NativeDrawing
     {
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
         ScanReadout readout = new(detector, renderer, options);
-        (NativeFrame drawn, DetectorImage image) = _times.Measure(
+        (NativeFrame drawn, DetectorImage image) = times.Measure(
             Phase.Detector, () => readout.Expose(shot, rows, threads, cancellation));
         return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image);
     }
@@ -160,7 +144,7 @@ internal sealed class NativeDrawing
         CameraDetector detector, NativeRenderer renderer, ScannedShot shot, int threads, CancellationToken cancellation)
     {
         ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false });
-        return _times.Measure(
+        return times.Measure(
             Phase.Detector, () => readout.Expose(shot, new PixelRows(0, shot.Scan.Count), threads, cancellation).Image);
     }
 
@@ -174,7 +158,7 @@ internal sealed class NativeDrawing
         CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, int threads, CancellationToken cancellation)
     {
         CameraMotion motion = frame.Motion ?? default;
-        SubExposures exposures = _times.Measure(
+        SubExposures exposures = times.Measure(
             Phase.Detector, () => detector.SubExposuresOf(middle, motion, threads, cancellation));
         DetectorImage image = detector.Begin(middle);
         NativeRenderOptions options = _options with { KeepGroundTruth = false };
@@ -183,15 +167,15 @@ internal sealed class NativeDrawing
             using NativeFrame? other = index == exposures.Middle
                 ? null
                 : Draw(renderer, InstantOf(exposures.TimeOf(index)), frame, options, threads, cancellation);
-            _times.Measure(
+            times.Measure(
                 Phase.Detector, () => detector.Collect(other ?? middle, exposures.Weight, image, threads, cancellation));
         }
 
-        ICamera InstantOf(double seconds) => frame is { Path: { } path, Model: { } model }
-            ? detector.WindowOf(model.At(path.At(seconds)))
+        ICamera InstantOf(double seconds) => frame is { Path: { } path, Model: { } camera }
+            ? detector.WindowOf(camera.At(path.At(seconds)))
             : middle.Camera.Moved(motion, seconds);
 
-        _times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, frame.Noise, threads, cancellation));
+        times.Measure(Phase.Detector, () => detector.Read(image, frame.Time, middle.Camera, frame.Noise, threads, cancellation));
         return image;
     }
 }
@@ -204,10 +188,8 @@ internal sealed class DetectorsOfRun(DetectorSettings settings)
     private readonly Lock _gate = new();
     private CameraDetector? _detector;
 
-    /// <summary>The detector.</summary>
     /// <param name="camera">A frame's camera; its states do not matter, the rest is the same for all frames.</param>
     /// <param name="factor">By how much longer the frame is exposed; null for as long.</param>
-    /// <param name="threads">Number of threads for making it.</param>
     public CameraDetector Of(ICamera camera, double? factor, int threads)
     {
         if (factor is not null)

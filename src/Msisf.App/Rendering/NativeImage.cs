@@ -10,44 +10,32 @@ using Msisf.Core.Render.Photometry;
 namespace Msisf.App.Rendering;
 
 /// <summary>A drawn frame in memory: its grey levels or the numbers of the detector, and its ground truth.</summary>
-internal sealed class NativeImage : IDisposable
+internal sealed class NativeImage(
+    NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+    : IDisposable
 {
     /// <summary>px: a thread's start takes as long as the levels of some thousand.</summary>
     private const int LeastOfAThread = 1 << 16;
 
-    private readonly NativeDrawing _drawing;
-    private readonly NativeRenderer _renderer;
-    private readonly NativeFrame _drawn;
-    private readonly CameraDetector? _detector;
-    private readonly IGroundTruth _truth;
-    private readonly GreyTable _grey;
+    private readonly IGroundTruth _truth =
+        detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector?.Margin ?? 0, detected);
 
-    internal NativeImage(
-        NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
-    {
-        _drawing = drawing;
-        _renderer = renderer;
-        _drawn = drawn;
-        _detector = detector;
-        Detected = detected;
-        _grey = drawing.GreyOf(frame);
-        _truth = detected is null ? drawn : new DetectedFrame(frame.Camera, drawn, detector?.Margin ?? 0, detected);
-    }
+    private readonly GreyTable _grey = drawing.GreyOf(frame);
 
     /// <summary>What the camera's detector read out; null without a detector.</summary>
-    public DetectorImage? Detected { get; }
+    public DetectorImage? Detected { get; } = detected;
 
     /// <summary>I/F of each pixel, by rows from the top.</summary>
     public ReadOnlySpan<double> RadianceFactors => _truth.RadianceFactors;
 
     /// <summary>Bytes of a pixel in <see cref="CopyLevels"/>: 1 or 2.</summary>
-    public int BytesPerPixel => Detected is null ? _drawing.Settings.BitDepth / 8 : sizeof(ushort);
+    public int BytesPerPixel => Detected is null ? drawing.Settings.BitDepth / 8 : sizeof(ushort);
 
     /// <summary>Bits of a grey level, or of a number of the detector.</summary>
-    public int Bits => Detected is null ? _drawing.Settings.BitDepth : _drawing.Settings.Detector!.Settings.ConverterBits;
+    public int Bits => Detected is null ? drawing.Settings.BitDepth : drawing.Settings.Detector!.Settings.ConverterBits;
 
     /// <summary>What the grey levels mean; null for the numbers of a detector.</summary>
-    public GreyTransfer? Transfer => Detected is null ? _drawing.Settings.Grey.Transfer : null;
+    public GreyTransfer? Transfer => Detected is null ? drawing.Settings.Grey.Transfer : null;
 
     /// <summary>Width of the image, px.</summary>
     public int Width => _truth.Camera.Width;
@@ -68,10 +56,9 @@ internal sealed class NativeImage : IDisposable
     /// <param name="png">Receives it; stays open.</param>
     /// <param name="height">px: of all of them.</param>
     public PngImage BeginPng(Stream png, int height) => Detected is null
-        ? new PngImage(png, Width, height, (byte)_drawing.Settings.BitDepth, _drawing.Settings.Grey.Transfer)
-        : PngImage.OfNumbers(png, Width, height, _drawing.Settings.Detector!.Settings.ConverterBits);
+        ? new PngImage(png, Width, height, (byte)drawing.Settings.BitDepth, drawing.Settings.Grey.Transfer)
+        : PngImage.OfNumbers(png, Width, height, drawing.Settings.Detector!.Settings.ConverterBits);
 
-    /// <summary>Adds the rows to a PNG.</summary>
     public void AddTo(PngImage png)
     {
         if (Detected is { } detected)
@@ -109,7 +96,7 @@ internal sealed class NativeImage : IDisposable
         int parts = Width * Height / LeastOfAThread;
         if (parts < 2 || threads < 2)
         {
-            ConvertLevels(_drawn.RadianceFactors, levels.Span);
+            ConvertLevels(drawn.RadianceFactors, levels.Span);
             return;
         }
 
@@ -128,7 +115,7 @@ internal sealed class NativeImage : IDisposable
                 int start = part * length;
                 int count = Math.Min(length, (Width * Height) - start);
                 ConvertLevels(
-                    _drawn.RadianceFactors.Slice(start, count), levels.Span.Slice(start * BytesPerPixel, count * BytesPerPixel));
+                    drawn.RadianceFactors.Slice(start, count), levels.Span.Slice(start * BytesPerPixel, count * BytesPerPixel));
             }
         }
     }
@@ -147,32 +134,30 @@ internal sealed class NativeImage : IDisposable
 
     /// <summary>The frame as its files are written from it.</summary>
     /// <param name="image">The image as PNG.</param>
-    /// <param name="threads">Number of threads that may work on it.</param>
     public RenderedFrame ToRendered(Stream image, int threads = 1) => new(
         RendererKind.Native,
         image,
         "the image",
         WriteScene: null,
-        _renderer.Resolution,
-        (_renderer.Resolution, _renderer.Resolution),
-        _drawing.Settings.Render.KeepGroundTruth ? _truth : null,
+        renderer.Resolution,
+        (renderer.Resolution, renderer.Resolution),
+        drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected)
     {
-        Redraw = new FrameRedraw(_renderer, _drawn.Camera, _detector?.Margin ?? 0, _drawing.Settings.Render),
+        Redraw = new FrameRedraw(renderer, drawn.Camera, detector?.Margin ?? 0, drawing.Settings.Render),
         Threads = threads,
-        Terrain = _renderer.Terrain,
-        PartResolutions = _renderer.PartResolutions,
+        Terrain = renderer.Terrain,
+        PartResolutions = renderer.PartResolutions,
     };
 
-    /// <summary>Returns the memory to the renderer for later frames.</summary>
     public void Dispose()
     {
-        _drawn.Dispose();
+        drawn.Dispose();
         if (Detected is { } detected)
         {
-            _detector?.GiveBack(detected);
+            detector?.GiveBack(detected);
         }
 
-        _drawing.Finished();
+        drawing.Finished();
     }
 }

@@ -3,6 +3,7 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.App.Rendering;
 
@@ -10,9 +11,6 @@ namespace Msisf.App.Rendering;
 internal static class PatternRun
 {
     /// <summary>Makes the meshes that the POV-Ray frames of a run include, and the summary of the model.</summary>
-    /// <param name="trajectory">The positions of the camera.</param>
-    /// <param name="settings">The run's other settings.</param>
-    /// <param name="cancellation">Cancels the work between two patterns.</param>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
     public static async Task<string> MakeForFramesAsync(
@@ -38,9 +36,7 @@ internal static class PatternRun
         return surface.Folder;
     }
 
-    /// <summary>Makes all patterns of the whole Moon.</summary>
     /// <param name="settings">Selects the model and the form of the patterns.</param>
-    /// <param name="cancellation">Cancels the work between two patterns.</param>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">There is no such model, or a pattern can't be written.</exception>
     public static string MakeForWholeMoon(WholeMoonSettings settings, ProgramHost host, CancellationToken cancellation)
@@ -58,5 +54,25 @@ internal static class PatternRun
     private sealed class TileProgress(IRunProgress progress) : IProgress<int>
     {
         public void Report(int value) => progress.Advance("tiles");
+    }
+}
+
+/// <summary>Lists the tiles that the frames of a run use or leave out, with reasons.</summary>
+internal static class PatternList
+{
+    /// <summary>Prints one line for each tile of each frame: step, tile, taken or not, reason; separated by tabs.</summary>
+    public static void Print(TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
+        using EphemerisSource ephemeris = new(settings, host);
+        using PreparedRun run = PreparedRun.Of(trajectory, [settings], ephemeris, host, cancellation);
+        foreach (Frame frame in run.Frames)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            foreach (TileChoice choice in run.Model.Select(frame).All)
+            {
+                host.Results.WriteLine(Invariant(
+                    $"{frame.Step}\t{choice.Tile.RangeText}\t{(choice.IsKept ? "taken" : "left out")}\t{choice.ReasonText}"));
+            }
+        }
     }
 }

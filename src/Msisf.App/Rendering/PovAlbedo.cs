@@ -9,32 +9,28 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Rendering;
 
 /// <summary>The images of a map's levels that POV-Ray's scenes need, each made once. Thread-safe.</summary>
-internal sealed class PovAlbedo
+/// <param name="folder">The folder of the patterns, where POV-Ray looks for included files.</param>
+internal sealed class PovAlbedo(OpenedAlbedoMap opened, string folder)
 {
     private readonly Lock _gate = new();
-    private readonly OpenedAlbedoMap _map;
-    private readonly string _folder;
-
-    /// <param name="folder">The folder of the patterns, where POV-Ray looks for included files.</param>
-    public PovAlbedo(OpenedAlbedoMap map, string folder) => (_map, _folder) = (map, folder);
 
     /// <summary>The map for a frame: the finest level whose pixels are no smaller than the image's where the Moon is nearest.</summary>
     public SceneAlbedo For(FrameCamera camera)
     {
-        AlbedoMap map = _map.Map;
+        AlbedoMap map = opened.Map;
         double distance = Math.Max(camera.PositionBodyFixed.Length - MoonConstants.ReferenceRadius, 1.0);
         double mapPixel = MoonConstants.ReferenceRadius * map.Extent.Height / map.Levels[0].Height;
         double ratio = camera.PixelTangent * distance / mapPixel;
         int level = ratio > 1.0 ? Math.Min(Math.ILogB(ratio), map.Levels.Count - 1) : 0;
-        string meaning = Invariant($"{_map.Sha256[..16]}-{map.Offset:R}-{map.Step:R}-{level}").Replace('+', 'p');
+        string meaning = Invariant($"{opened.Sha256[..16]}-{map.Offset:R}-{map.Step:R}-{level}").Replace('+', 'p');
         string name = $"albedo-poles-{meaning}.png";
-        string path = Path.Combine(_folder, name);
+        string path = Path.Combine(folder, name);
         lock (_gate)
         {
             if (!File.Exists(path))
             {
-                FileErrors.ToExternalPart($"{_folder}: the folder can't be made", () => Directory.CreateDirectory(_folder));
-                AtomicFile.Write(path, stream => PovAlbedoImage.Write(stream, _map.Name, map, level));
+                FileErrors.ToExternalPart($"{folder}: the folder can't be made", () => Directory.CreateDirectory(folder));
+                AtomicFile.Write(path, stream => PovAlbedoImage.Write(stream, opened.Name, map, level));
             }
         }
 

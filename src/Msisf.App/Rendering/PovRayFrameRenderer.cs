@@ -13,7 +13,15 @@ namespace Msisf.App.Rendering;
 /// <summary>
 /// Renders frames with POV-Ray: selects the meshes, makes their patterns and the scene, runs POV-Ray, and writes the files.
 /// </summary>
-internal sealed class PovRayFrameRenderer : IFrameRenderer
+/// <param name="surface">The elevation model as meshes; disposed with this object.</param>
+/// <param name="povRay">Starts POV-Ray.</param>
+/// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
+/// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
+/// <param name="smallProcesses">The same of processes with small scenes.</param>
+/// <param name="files">Writes a frame's files.</param>
+internal sealed class PovRayFrameRenderer(
+    RenderSettings settings, ISceneSurface surface, PovRayProcess povRay, PovAlbedo? albedo, int processes, int smallProcesses,
+    FrameFiles files, RunTimes times) : IFrameRenderer
 {
     /// <summary>
     /// Minimum number of triangles per strip. With fewer, a second process costs more (0.65 s of sleeping, and the parsing of shared parts)
@@ -27,51 +35,17 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     /// </summary>
     private const long MaxFacesOfSmallScene = 250_000;
 
-    private readonly RenderSettings _settings;
-    private readonly ISceneSurface _surface;
-    private readonly PovRayProcess _povRay;
-    private readonly PovAlbedo? _albedo;
-    private readonly ProcessSlots _processes;
-    private readonly FrameFiles _files;
-    private readonly RunTimes _times;
+    private readonly ProcessSlots _processes = new(processes, smallProcesses);
 
-    /// <param name="settings">Settings of the run.</param>
-    /// <param name="surface">The elevation model as meshes; disposed with this object.</param>
-    /// <param name="povRay">Starts POV-Ray.</param>
-    /// <param name="albedo">The map of the surface's reflectance; null for even grey.</param>
-    /// <param name="processes">Maximum number of POV-Ray processes at once; the meshes of the next frame are made while they run.</param>
-    /// <param name="smallProcesses">The same of processes with small scenes.</param>
-    /// <param name="files">Writes a frame's files.</param>
-    /// <param name="times">Times of the parts of the run.</param>
-    public PovRayFrameRenderer(
-        RenderSettings settings,
-        ISceneSurface surface,
-        PovRayProcess povRay,
-        PovAlbedo? albedo,
-        int processes,
-        int smallProcesses,
-        FrameFiles files,
-        RunTimes times)
-    {
-        _settings = settings;
-        _surface = surface;
-        _povRay = povRay;
-        _albedo = albedo;
-        _processes = new ProcessSlots(processes, smallProcesses);
-        FramesAhead = smallProcesses - processes + 1;
-        _files = files;
-        _times = times;
-    }
-
-    public int FramesAhead { get; }
+    public int FramesAhead { get; } = smallProcesses - processes + 1;
 
     public async Task<FrameOutputs> RenderAsync(Frame frame, int threads, CancellationToken cancellation)
     {
-        ISceneMeshes meshes = _times.Measure(Phase.Selection, () => _surface.Select(frame, threads, cancellation));
-        int made = _times.Measure(Phase.Patterns, () => meshes.Ensure(cancellation));
+        ISceneMeshes meshes = times.Measure(Phase.Selection, () => surface.Select(frame, threads, cancellation));
+        int made = times.Measure(Phase.Patterns, () => meshes.Ensure(cancellation));
         long faces = meshes.Faces;
         IReadOnlyList<PixelRows> strips = PixelRows.Strips(
-            frame.Camera.Height, _settings.LevelOfDetailError is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
+            frame.Camera.Height, settings.LevelOfDetailError is null ? 1 : StripsFor(faces, threads), PovRayProcess.BlockRows);
         PovRayJob[] jobs = strips.Count == 1
             ? [JobOf(SceneOf(frame, meshes, meshes.FileNames), null, threads)]
             : Jobs(frame, meshes, strips, threads / strips.Count, cancellation);
@@ -87,13 +61,13 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
             {
                 PartResolutions = meshes.PartResolutions,
             };
-            return new FrameOutputs(_files.Write(frame, rendered, cancellation), meshes.FileNames.Count, made);
+            return new FrameOutputs(files.Write(frame, rendered, cancellation), meshes.FileNames.Count, made);
         }
     }
 
     public void Dispose()
     {
-        _surface.Dispose();
+        surface.Dispose();
         _processes.Dispose();
     }
 
@@ -107,7 +81,7 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
     private PovRayJob[] Jobs(
         Frame frame, ISceneMeshes meshes, IReadOnlyList<PixelRows> strips, int threads, CancellationToken cancellation)
     {
-        IReadOnlyList<string>[] ofStrips = _times.Measure(
+        IReadOnlyList<string>[] ofStrips = times.Measure(
             Phase.Selection,
             () => strips.AsParallel().AsOrdered().WithCancellation(cancellation)
                 .Select(rows => meshes.FileNamesFor(rows, cancellation)).ToArray());
@@ -116,17 +90,17 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
 
     private PovRayJob JobOf(RenderScene scene, PixelRows? rows, int threads) => new(
         writer => PovSceneWriter.Write(writer, scene),
-        _surface.Folder,
-        _settings.OutputFolder,
+        surface.Folder,
+        settings.OutputFolder,
         scene.Camera.Width,
         scene.Camera.Height,
         rows,
         threads,
-        _settings.PovOptions,
-        _settings.Timeout);
+        settings.PovOptions,
+        settings.Timeout);
 
     private RenderScene SceneOf(Frame frame, ISceneMeshes meshes, IReadOnlyList<string> patterns) =>
-        new(frame.FrameCamera, frame.Light, _surface.FolderName, patterns, _albedo?.For(frame.FrameCamera)) { Axes = meshes.Axes };
+        new(frame.FrameCamera, frame.Light, surface.FolderName, patterns, albedo?.For(frame.FrameCamera)) { Axes = meshes.Axes };
 
     /// <returns>The whole image as PNG; its bytes do not depend on the number of strips.</returns>
     private async Task<Stream> DrawAsync(PovRayJob[] jobs, IReadOnlyList<PixelRows> strips, CancellationToken cancellation)
@@ -137,16 +111,66 @@ internal sealed class PovRayFrameRenderer : IFrameRenderer
         // If one process fails, the others are ended and its exception is thrown.
         ParallelOptions allAtOnce = new() { MaxDegreeOfParallelism = jobs.Length, CancellationToken = cancellation };
         await Parallel.ForAsync(0, jobs.Length, allAtOnce, async (strip, stop) =>
-            images[strip] = await _povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
+            images[strip] = await povRay.RenderAsync(jobs[strip], stop).ConfigureAwait(false)).ConfigureAwait(false);
         MemoryStream image = new();
         PngRaster.Join([.. images.Select(strip => strip.Raster)], [.. strips.Select(strip => strip.First)]).Write(image);
         image.Position = 0;
-        _times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
-        _times.Add(Phase.Parse, images.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
-        _times.Add(Phase.Trace, images.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
+        times.Add(Phase.PovRay, System.Diagnostics.Stopwatch.GetElapsedTime(start).TotalSeconds);
+        times.Add(Phase.Parse, images.Max(strip => strip.Times.ParseSeconds) ?? 0.0);
+        times.Add(Phase.Trace, images.Max(strip => strip.Times.TraceSeconds) ?? 0.0);
         return image;
     }
 
     private TracedFrameTruth? TruthOf(Frame frame, ISceneMeshes meshes) =>
-        _settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, meshes.Tracer) : null;
+        settings.Surface == PixelSurface.Terrain ? new TracedFrameTruth(frame.Camera, frame.Light, meshes.Tracer) : null;
+}
+
+/// <summary>
+/// Limits how many POV-Ray processes run at once, with a higher limit for small ones, which sleep a good part of their time. Thread-safe.
+/// </summary>
+/// <param name="large">Maximum number of processes if all are large, at least 1.</param>
+/// <param name="small">Maximum number of processes if all are small, a multiple of that.</param>
+internal sealed class ProcessSlots(int large, int small) : IDisposable
+{
+    private readonly SemaphoreSlim _all = new(small);
+    private readonly SemaphoreSlim _taking = new(1);
+    private readonly int _ofLarge = small / large;
+
+    /// <summary>Waits until a process may run.</summary>
+    /// <returns>Is disposed when the process has ended.</returns>
+    public async Task<IDisposable> TakeAsync(bool isSmall, CancellationToken cancellation)
+    {
+        int slots = isSmall ? 1 : _ofLarge;
+        int taken = 0;
+        await _taking.WaitAsync(cancellation).ConfigureAwait(false); // two that have half of their slots would wait for each other
+        try
+        {
+            for (; taken < slots; taken++)
+            {
+                await _all.WaitAsync(cancellation).ConfigureAwait(false);
+            }
+
+            return new Taken(_all, slots);
+        }
+        catch (OperationCanceledException) when (taken > 0)
+        {
+            _all.Release(taken);
+            throw;
+        }
+        finally
+        {
+            _taking.Release();
+        }
+    }
+
+    public void Dispose()
+    {
+        _all.Dispose();
+        _taking.Dispose();
+    }
+
+    private sealed class Taken(SemaphoreSlim all, int slots) : IDisposable
+    {
+        public void Dispose() => all.Release(slots);
+    }
 }

@@ -52,7 +52,7 @@ internal sealed class RenderRun
         // The checksums take long and are needed late, so they are started first.
         using RunInputs inputs = new(() => Settings.NeedsKernels ? ephemeris.KernelFiles() : [], _host, cancellation);
         Task<string>? povRayVersion = Settings.Renderer == RendererKind.PovRay
-            ? Task.Run(() => PovRayVersion.AskAsync(FindPovRay()), cancellation)
+            ? Task.Run(() => PovRayProgram.VersionOfAsync(FindPovRay()), cancellation)
             : null;
         using PreparedRun run = PreparedRun.Of(trajectory, _cameras, ephemeris, _host, cancellation);
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(Settings, _host));

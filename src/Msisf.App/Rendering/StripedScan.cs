@@ -13,7 +13,6 @@ namespace Msisf.App.Rendering;
 /// drawn, and rows are drawn again where the meta file or layers ask for their ground truth.
 /// </summary>
 /// <param name="files">Writes the files.</param>
-/// <param name="times">Receives the time for the image.</param>
 internal sealed class StripedScan(NativeDrawing drawing, FrameFiles files, RunTimes times)
 {
     /// <summary>Draws an image and writes its files.</summary>

@@ -9,23 +9,15 @@ using Msisf.Core.Tracing;
 namespace Msisf.App.Rendering;
 
 /// <summary>One model of the whole Moon, of which scenes include tiles or parts of tiles at levels of detail. Thread-safe.</summary>
-internal sealed class TileSurface : ISceneSurface
+/// <param name="errorPixels">px: how far levels of detail may shift a point in the image; null for whole tiles without levels.</param>
+/// <param name="repository">The folder of the patterns; disposed with this object.</param>
+internal sealed class TileSurface(ElevationModel model, double? errorPixels, PatternRepository repository) : ISceneSurface
 {
-    private readonly ElevationModel _model;
-    private readonly double? _errorPixels;
-    private readonly PatternRepository _repository;
-    private readonly LevelMeshBuilders _builders;
+    private readonly ElevationModel _model = model;
+    private readonly double? _errorPixels = errorPixels;
+    private readonly PatternRepository _repository = repository;
+    private readonly LevelMeshBuilders _builders = new(model.WholeMoon, () => model.Levels);
     private readonly ReadyPatterns<SurfacePart> _ready = new();
-
-    /// <param name="errorPixels">px: how far levels of detail may shift a point in the image; null for whole tiles without levels.</param>
-    /// <param name="repository">The folder of the patterns; disposed with this object.</param>
-    public TileSurface(ElevationModel model, double? errorPixels, PatternRepository repository)
-    {
-        _model = model;
-        _errorPixels = errorPixels;
-        _repository = repository;
-        _builders = new LevelMeshBuilders(model.WholeMoon, () => model.Levels);
-    }
 
     public string Folder => _repository.FolderOf(_builders.PixelsPerDegree);
 

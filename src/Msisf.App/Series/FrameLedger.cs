@@ -44,8 +44,8 @@ internal sealed class FrameLedger : IDisposable
             _reader = new ManifestReader(_manifest, onlyNew: true);
         }
 
-        _claims = ClaimFile.Open(Path.Combine(folder, ClaimsName));
         _staging = Stage(folder);
+        _claims = ClaimFile.Open(Path.Combine(folder, ClaimsName)); // after what may fail: it stays open until it is disposed of
         _owners = new Lazy<IReadOnlyDictionary<string, string>>(Owners);
     }
 

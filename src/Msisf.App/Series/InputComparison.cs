@@ -8,7 +8,6 @@ namespace Msisf.App.Series;
 /// <summary>
 /// Compares the input files that existing meta files name with those of the run, and warns once about each difference. Thread-safe.
 /// </summary>
-/// <param name="log">Receives the warnings.</param>
 internal sealed class InputComparison(ILog log)
 {
     /// <summary>Digits of a checksum that a message shows: enough to tell two apart.</summary>
@@ -20,7 +19,7 @@ internal sealed class InputComparison(ILog log)
     /// <param name="metaFile">Path of the meta file; it may be missing, or older than its format's version 3.</param>
     public void Compare(string metaFile, IReadOnlyList<InputFile> now)
     {
-        IReadOnlyList<InputFile> made = MetaFileInputs.Read(metaFile);
+        IReadOnlyList<InputFile> made = MetaFileOrigin.Inputs(metaFile);
         string differences = made.Count == 0 ? string.Empty : string.Join("; ", Differences(made, now));
         if (differences.Length > 0 && _seen.TryAdd(differences, true))
         {

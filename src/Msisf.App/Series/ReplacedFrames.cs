@@ -11,7 +11,6 @@ namespace Msisf.App.Series;
 /// </summary>
 internal static class ReplacedFrames
 {
-    /// <summary>Files that a message names.</summary>
     private const int NamedFiles = 3;
 
     /// <summary>
@@ -20,7 +19,6 @@ internal static class ReplacedFrames
     /// </summary>
     /// <param name="folder">Folder of the outputs.</param>
     /// <param name="plan">The run, which the manifest does not have yet.</param>
-    /// <param name="log">Receives the note.</param>
     /// <exception cref="UsageException">Finished frames of a series would be replaced; the message says what differs.</exception>
     public static void Refuse(string folder, RunPlan plan, ManifestContent known, ILog log)
     {
@@ -83,4 +81,37 @@ internal static class ReplacedFrames
         known.Expected.TryGetValue(made.Name, out ExpectedRecord? expected)
         && known.Runs.TryGetValue(expected.Run, out RunRecord? run)
         && run.Frames == 1;
+}
+
+/// <summary>A file in a folder of outputs that no record of the manifest names.</summary>
+/// <param name="Name">Without folder.</param>
+/// <param name="IsLeftOver">
+/// Whether it has the name of a frame's file, so that it passes for a part of a frame that it does not belong to.
+/// </param>
+internal sealed record StrayFile(string Name, bool IsLeftOver)
+{
+    /// <summary>The files, sorted by name. Hidden ones, which runs use while they work, do not count.</summary>
+    /// <param name="folder">Folder of the outputs.</param>
+    public static IReadOnlyList<StrayFile> In(string folder, ManifestContent manifest)
+    {
+        HashSet<string> known =
+        [
+            ManifestFile.Name, SeriesMerge.SheetName, SeriesMerge.VideoName,
+            .. manifest.Shared.Keys,
+            .. manifest.Frames.Values.SelectMany(frame => frame.Files).Select(file => file.Name),
+        ];
+        return
+        [
+            .. Directory.EnumerateFiles(folder)
+                .Select(path => Path.GetFileName(path))
+                .Where(name => name[0] != '.' && !known.Contains(name))
+                .Order(StringComparer.Ordinal)
+                .Select(name => new StrayFile(
+                    name,
+                    !FrameFileNames.IsMadeLater(name) && FrameFileNames.FramesOf(name).Any(frame => IsFrame(frame, manifest)))),
+        ];
+    }
+
+    private static bool IsFrame(string name, ManifestContent manifest) =>
+        manifest.Frames.ContainsKey(name) || manifest.Expected.ContainsKey(name);
 }

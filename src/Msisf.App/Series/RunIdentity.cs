@@ -23,9 +23,7 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <summary>Length of a key, hexadecimal digits: half of a SHA-256 hash.</summary>
     private const int KeyLength = 32;
 
-    /// <summary>Collects the identity of a run.</summary>
     /// <param name="arguments">Arguments of the frames as text; see <see cref="FrameArguments.OfSettings"/>.</param>
-    /// <param name="model">The elevation model.</param>
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
     /// <param name="kernels">The kernels, in load order.</param>
     /// <param name="povRay">Version of POV-Ray; null if POV-Ray is not used.</param>

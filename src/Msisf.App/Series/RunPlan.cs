@@ -12,7 +12,6 @@ internal sealed class RunPlan
 {
     private readonly IReadOnlyList<PlannedCamera> _cameras;
 
-    /// <summary>Plans a run.</summary>
     /// <param name="cameras">What is planned for each camera of the rig, or for the only one.</param>
     public RunPlan(IReadOnlyList<PlannedCamera> cameras)
     {
@@ -23,7 +22,6 @@ internal sealed class RunPlan
     /// <summary>Key of the run in the manifest.</summary>
     public string Key { get; }
 
-    /// <summary>Version of the program.</summary>
     public string Version => _cameras[0].Identity.Version;
 
     /// <summary>What decides the frames of a camera.</summary>
@@ -35,7 +33,6 @@ internal sealed class RunPlan
     /// <param name="camera">From 0.</param>
     public string FrameKey(int step, int camera = 0) => _cameras[camera].FrameKey(step);
 
-    /// <summary>The manifest's record of a frame that the run should make.</summary>
     /// <inheritdoc cref="FrameKey"/>
     public ExpectedRecord Expected(int step, int camera = 0) => Expected(_cameras[camera], step);
 

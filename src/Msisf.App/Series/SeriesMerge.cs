@@ -10,7 +10,6 @@ namespace Msisf.App.Series;
 /// <summary>The final work when all pieces of a run are done.</summary>
 internal static class SeriesMerge
 {
-    /// <summary>Name of the contact sheet.</summary>
     public const string SheetName = "contact-sheet.png";
 
     public const string VideoName = "video.mp4";
@@ -20,7 +19,6 @@ internal static class SeriesMerge
     /// results.
     /// </summary>
     /// <param name="folder">Folder of the outputs.</param>
-    /// <param name="settings">The files to make.</param>
     /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <returns>The state of the frames.</returns>
     /// <exception cref="MsisfException">

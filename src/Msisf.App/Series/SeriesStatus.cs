@@ -62,10 +62,8 @@ internal sealed class SeriesStatus
         Problems = [.. manifest.Shared.Values.Select(checker.ProblemWith).OfType<string>()],
     };
 
-    /// <summary>The number of frames in a state.</summary>
     public int CountOf(FrameState state) => Frames.Count(frame => frame.State == state);
 
-    /// <summary>The steps to make again.</summary>
     /// <exception cref="BadInputException">The steps belong to several runs, so their numbers are ambiguous.</exception>
     public StepRanges StepsToMake()
     {
@@ -85,4 +83,41 @@ internal sealed class SeriesStatus
                 manifest.Settings.GetValueOrDefault(manifest.Frames[check.Expected.Name].Settings),
                 manifest.SettingsOf(check.Expected.Run)),
         };
+}
+
+/// <summary>Finds and reads the manifest of a folder that should hold one.</summary>
+internal static class SeriesManifest
+{
+    /// <param name="folder">Folder of the outputs.</param>
+    /// <exception cref="BadInputException">The folder or its manifest does not exist.</exception>
+    public static ManifestFile Find(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            throw new BadInputException($"{folder}: there is no such folder. Name the --output-dir of a run.");
+        }
+
+        ManifestFile manifest = new(folder);
+        return File.Exists(manifest.FilePath)
+            ? manifest
+            : throw new BadInputException($"{manifest.FilePath}: missing. Name the --output-dir of a run.");
+    }
+
+    /// <inheritdoc cref="Read(ManifestFile, ILog)"/>
+    public static ManifestContent Read(string folder, ILog log) => Read(Find(folder), log);
+
+    /// <exception cref="MsisfException">The manifest contains no run, or can't be read.</exception>
+    public static ManifestContent Read(ManifestFile manifest, ILog log)
+    {
+        using ManifestReader reader = new(manifest);
+        reader.Refresh();
+        if (reader.Content.DamagedLines > 0)
+        {
+            log.Warning($"{manifest.FilePath}: {reader.Content.DamagedLines} lines can't be read and are left out.");
+        }
+
+        return reader.Content.Expected.Count > 0
+            ? reader.Content
+            : throw new BadInputException($"{manifest.FilePath}: no run is in it. Name the --output-dir of a run.");
+    }
 }

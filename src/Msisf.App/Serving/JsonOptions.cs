@@ -99,9 +99,7 @@ internal sealed class JsonOptions
 
         if (_model is { IsSeveral: true } && hasResolution)
         {
-            throw new UsageException(
-                $"{SurfaceOptions.Resolution.Name} has no meaning with several models: each has its own resolution. Leave it out.")
-                .About(SurfaceOptions.Resolution);
+            throw SurfaceOptions.Resolution.Wrong("has no meaning with several models: each has its own resolution. Leave it out.");
         }
 
         ServedModel model = _model
@@ -124,9 +122,8 @@ internal sealed class JsonOptions
         };
         if (settings.Native.FindsExposureTime)
         {
-            throw new UsageException(
-                $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime} is found from the images of a whole run, and a request "
-                    + "is one image. Give seconds.").About(NativeOptions.ExposureTime);
+            throw NativeOptions.ExposureTime.Wrong(
+                $"{NativeOptions.AutomaticTime} is found from the images of a whole run, and a request is one image. Give seconds.");
         }
 
         model = _names.Models.Joined(model, settings.NestBlend);
@@ -223,7 +220,7 @@ internal sealed class JsonOptions
             {
                 JsonValueKind.True => string.Empty,
                 JsonValueKind.False => null,
-                _ => throw new UsageException($"{option.Name} is {JsonText.Shown(value)}; true or false is needed.").About(option),
+                _ => throw option.Wrong($"is {JsonText.Shown(value)}; true or false is needed."),
             },
             NumberListSpec when value.ValueKind == JsonValueKind.Array => $"{{{JsonText.Joined(value, ",", option.Name)}}}",
             _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
@@ -243,7 +240,7 @@ internal sealed class JsonOptions
                 : text);
         if (option == RendererOptions.Renderer && RendererOptions.Renderer.Read(new OptionValues(_values)) != RendererKind.Native)
         {
-            throw new UsageException($"{option.Name} {text}: the server draws with the native renderer only. Leave it out.").About(option);
+            throw option.Wrong($"{text}: the server draws with the native renderer only. Leave it out.");
         }
     }
 
@@ -268,8 +265,7 @@ internal sealed class JsonOptions
                 $"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
         }
 
-        string question = NearestName.Question(
-            key, [.. Allowed.Keys, ModelKey, RequestStates.Key, ScanOptions.Jitter.Key, ScanOptions.Trajectory.Key]);
-        throw new UsageException($"{NumberText.Shown(key)} is no option{(question.Length > 0 ? question : ".")}");
+        string[] keys = [.. Allowed.Keys, ModelKey, RequestStates.Key, ScanOptions.Jitter.Key, ScanOptions.Trajectory.Key];
+        throw new UsageException($"{NumberText.Shown(key)} is no option{NearestName.Question(key, keys, ".")}");
     }
 }

@@ -10,8 +10,8 @@ internal static class JsonText
     /// <summary>Reads a request.</summary>
     /// <exception cref="UsageException">It is not UTF-8.</exception>
     /// <exception cref="JsonException">It is no JSON.</exception>
-    public static JsonDocument Parse(byte[] text) => Utf8.IsValid(text)
-        ? JsonDocument.Parse(text)
+    public static JsonElement Parse(byte[] text) => Utf8.IsValid(text)
+        ? JsonElement.Parse(text)
         : throw new UsageException("the request is not UTF-8 text, as JSON is.");
 
     /// <summary>The members of an object by their names.</summary>
@@ -46,7 +46,6 @@ internal static class JsonText
         _ => throw new UsageException($"{name} is {Shown(value)}; a text or a number is needed."),
     };
 
-    /// <summary>The elements of an array, with a separator between them.</summary>
     /// <exception cref="UsageException">An element is neither text nor number.</exception>
     public static string Joined(JsonElement array, string separator, string name) =>
         string.Join(separator, array.EnumerateArray().Select(value => Of(value, name)));

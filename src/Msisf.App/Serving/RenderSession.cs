@@ -39,7 +39,6 @@ internal sealed class RenderSession : IDisposable
         Description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
     }
 
-    /// <summary>The options.</summary>
     public RenderSettings Settings { get; }
 
     /// <summary>What the meta files tell beside the image.</summary>
@@ -77,7 +76,6 @@ internal sealed class RenderSession : IDisposable
         IReadOnlyList<SpacecraftState> Read() => reader.ReadBody(place, cancellation);
     }
 
-    /// <summary>Draws a frame.</summary>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     public NativeImage Draw(PreparedFrame frame, int threads, CancellationToken cancellation) =>
         _drawing.Draw(frame.Frame, threads, cancellation);
@@ -112,7 +110,6 @@ internal sealed class RenderSession : IDisposable
     public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>
         Description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with { Navigation = _navigation?.Of(rendered) };
 
-    /// <summary>Gives the maps back.</summary>
     public void Dispose() => _maps.Dispose();
 
     /// <summary>Takes what the user should know of a frame.</summary>

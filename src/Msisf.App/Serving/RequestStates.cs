@@ -10,7 +10,6 @@ namespace Msisf.App.Serving;
 /// <summary>The trajectory that a request itself has: its "states".</summary>
 internal static class RequestStates
 {
-    /// <summary>Key of the trajectory.</summary>
     public const string Key = "states";
 
     private const int Degree = 7;
@@ -25,9 +24,7 @@ internal static class RequestStates
     {
         if (frame == OrbitFrame.MoonMeEpoch)
         {
-            throw new UsageException(
-                $"{CameraOptions.OrbitFrame.Name} of '{Key}' is moon-me or j2000: states of many times have no one epoch.")
-                .About(CameraOptions.OrbitFrame);
+            throw CameraOptions.OrbitFrame.Wrong($"of '{Key}' is moon-me or j2000: states of many times have no one epoch.");
         }
 
         List<(ModifiedJulianDate Time, StateVector State)> states = [];
@@ -87,4 +84,19 @@ internal static class RequestStates
             throw new UsageException($"{where}: {wrong.Message}", wrong);
         }
     }
+}
+
+/// <summary>Lists in a request that hold what stands in the lines of a file on the command line.</summary>
+internal static class RequestRows
+{
+    /// <summary>The lines: what is in each list, with spaces between.</summary>
+    /// <param name="rows">A list of lists of numbers or words.</param>
+    /// <param name="key">For messages.</param>
+    /// <param name="needed">What is needed, for messages.</param>
+    /// <exception cref="UsageException">It is another thing.</exception>
+    public static string Text(JsonElement rows, string key, string needed) =>
+        rows.ValueKind == JsonValueKind.Array && rows.EnumerateArray().All(row => row.ValueKind == JsonValueKind.Array
+            && row.EnumerateArray().All(value => value.ValueKind is JsonValueKind.Number or JsonValueKind.String))
+            ? string.Concat(rows.EnumerateArray().Select(row => $"{JsonText.Joined(row, " ", $"'{key}'")}\n"))
+            : throw new UsageException($"'{key}' is {JsonText.Shown(rows)}; {needed}, is needed.");
 }

@@ -1,18 +1,21 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ccsds;
+using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
 using Msisf.App.Host;
+using Msisf.App.Preparation;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
 using Msisf.Core.Scene;
 
 namespace Msisf.App.Serving;
 
 /// <summary>The finished frames of an output folder. Read again when the folder's manifest has changed. Thread-safe.</summary>
 /// <param name="names">Maps that the server has; a frame's map of another name is left out of its options.</param>
-/// <param name="log">Receives warnings.</param>
 internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
 {
     private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
@@ -61,7 +64,7 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
             }
         }
 
-        Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileCommand.Read(meta) ?? []) : [];
+        Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileOrigin.Command(meta) ?? []) : [];
         return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state) is { } known
             ? new ServedFrame(record.Step, known, options, files, CameraOf(options, cameras))
             : null;
@@ -122,3 +125,58 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
         return options;
     }
 }
+
+/// <summary>The states of a batch file or of a trajectory (OEM), for the viewer's time line.</summary>
+internal static class ServedBatch
+{
+    /// <summary>Frames of a trajectory, which has states at all times.</summary>
+    private const double MostFrames = 1000.0;
+
+    private const double LeastStep = 1.0; // s
+
+    /// <summary>Reads the states as a run does; named columns may need the terrain.</summary>
+    /// <param name="requested">Options, and the model whose terrain it is.</param>
+    /// <param name="ephemeris">Where the Sun is, for cameras that are pointed by it.</param>
+    /// <exception cref="MsisfException">The file is wrong.</exception>
+    public static IReadOnlyList<ServedFrame> Frames(
+        string path, RequestedFrame requested, ServedEphemeris ephemeris, ProgramHost host, CancellationToken cancellation)
+    {
+        RunGeometry geometry = new(
+            () => requested.Model.Opened, () => ephemeris.Of(requested.Settings).Engine(), requested.Settings.Aberration);
+        StateReader reader = new(() => ephemeris.Of(requested.Settings).Engine(), geometry, host)
+        {
+            Kernels = () => ephemeris.Of(requested.Settings).Kernels(),
+        };
+        TrajectorySettings trajectory = IsOem(path)
+            ? OfOem(path, () => ephemeris.Of(requested.Settings).Kernels(), geometry)
+            : new BatchFileSettings(path, CameraOptions.BatchFile);
+        return [.. reader.Read(trajectory, cancellation).Select(
+            (state, index) => new ServedFrame(
+                index + 1, state with { Motion = null }, new Dictionary<string, string>(), new Dictionary<string, string>()))];
+    }
+
+    private static bool IsOem(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
+    {
+        using FileStream stream = File.OpenRead(path);
+        return CcsdsFile.IsOem(stream);
+    });
+
+    /// <summary>Evenly over the file's cover, the nadir in the middle.</summary>
+    private static MissionSettings OfOem(string path, Func<OpenedEphemeris> kernels, RunGeometry geometry)
+    {
+        MissionSettings settings = new(new OemPosition(path), new PointedChoice(new CameraPointing()), Times: null, LeastStep);
+        double seconds = MissionPath.Open(settings, kernels(), geometry, _ => { }).Path.Cover.Intervals.Sum(
+            interval => interval.End - interval.Start);
+        return settings with { Every = Math.Max(LeastStep, seconds / MostFrames) };
+    }
+}
+
+/// <summary>A frame on the viewer's time line.</summary>
+/// <param name="Number">From 1.</param>
+/// <param name="State">Where and when.</param>
+/// <param name="Options">Its other options as a request has them, by their names without dashes.</param>
+/// <param name="Files">Paths of its stored files by kind: image, annotated, meta; none for a line of a batch file.</param>
+/// <param name="Camera">The camera that its options name; null if they name none, or one that was not found.</param>
+internal sealed record ServedFrame(
+    int Number, SpacecraftState State, IReadOnlyDictionary<string, string> Options, IReadOnlyDictionary<string, string> Files,
+    CameraFile? Camera = null);

@@ -23,7 +23,6 @@ internal sealed class ServedModel : IDisposable
     private readonly Lazy<ElevationModel> _model;
     private readonly ConcurrentDictionary<double, Lazy<NativeLevels>> _levels = new();
 
-    /// <summary>Names a model.</summary>
     /// <param name="name">Name of its product.</param>
     /// <param name="path">Its label, or the file itself.</param>
     /// <param name="ldem">The <c>--ldem</c> that means it; null if a run finds it without.</param>
@@ -106,7 +105,6 @@ internal sealed class ServedModel : IDisposable
                 Opened.DetailOf(errorPixels), new RendererMemory { LargestKept = LargestFrameKept }))).Value;
     }
 
-    /// <summary>Closes the model.</summary>
     public void Dispose()
     {
         if (_model.IsValueCreated)

@@ -26,7 +26,6 @@ internal sealed class ServedModels : IDisposable
 
     /// <summary>Looks for the models, and opens none.</summary>
     /// <param name="ldem">The paths that are given; empty for what a run finds.</param>
-    /// <param name="host">Knows the folder of the installation.</param>
     /// <exception cref="BadInputException">There is none, or two have the same name.</exception>
     public ServedModels(IReadOnlyList<string> ldem, ProgramHost host)
     {
@@ -76,7 +75,6 @@ internal sealed class ServedModels : IDisposable
 
     /// <summary>The model of some names: one, or several that make one surface, in any order.</summary>
     /// <param name="names">The names; also several in one with "+" between them.</param>
-    /// <exception cref="UsageException">There is none.</exception>
     public ServedModel Named(IReadOnlyList<string> names)
     {
         ServedModel[] models = [.. names.SelectMany(name => TryOne(name) is { } one ? [one] : name.Split(Joint).Select(One))
@@ -133,7 +131,6 @@ internal sealed class ServedModels : IDisposable
         }
     }
 
-    /// <summary>Closes the models.</summary>
     public void Dispose()
     {
         foreach (ServedModel model in All.Concat(_several.Values))

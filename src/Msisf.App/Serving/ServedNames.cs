@@ -25,7 +25,6 @@ internal sealed class ServedNames : IDisposable
     private readonly ConcurrentDictionary<string, CameraFile> _cameraFiles = new(StringComparer.Ordinal);
 
     /// <summary>Looks for the files.</summary>
-    /// <param name="host">Knows the folder of the installation.</param>
     /// <exception cref="BadInputException">There is no elevation model.</exception>
     public ServedNames(ServeSettings settings, ProgramHost host)
     {
@@ -40,43 +39,35 @@ internal sealed class ServedNames : IDisposable
         Cameras = CameraChoice.Presets(host.Installation);
     }
 
-    /// <summary>The elevation models.</summary>
     public ServedModels Models { get; }
 
     /// <summary>Names of the maps of the Moon's reflectance and of Hapke's parameters.</summary>
     public IReadOnlyCollection<string> Maps => _maps.Keys;
 
-    /// <summary>The presets of cameras.</summary>
     public IReadOnlyList<CameraFile> Cameras { get; }
 
     /// <summary>The model of a resolution, px/deg.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
     public ServedModel Model(int pixelsPerDegree) => Models.All.FirstOrDefault(
         model => model.IsWholeMoon && model.Resolution.PixelsPerDegree == pixelsPerDegree)
-        ?? throw new UsageException(
-            $"{SurfaceOptions.Resolution.Name} is {pixelsPerDegree}; the server has "
+        ?? throw SurfaceOptions.Resolution.Wrong(
+            $"is {pixelsPerDegree}; the server has "
                 + $"{string.Join(", ", Models.All.Where(model => model.IsWholeMoon).Select(model => model.Resolution.PixelsPerDegree))} "
-                + "(/v1/models).").About(SurfaceOptions.Resolution);
+                + "(/v1/models).");
 
-    /// <summary>The path of a map.</summary>
     /// <param name="option">Key of the option, for the message.</param>
     /// <param name="name">Name of the map; "none" is kept.</param>
-    /// <exception cref="UsageException">There is none.</exception>
     public string Map(string option, string name) => name == AlbedoOptions.NoMap ? name
         : _maps.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _maps.Keys);
 
     /// <summary>The text of a map of the reflectance with its path in place of its name.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
     public string AlbedoMap(string option, AlbedoMapPath named) => named.TextWith(Map(option, named.Path));
 
     /// <summary>The path of a catalogue of craters, or of a list of landmarks.</summary>
     /// <param name="option">Key of the option, for the message.</param>
-    /// <exception cref="UsageException">There is none.</exception>
     public string Catalogue(string option, string name) =>
         _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);
 
     /// <summary>The trajectory of a name of <c>--folders</c>; its file (OEM) is read once, when it is first needed.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
     public SampledPosition Trajectory(string name) => _folders.TryGetValue(name, out string? path) && !Directory.Exists(path)
         ? new SampledPosition(name, kernels => _trajectories.GetOrAdd(
             name, _ => FileErrors.ToBadInput($"{name}: can't be read", () =>
@@ -89,7 +80,6 @@ internal sealed class ServedNames : IDisposable
                 + "--folders names them.");
 
     /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>
-    /// <exception cref="UsageException">There is none.</exception>
     public CameraFile Camera(string name) => KnownCamera(name)
         ?? throw Unknown("camera", name, Cameras.Select(camera => camera.Name));
 
@@ -109,7 +99,6 @@ internal sealed class ServedNames : IDisposable
         return name;
     }
 
-    /// <summary>Closes the models.</summary>
     public void Dispose() => Models.Dispose();
 
     private CameraFile? KnownCamera(string name) =>
@@ -118,11 +107,7 @@ internal sealed class ServedNames : IDisposable
     private static bool IsSame(string one, string other) => one.Equals(other, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>The error that there is no file of a name.</summary>
-    internal static UsageException Unknown(string what, string name, IEnumerable<string> names)
-    {
-        string question = NearestName.Question(name, [.. names]);
-        return new UsageException(
-            $"'{what}' is {NumberText.Shown(name)}, which the server does not have{(question.Length > 0 ? question : ".")} "
-                + "GET /v1/models lists all names.");
-    }
+    internal static UsageException Unknown(string what, string name, IEnumerable<string> names) => new(
+        $"'{what}' is {NumberText.Shown(name)}, which the server does not have{NearestName.Question(name, [.. names], ".")} "
+            + "GET /v1/models lists all names.");
 }

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Interop;
 using Msisf.Adapters.Programs;
 using Msisf.App.Host;
 using Msisf.App.Settings;
@@ -13,7 +14,6 @@ internal static class ServerProgram
     private const string Folder = "server";
 
     /// <summary>Runs the server until it ends, or is cancelled.</summary>
-    /// <param name="values">The options of msis serve.</param>
     /// <param name="cancellation">Ends the server; it finishes what it is doing.</param>
     /// <param name="onAddress">Gets the address on which it listens; without it the server prints the address itself.</param>
     /// <returns>The server's exit code.</returns>
@@ -41,5 +41,83 @@ internal static class ServerProgram
         return SearchPath.Find(folder, names) ?? throw new ExternalPartException(
             $"{Name} is not in {folder}, where the server's program belongs. Build it with scripts/build.sh, or set {Variable} to "
                 + "its folder.");
+    }
+}
+
+/// <summary>The user's browser, started by what the system has for it.</summary>
+internal sealed class Browser(ProgramHost host)
+{
+    private static readonly string[] Displays = ["DISPLAY", "WAYLAND_DISPLAY"];
+
+    /// <summary>Opens a page; a note says so where there is no browser to be opened.</summary>
+    public void Open(string address)
+    {
+        if (Opener() is not { } opener)
+        {
+            host.Log.Note($"Open {address} in a browser.");
+            return;
+        }
+
+        try
+        {
+            (opener with { Arguments = [.. opener.Arguments, address] }).StartBeside();
+        }
+        catch (ExternalPartException exception)
+        {
+            host.Log.Note($"{exception.Message} Open {address} in a browser.");
+        }
+    }
+
+    private ChildProgram? Opener()
+    {
+        if (OperatingSystem.IsWindows())
+        {
+            return new ChildProgram("explorer", []);
+        }
+
+        string name = OperatingSystem.IsMacOS() ? "open" : "xdg-open";
+        bool hasScreen = OperatingSystem.IsMacOS() || Displays.Any(display => host.Environment(display) is not null);
+        return hasScreen && SearchPath.Find(host.Environment("PATH") ?? string.Empty, name) is { } program
+            ? new ChildProgram(program, [])
+            : null;
+    }
+}
+
+/// <summary>Notices that a program has gone that started this one and holds its standard input.</summary>
+internal static class Starter
+{
+    private static readonly TimeSpan BetweenLooks = TimeSpan.FromMilliseconds(500);
+
+    /// <param name="input">Standard input; what stands there is not used.</param>
+    public static Task InputEndedAsync(TextReader input)
+    {
+        TaskCompletionSource end = new(TaskCreationOptions.RunContinuationsAsynchronously);
+        Thread reading = new(() =>
+        {
+            while (input.Read() >= 0)
+            {
+            }
+
+            end.TrySetResult();
+        })
+        {
+            IsBackground = true,
+        };
+        reading.Start();
+        return end.Task;
+    }
+
+    /// <summary>
+    /// Ends when the program that started this one is gone: its pipe to standard input ends, or it dies while others that it started keep
+    /// the pipe open.
+    /// </summary>
+    public static async Task GoneAsync(TextReader input, CancellationToken cancellation)
+    {
+        int parent = ParentProcess.Id;
+        Task end = InputEndedAsync(input);
+        while (!end.IsCompleted && ParentProcess.Id == parent && !cancellation.IsCancellationRequested)
+        {
+            await Task.WhenAny(end, Task.Delay(BetweenLooks, cancellation)).ConfigureAwait(false);
+        }
     }
 }

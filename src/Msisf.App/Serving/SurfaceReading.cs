@@ -31,7 +31,6 @@ internal sealed record SurfaceReading(
     /// </summary>
     public double? ShadedAt { get; init; }
 
-    /// <summary>Reads what a ray of the camera meets.</summary>
     /// <param name="hit">Where the ray meets the surface.</param>
     /// <param name="light">How the point is lit.</param>
     /// <param name="lightBodyFixed">The Sun, or the lamp at the camera, m.</param>

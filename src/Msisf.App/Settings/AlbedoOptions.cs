@@ -50,8 +50,6 @@ internal static partial class AlbedoOptions
 
     public static OptionGroup Group { get; } = new("Albedo", [Map, Properties, Checksum, Band]);
 
-    /// <summary>Reads the options.</summary>
-    /// <exception cref="MsisfException">A value is wrong.</exception>
     public static AlbedoSettings Read(OptionValues values)
     {
         IReadOnlyList<string> texts = Map.ReadAll(values);
@@ -73,27 +71,24 @@ internal static partial class AlbedoOptions
     {
         if (isNone && texts.Count > 1)
         {
-            throw new UsageException($"{Map.Name} {NoMap} stands beside a map. Leave one of them out.").About(Map);
+            throw Map.Wrong($"{NoMap} stands beside a map. Leave one of them out.");
         }
 
         if (maps is [{ Factor: not null } or { IsMatched: true }])
         {
-            throw new UsageException(
-                $"{Map.Name} {maps[0]}: factor= scales a map to the coarser one around it, and there is none. Give that one too, or "
-                    + "scale=.")
-                .About(Map);
+            throw Map.Wrong(
+                $"{maps[0]}: factor= scales a map to the coarser one around it, and there is none. Give that one too, or scale=.");
         }
 
         if (maps.Length > 1 && Properties.ReadIfGiven(values) is not null)
         {
-            throw new UsageException(
-                $"{Properties.Name} is for one map; of several write the properties behind each path, as in {maps[0].Path},scale=3.16e-4.")
-                .About(Properties, Map);
+            throw Properties.Wrong(
+                $"is for one map; of several write the properties behind each path, as in {maps[0].Path},scale=3.16e-4.", Map);
         }
 
         if (maps.GroupBy(map => Path.GetFullPath(map.Path)).FirstOrDefault(same => same.Count() > 1) is { } twice)
         {
-            throw new UsageException($"{Map.Name} {twice.First().Path} is given twice. Leave one of them out.").About(Map);
+            throw Map.Wrong($"{twice.First().Path} is given twice. Leave one of them out.");
         }
 
         if (maps.Length > 1 && RendererOptions.Renderer.Read(values) == RendererKind.PovRay)

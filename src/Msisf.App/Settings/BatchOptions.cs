@@ -42,7 +42,6 @@ internal static class BatchOptions
     public static OptionSpec[] All { get; } = [Frame, Axes, Rotation, Euler, IgnoreColumns];
 
     /// <summary>Reads how the numbers are meant.</summary>
-    /// <exception cref="MsisfException">A value is wrong.</exception>
     public static BatchConventions Read(OptionValues values) => new()
     {
         Frame = Frame.ReadIfGiven(values),

@@ -18,7 +18,6 @@ internal static class CameraChoice
 
     private const string Extension = ".yaml";
 
-    /// <summary>Reads the camera; null if none is given.</summary>
     /// <param name="open">Opens the camera of a name; null for a preset or a file.</param>
     /// <exception cref="MsisfException">
     /// There is no such camera, its file is wrong or not the one that is meant, or the renderer or another option contradicts it.
@@ -68,7 +67,6 @@ internal static class CameraChoice
             $"{MissionOptions.Instrument.Name} {instrument}", MissionOptions.Instrument, values);
     }
 
-    /// <summary>The presets of the installation, by name.</summary>
     public static IReadOnlyList<CameraFile> Presets(Installation installation) =>
         [.. NamesIn(installation).Select(name => CameraFileReader.Read(PathOf(installation, name), name))];
 
@@ -114,14 +112,8 @@ internal static class CameraChoice
     }
 
     /// <summary>Refuses options that say what the camera file says.</summary>
-    private static void Refuse(OptionValues values, OptionSpec[] replaced)
-    {
-        if (replaced.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException($"{wrong.Name} and --camera exclude each other: the camera file says it. Leave one of them out.")
-                .About(wrong, ImageOptions.Camera);
-        }
-    }
+    private static void Refuse(OptionValues values, OptionSpec[] replaced) => values.Refuse(
+        replaced, "and --camera exclude each other: the camera file says it. Leave one of them out.", ImageOptions.Camera);
 
     private static CameraFile Open(string given, Installation installation, (int? Width, int? Height) size)
     {

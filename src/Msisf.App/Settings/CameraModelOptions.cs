@@ -29,7 +29,6 @@ internal static class CameraModelOptions
         Words = OfRun.Words,
     };
 
-    /// <summary>msis camera-model.</summary>
     public static CommandSpec Command { get; } = new("camera-model", "Write the camera of an image that is there for other programs.")
     {
         Details = "The files stand beside the meta files, and are printed. docs/camera-export.md says what each holds.",
@@ -43,7 +42,6 @@ internal static class CameraModelOptions
         ],
     };
 
-    /// <summary>Reads the formats of a run.</summary>
     /// <exception cref="UsageException">A word is no format, or the renderer does not know the pixels.</exception>
     public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, RendererKind renderer)
     {
@@ -54,9 +52,8 @@ internal static class CameraModelOptions
 
         IReadOnlyList<CameraFormat> formats = OfRun.Named(() => CameraFormat.Parse(text));
         return renderer == RendererKind.PovRay && formats.FirstOrDefault(format => format.HasPixels) is { } wrong
-            ? throw new UsageException(
-                $"{OfRun.Name} {wrong.Word} holds I/F of each pixel, which POV-Ray does not tell. Add --renderer native.")
-                .About(OfRun, RendererOptions.Renderer)
+            ? throw OfRun.Wrong(
+                $"{wrong.Word} holds I/F of each pixel, which POV-Ray does not tell. Add --renderer native.", RendererOptions.Renderer)
             : formats;
     }
 

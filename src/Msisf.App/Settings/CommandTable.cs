@@ -25,7 +25,6 @@ internal static class CommandTable
             && (option is not PathSpec || option == AlbedoOptions.Map || option == NativeOptions.HapkeMap
                 || NavigationOptions.Lists.Contains(option)));
 
-    /// <summary>msis patterns.</summary>
     public static CommandSpec Patterns { get; } = new("patterns", "Make surface patterns for POV-Ray ahead of a run.")
     {
         Details =
@@ -39,7 +38,6 @@ internal static class CommandTable
         MakeGroups = () => [PatternsOptions.Model, PatternsOptions.WholeMoon, PatternsOptions.OfRun, Progress],
     };
 
-    /// <summary>msis status.</summary>
     public static CommandSpec Status { get; } = new("status", "Say which images of a run are there, missing or damaged.")
     {
         Details =
@@ -49,7 +47,6 @@ internal static class CommandTable
         MakeGroups = () => [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
     };
 
-    /// <summary>msis verify.</summary>
     public static CommandSpec Verify { get; } = Status with
     {
         Name = "verify",
@@ -57,7 +54,6 @@ internal static class CommandTable
         Details = "As msis status, but checks every file: checksums, images whole, meta files valid.",
     };
 
-    /// <summary>msis merge.</summary>
     public static CommandSpec Merge { get; } = new("merge", "Order a run's manifest; make a contact sheet and a video.")
     {
         Details =
@@ -67,7 +63,6 @@ internal static class CommandTable
         MakeGroups = () => [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
     };
 
-    /// <summary>msis batchconvert.</summary>
     public static CommandSpec BatchConvert { get; } = new("batchconvert", "Turn a run into a script that makes it in pieces.")
     {
         Details = "Takes all options of a run. The pieces can be made one after another, side by side, or on many computers.",
@@ -82,7 +77,6 @@ internal static class CommandTable
         ],
     };
 
-    /// <summary>msis submit.</summary>
     public static CommandSpec Submit { get; } = new("submit", "Give a run to Slurm in pieces, and make again what goes missing.")
     {
         Details = "Takes all options of a run. The script is that of msis batchconvert --format slurm, in the folder of the outputs.",
@@ -91,7 +85,6 @@ internal static class CommandTable
             "Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece, ScriptOptions.Wait]), SlurmOptions.Group, .. OfRender, OnlyHelp],
     };
 
-    /// <summary>msis states.</summary>
     public static CommandSpec States { get; } = new("states", "Write the states of a run for other programs, without drawing.")
     {
         Details =
@@ -105,7 +98,6 @@ internal static class CommandTable
         MakeGroups = () => [new OptionGroup("States", [StatesOptions.Format, StatesOptions.To]), .. OfRender, OnlyHelp],
     };
 
-    /// <summary>msis ldem synthesize.</summary>
     public static CommandSpec Synthesize { get; } = new(
         "synthesize", "Write a synthetic elevation model, with craters and roughness like the Moon's.")
     {
@@ -124,7 +116,6 @@ internal static class CommandTable
             ]), Progress],
     };
 
-    /// <summary>msis ldem pyramid.</summary>
     public static CommandSpec Pyramid { get; } = new("pyramid", "Write a model's coarser levels into a file beside it.")
     {
         Details = "Far views of fine models then need not read the whole model. Of a large map that GDAL reads, bounds and one "
@@ -138,14 +129,12 @@ internal static class CommandTable
         MakeGroups = () => [new OptionGroup("The model", [ModelOptions.ModelResolution, ModelOptions.Verify]), Progress],
     };
 
-    /// <summary>msis ldem.</summary>
     public static CommandSpec Ldem { get; } = new("ldem", "Make elevation models and their levels of detail.")
     {
         MakeGroups = () => [OnlyHelp],
         Commands = [Synthesize, Pyramid],
     };
 
-    /// <summary>msis config show.</summary>
     public static CommandSpec ConfigShow { get; } = new(
         "show", "Print each key of configuration files, its value and where that comes from.")
     {
@@ -153,14 +142,12 @@ internal static class CommandTable
         MakeGroups = () => [General],
     };
 
-    /// <summary>msis config.</summary>
     public static CommandSpec Config { get; } = new("config", "Show the settings of configuration files.")
     {
         MakeGroups = () => [OnlyHelp],
         Commands = [ConfigShow],
     };
 
-    /// <summary>msis cameras.</summary>
     public static CommandSpec Cameras { get; } = new("cameras", "List the presets of --camera.")
     {
         Details =
@@ -169,7 +156,6 @@ internal static class CommandTable
         MakeGroups = () => [OnlyHelp],
     };
 
-    /// <summary>msis kernels.</summary>
     public static CommandSpec Kernels { get; } = new("kernels", "List what SPICE kernels hold: objects, times, types, frames, byte order.")
     {
         Details =
@@ -183,7 +169,6 @@ internal static class CommandTable
         MakeGroups = () => [new OptionGroup("Output", [KernelsOptions.Format]), OnlyHelp],
     };
 
-    /// <summary>msis serve.</summary>
     public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")
     {
         Details =
@@ -201,7 +186,6 @@ internal static class CommandTable
             ],
     };
 
-    /// <summary>msis view.</summary>
     public static CommandSpec View { get; } = new("view", "Look at the Moon in the browser: fly, move the Sun, read what each pixel shows.")
     {
         Details =
@@ -217,7 +201,6 @@ internal static class CommandTable
             [ViewOptions.OfView, ServeOptions.Group, new OptionGroup("Files", [SurfaceOptions.Ldem, LightOptions.Kernels]), General],
     };
 
-    /// <summary>msis completion.</summary>
     public static CommandSpec Completion { get; } = new("completion", "Print a script that completes commands, options and values.")
     {
         MakeArgument = () => new ArgumentSpec("SHELL", "The shell: bash, zsh or fish") { Words = ["bash", "zsh", "fish"] },
@@ -230,14 +213,12 @@ internal static class CommandTable
         MakeGroups = () => [General],
     };
 
-    /// <summary>msis man.</summary>
     public static CommandSpec Man { get; } = new("man", "Print the manual page.")
     {
         Examples = [("Read it:", "msis man | man -l -")],
         MakeGroups = () => [General],
     };
 
-    /// <summary>msis help.</summary>
     public static CommandSpec Help { get; } = new("help", "Show the help of msis or of a command.")
     {
         Details = "The same as --help behind the command.",

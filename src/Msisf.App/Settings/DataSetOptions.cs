@@ -5,7 +5,6 @@ namespace Msisf.App.Settings;
 /// <summary>The command that makes data sets.</summary>
 internal static class DataSetOptions
 {
-    /// <summary>msis dataset.</summary>
     public static CommandSpec Command { get; } = new("dataset", "Make a data set of images at random states, with truth, index and card.")
     {
         Details =
@@ -39,8 +38,8 @@ internal static class DataSetOptions
             return true;
         }
 
-        return SlurmOptions.Group.Options.Append(ScriptOptions.Wait).FirstOrDefault(values.IsGiven) is { } useless
-            ? throw new UsageException($"{useless.Name} is for Slurm only. Add {CutOptions.Pieces.Name}, or leave it out.").About(useless)
-            : false;
+        values.Refuse(
+            SlurmOptions.Group.Options.Append(ScriptOptions.Wait), $"is for Slurm only. Add {CutOptions.Pieces.Name}, or leave it out.");
+        return false;
     }
 }

@@ -8,7 +8,6 @@ internal static class FolderOptions
     /// <summary>Maximum frame rate of a video, frames per second: faster than any display.</summary>
     private const double MaxFrameRate = 1000.0;
 
-    /// <summary>The folder of the outputs.</summary>
     public static ArgumentSpec Folder { get; } = new("DIR", "The --output-dir of the runs");
 
     public static FlagSpec PrintFrames { get; } = new(
@@ -32,7 +31,6 @@ internal static class FolderOptions
     };
 
     /// <summary>Reads the files that msis merge should make.</summary>
-    /// <exception cref="BadInputException">A value is wrong.</exception>
     public static MergeSettings ReadMerge(OptionValues values) => new(ContactSheet.Read(values), Video.ReadIfGiven(values));
 }
 

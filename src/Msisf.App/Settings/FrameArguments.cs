@@ -29,7 +29,6 @@ internal static class FrameArguments
         [.. Order.Concat(CommandTable.OptionsOfRun.Except(Order)).Where(option => option.Role is DecidesBytes)];
 
     /// <summary>The arguments of the settings, without the state.</summary>
-    /// <param name="settings">Settings of the run.</param>
     /// <param name="engine">The ephemeris engine for the Sun's position; null if none is used.</param>
     /// <param name="map">The map of the Moon's reflectance; null if none is used.</param>
     public static string OfSettings(RenderSettings settings, EphemerisChoice? engine, InputFile? map = null)

@@ -88,13 +88,18 @@ internal static class IlluminationOptions
         IsOfOneCall = true,
     };
 
+    public static WholeNumberSpec Jobs { get; } = RunOptions.Jobs with
+    {
+        Help = "Cells or points at once",
+        DefaultNote = "as many as cores",
+    };
+
     public static PathSpec Folder { get; } = OutputOptions.Folder with
     {
         Default = "output/illumination",
         DefaultNote = "./output/illumination",
     };
 
-    /// <summary>msis illumination.</summary>
     public static CommandSpec Command { get; } = new(
         "illumination", "Map how much of the time places are lit, and tell when the Sun rises there.")
     {
@@ -121,7 +126,7 @@ internal static class IlluminationOptions
         new OptionGroup("Models and kernels", [
             SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.Body, SurfaceOptions.NestBlend, LightOptions.Ephemeris,
             LightOptions.Kernels]),
-        new OptionGroup("Output", [Format, Compare, Folder, Piece]),
+        new OptionGroup("Output", [Format, Compare, Folder, Jobs, Piece]),
     ];
 }
 

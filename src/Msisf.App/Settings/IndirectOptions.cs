@@ -1,5 +1,4 @@
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Layers;
 using Msisf.Core.Render.Options;
 
 namespace Msisf.App.Settings;
@@ -34,46 +33,26 @@ internal static class IndirectOptions
         {
             return !values.IsGiven(Error)
                 ? null
-                : throw new UsageException($"{Error.Name} has no meaning without {Bounces.Name}. Add that, or leave it out.")
-                    .About(Error, Bounces);
+                : throw Error.Wrong($"has no meaning without {Bounces.Name}. Add that, or leave it out.", Bounces);
         }
 
         if (!int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int bounces)
             || bounces is < 1 or > IndirectLight.MaxBounces)
         {
-            throw new UsageException(Invariant(
-                $"{Bounces.Name} is '{text}'; a whole number from 1 to {IndirectLight.MaxBounces} is needed.")).About(Bounces);
+            throw Bounces.Wrong(Invariant($"is '{text}'; a whole number from 1 to {IndirectLight.MaxBounces} is needed."));
         }
 
         if (LightOptions.IgnoreSun.Read(values))
         {
-            throw new UsageException(
-                $"{Bounces.Name} needs the Sun's light on the ground, which --ignore-sun replaces by a lamp. Leave one of them out.")
-                .About(Bounces, LightOptions.IgnoreSun);
+            throw Bounces.Wrong(
+                "needs the Sun's light on the ground, which --ignore-sun replaces by a lamp. Leave one of them out.",
+                LightOptions.IgnoreSun);
         }
 
         return !scans
             ? new IndirectLight(bounces, error)
-            : throw new UsageException(
-                $"{Bounces.Name} is not for cameras that scan: the ground around would have to be lit anew for each of their rows. "
-                    + "Leave it out, or take a camera that sees its image at once.").About(Bounces, ImageOptions.Camera);
-    }
-
-    /// <summary>The layers that frames have with or without such light.</summary>
-    /// <param name="layers">The layers that are asked for; null for none.</param>
-    /// <param name="isAll">Whether all are asked for.</param>
-    /// <param name="light">The light; null for none.</param>
-    /// <exception cref="UsageException">A layer needs the light.</exception>
-    public static LayerSet? LayersOf(LayerSet? layers, bool isAll, IndirectLight? light)
-    {
-        if (layers is null || light is not null)
-        {
-            return layers;
-        }
-
-        return isAll || layers.Layers.FirstOrDefault(layer => layer.NeedsIndirect) is not { } layer
-            ? layers.Without(layer => layer.NeedsIndirect)
-            : throw new UsageException($"--layers: {layer.Name} is the light that the ground throws on ground. Add {Bounces.Name}.")
-                .About(NativeOptions.Layers, Bounces);
+            : throw Bounces.Wrong(
+                "is not for cameras that scan: the ground around would have to be lit anew for each of their rows. Leave it out, or take a "
+                    + "camera that sees its image at once.", ImageOptions.Camera);
     }
 }

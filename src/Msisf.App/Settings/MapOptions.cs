@@ -26,7 +26,6 @@ internal static class MapOptions
         Words = [.. Kinds.Select(kind => kind.Word)],
     };
 
-    /// <summary>Reads the option.</summary>
     /// <returns>Null if no map is wanted.</returns>
     /// <exception cref="UsageException">The value is wrong, or the renderer does not know what its pixels show.</exception>
     public static MapSettings? Read(OptionValues values, RendererKind renderer)
@@ -38,17 +37,16 @@ internal static class MapOptions
 
         if (renderer == RendererKind.PovRay)
         {
-            throw new UsageException($"{Map.Name} needs I/F of each pixel, which POV-Ray does not tell. Add --renderer native.")
-                .About(Map, RendererOptions.Renderer);
+            throw Map.Wrong("needs I/F of each pixel, which POV-Ray does not tell. Add --renderer native.", RendererOptions.Renderer);
         }
 
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
         int kind = Array.FindIndex(Kinds, known => known.Word.Equals(parts[0], StringComparison.OrdinalIgnoreCase));
         return kind >= 0 && parts.Length == 2 && NumberText.TryParse(parts[1], out double cell) && Cells.Contains(cell)
             ? new MapSettings(Kinds[kind].Kind, cell)
-            : throw new UsageException(
-                $"{Map.Name} {text}: {string.Join("|", Map.Words)} and the width of a cell are needed, {Cells} m: "
-                    + $"{Map.Name} {Kinds[0].Word},100 for instance.").About(Map);
+            : throw Map.Wrong(
+                $"{text}: {string.Join("|", Map.Words)} and the width of a cell are needed, {Cells} m: {Map.Name} {Kinds[0].Word},100 for "
+                    + "instance.");
     }
 
     private static string TextOf(MapSettings map) =>

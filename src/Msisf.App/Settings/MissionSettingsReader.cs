@@ -17,20 +17,12 @@ internal sealed class MissionSettingsReader(
     private static readonly OptionSpec[] OfQuaternion =
         [CameraOptions.Epoch, CameraOptions.AttitudeTransition, CameraOptions.AttitudeFrame];
 
-    /// <summary>Reads the settings.</summary>
     /// <param name="way">The option that says where the camera is.</param>
     /// <exception cref="MsisfException">A value is wrong, or an option is missing or not allowed.</exception>
     public MissionSettings Read(OptionSpec way)
     {
-        Refuse([CameraOptions.OrbitFrame, CameraOptions.Motion], $"is not allowed with {way.Name}, whose files say it. Remove it.");
-        OptionSpec[] times = [.. TimeOptions.Where(values.IsGiven)];
-        if (times.Length != 1)
-        {
-            throw new UsageException(times.Length == 0
-                ? $"{way.Name} needs one of {Names(TimeOptions)}: when to take images."
-                : $"{times[0].Name} and {times[1].Name} exclude each other. Give exactly one of {Names(TimeOptions)}.");
-        }
-
+        values.Refuse([CameraOptions.OrbitFrame, CameraOptions.Motion], $"is not allowed with {way.Name}, whose files say it. Remove it.");
+        values.RequireTimes(way, TimeOptions);
         double? every = MissionOptions.Every.ReadIfGiven(values);
         return new MissionSettings(
             Position(way), Attitude(way), every is null ? readTimes() : null, every)
@@ -47,7 +39,7 @@ internal sealed class MissionSettingsReader(
     {
         if (MissionOptions.Aem.ReadIfGiven(values) is { } path)
         {
-            Refuse(
+            values.Refuse(
                 [CameraOptions.Attitude, .. OfQuaternion, MissionOptions.Ck, .. PointingOptions.OfPosition],
                 $"and {MissionOptions.Aem.Name} exclude each other: both say how the camera points. Leave one out.");
             return new AemChoice(path, CameraOptions.Normalize.Read(values), ReadAxes(values));
@@ -57,28 +49,29 @@ internal sealed class MissionSettingsReader(
         bool isGiven = isPointed || values.IsGiven(CameraOptions.Attitude);
         if (isGiven)
         {
-            Refuse(
+            values.Refuse(
                 [MissionOptions.Ck, MissionOptions.InstrumentAxes],
                 "has no meaning where --attitude, --look-at, --off-nadir, --up or --roll says how the camera points. Leave one out.");
         }
         else if (MissionOptions.Instrument.ReadIfGiven(values) is { } instrument)
         {
-            Refuse(OfQuaternion, $"has no meaning with {MissionOptions.Instrument.Name}, whose kernels say the attitude. Remove it.");
+            values.Refuse(
+                OfQuaternion, $"has no meaning with {MissionOptions.Instrument.Name}, whose kernels say the attitude. Remove it.");
             return new InstrumentChoice(instrument, ReadAxes(values));
         }
 
-        Refuse(
+        values.Refuse(
             values.IsGiven(MissionOptions.Instrument) ? [] : [MissionOptions.Ck, MissionOptions.InstrumentAxes],
             $"needs {MissionOptions.Instrument.Name}: whose attitude the camera has. Add it.");
         if (readAttitude() is not { } attitude)
         {
-            Refuse(OfQuaternion, $"has no meaning with {way.Name} without {CameraOptions.Attitude.Name}. Remove it.");
+            values.Refuse(OfQuaternion, $"has no meaning with {way.Name} without {CameraOptions.Attitude.Name}. Remove it.");
             return new PointedChoice(PointingOptions.ReadPointing(values));
         }
 
         if (isPointed)
         {
-            Refuse(
+            values.Refuse(
                 PointingOptions.OfPosition,
                 $"and {CameraOptions.Attitude.Name} exclude each other: both say how the camera points. Leave one out.");
         }
@@ -98,18 +91,7 @@ internal sealed class MissionSettingsReader(
     }
 
     /// <summary>Reads how the image lies in the instrument's axes; null if the user does not say it.</summary>
-    /// <exception cref="UsageException">They are none.</exception>
     public static InstrumentAxes? ReadAxes(OptionValues values) => MissionOptions.InstrumentAxes.ReadIfGiven(values) is { } axes
         ? MissionOptions.InstrumentAxes.Named(() => InstrumentAxes.Parse(axes))
         : null;
-
-    private void Refuse(IEnumerable<OptionSpec> options, string why)
-    {
-        if (options.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException($"{wrong.Name} {why}");
-        }
-    }
-
-    private static string Names(IEnumerable<OptionSpec> options) => string.Join(", ", options.Select(option => option.Name));
 }

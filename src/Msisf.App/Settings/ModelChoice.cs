@@ -25,9 +25,9 @@ internal static class ModelChoice
 
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is { } only && ModelPath.Parse(only).Placement.MeetsBorder)
         {
-            throw new UsageException(
-                $"{SurfaceOptions.Ldem.Name} {only}: offset=auto raises a map to meet the models around it, and there are none. Give a "
-                    + "model of the whole Moon as well, or metres.").About(SurfaceOptions.Ldem);
+            throw SurfaceOptions.Ldem.Wrong(
+                $"{only}: offset=auto raises a map to meet the models around it, and there are none. Give a model of the whole Moon as "
+                    + "well, or metres.");
         }
 
         if (SurfaceOptions.Ldem.ReadIfGiven(values) is not { } path || ResolutionOfMap(path, geoTiffs) is not { } resolution)
@@ -37,9 +37,7 @@ internal static class ModelChoice
 
         if (SurfaceOptions.Resolution.ReadIfGiven(values) is { } given && given != resolution.PixelsPerDegree)
         {
-            throw new UsageException(
-                $"{SurfaceOptions.Resolution.Name} contradicts --ldem {path}, a map of {resolution}. Leave it out.")
-                .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
+            throw SurfaceOptions.Resolution.Wrong($"contradicts --ldem {path}, a map of {resolution}. Leave it out.", SurfaceOptions.Ldem);
         }
 
         return resolution;
@@ -63,14 +61,13 @@ internal static class ModelChoice
     {
         if (SurfaceOptions.Resolution.ReadIfGiven(values) is not null)
         {
-            throw new UsageException(
-                $"{SurfaceOptions.Resolution.Name} has no meaning with several --ldem: each model has its own resolution. Leave it out.")
-                .About(SurfaceOptions.Resolution, SurfaceOptions.Ldem);
+            throw SurfaceOptions.Resolution.Wrong(
+                "has no meaning with several --ldem: each model has its own resolution. Leave it out.", SurfaceOptions.Ldem);
         }
 
         if (paths.GroupBy(path => Path.GetFullPath(ModelPath.Parse(path).Path)).FirstOrDefault(same => same.Count() > 1) is { } twice)
         {
-            throw new UsageException($"--ldem {twice.First()} is given twice. Leave one of them out.").About(SurfaceOptions.Ldem);
+            throw SurfaceOptions.Ldem.Wrong($"{twice.First()} is given twice. Leave one of them out.");
         }
 
         return paths.Select(path => ResolutionOfMap(path, geoTiffs) ?? ResolutionOfLabel(path)).MinBy(found => found.MetresPerPixel);

@@ -113,28 +113,23 @@ internal static class ModelOptions
     {
         if (values.IsGiven(Rest) && values.Text(Region) is null)
         {
-            throw new UsageException($"{Rest.Name} says what lies around a {Region.Name}. Give one, or leave it out.").About(Rest);
+            throw Rest.Wrong($"says what lies around a {Region.Name}. Give one, or leave it out.");
         }
 
         int? resolution = NewResolution.ReadIfGiven(values);
         SyntheticMapSettings? map = ReadMap(values);
         CelestialBody body = CelestialBody.Of(NewBody.Read(values));
-        OptionSpec[] ofMoon = [Base, Projection];
-        if (!body.IsMoon && ofMoon.FirstOrDefault(values.IsGiven) is { } other)
-        {
-            throw new UsageException(
-                $"{other.Name} is for models of the Moon only. Leave it out, or {NewBody.Name}.").About(other, NewBody);
-        }
+        values.Refuse(
+            body.IsMoon ? [] : [Base, Projection], $"is for models of the Moon only. Leave it out, or {NewBody.Name}.", NewBody);
 
         return new SynthesisSettings(
             map is null
                 ? resolution
-                    ?? throw new UsageException($"{NewResolution.Name} is required: how many samples a degree?").About(NewResolution)
+                    ?? throw NewResolution.Wrong("is required: how many samples a degree?")
                 : 0,
             ulong.TryParse(values.Text(Seed), NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
                 ? seed
-                : throw new UsageException(
-                    $"{Seed.Name} is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed.").About(Seed),
+                : throw Seed.Wrong($"is '{values.Text(Seed)}'; a whole number from 0 to {ulong.MaxValue} is needed."),
             Base.ReadIfGiven(values),
             Region.ReadIfGiven(values) is { } region ? Region.NamedInErrors(() => MoonRegion.Parse(region)) : MoonRegion.WholeMoon,
             Rest.Read(values),
@@ -153,23 +148,20 @@ internal static class ModelOptions
         double latitude = Latitude.Read(values);
         SyntheticProjection projection = Projection.Read(values);
         bool isMap = projection != SyntheticProjection.Cylindrical;
-        OptionSpec[] others = isMap ? [NewResolution, Region, Rest] : [MapScale, Latitude];
-        if (others.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException(isMap
-                ? $"{wrong.Name} is for models of latitude and longitude. Leave it out, or {Projection.Name}."
-                : $"{wrong.Name} is for polar maps. Add {Projection.Name} polar-south or polar-north, or leave it out.")
-                .About(wrong, Projection);
-        }
+        values.Refuse(
+            isMap ? [NewResolution, Region, Rest] : [MapScale, Latitude],
+            isMap
+                ? $"is for models of latitude and longitude. Leave it out, or {Projection.Name}."
+                : $"is for polar maps. Add {Projection.Name} polar-south or polar-north, or leave it out.",
+            Projection);
 
         return !isMap ? null : new SyntheticMapSettings(
             projection == SyntheticProjection.PolarSouth,
-            scale ?? throw new UsageException($"{MapScale.Name} is required for a polar map: how many m is a pixel wide?").About(MapScale),
+            scale ?? throw MapScale.Wrong("is required for a polar map: how many m is a pixel wide?"),
             latitude);
     }
 
     /// <summary>Reads the options of msis ldem pyramid.</summary>
-    /// <exception cref="UsageException">A value is wrong.</exception>
     public static PyramidSettings ReadPyramid(OptionValues values) =>
         new(values.Argument, ModelResolution.ReadIfGiven(values), RunOptions.Batch.Read(values));
 }
@@ -181,3 +173,33 @@ internal static class ModelOptions
 /// </param>
 /// <param name="Unattended">Whether to draw no progress bar.</param>
 internal sealed record PyramidSettings(string? Model, int? PixelsPerDegree, bool Unattended);
+
+/// <summary>Describes the synthetic elevation model to make.</summary>
+/// <param name="PixelsPerDegree">Resolution of a model of latitude and longitude, px/deg; 0 for a polar map.</param>
+/// <param name="Seed">Seed of the random terrain.</param>
+/// <param name="BaseModel">Label or image of the model that it continues to smaller scales; null for an invented Moon.</param>
+/// <param name="Region">Part of the Moon that gets the detail.</param>
+/// <param name="Rest">What lies outside the region.</param>
+/// <param name="SampleType">How samples are stored; null for the default of the resolution.</param>
+/// <param name="Unattended">Whether to draw no progress bar.</param>
+internal sealed record SynthesisSettings(
+    int PixelsPerDegree,
+    ulong Seed,
+    string? BaseModel,
+    MoonRegion Region,
+    SyntheticRest Rest,
+    LdemSampleType? SampleType,
+    string Folder,
+    bool Unattended)
+{
+    /// <summary>The polar map to make; null for a model of latitude and longitude.</summary>
+    public SyntheticMapSettings? Map { get; init; }
+
+    public CelestialBody Body { get; init; } = CelestialBody.Moon;
+}
+
+/// <summary>Describes a synthetic polar map to make.</summary>
+/// <param name="IsSouth">Whether it is of the south pole.</param>
+/// <param name="MetresPerPixel">Map scale, m.</param>
+/// <param name="LatitudeDegrees">Absolute latitude of the middle of the map's sides.</param>
+internal sealed record SyntheticMapSettings(bool IsSouth, double MetresPerPixel, double LatitudeDegrees);

@@ -98,7 +98,7 @@ internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacem
         part.IndexOf('=', StringComparison.Ordinal) is > 0 and var end && part.AsSpan(0, end).IndexOfAnyExceptInRange('a', 'z') < 0;
 
     private static UsageException Wrong(string text, string what) =>
-        new UsageException($"{SurfaceOptions.Ldem.Name} {text}: {what}. {ValidValues}.").About(SurfaceOptions.Ldem);
+        SurfaceOptions.Ldem.Wrong($"{text}: {what}. {ValidValues}.");
 }
 
 /// <summary>How the user moves an elevation model; <c>default</c> is not at all.</summary>

@@ -158,7 +158,6 @@ internal static class NativeOptions
         Default = LayerCompression.None,
     };
 
-    /// <summary>The options that are of use with layers only.</summary>
     public static IReadOnlyList<OptionSpec> OfLayers => [LayersFormat, LayersPrecision, LayersCompression];
 
     public static OptionGroup Group { get; } = new(

@@ -36,7 +36,6 @@ internal sealed record NativeSettings
     /// <summary>Invented detail below the elevation models; null for none.</summary>
     public RefineSettings? Refine { get; init; }
 
-    /// <summary>Truth for navigation; null for none.</summary>
     public NavigationSettings? Navigation { get; init; }
 
     /// <summary>Layers of ground truth to write; null for none.</summary>

@@ -16,7 +16,6 @@ internal static class NativeSettingsReader
     /// <param name="detector">The camera's detector; null without one.</param>
     /// <param name="scans">Whether the camera's rows have times of their own.</param>
     /// <param name="needsTruth">Whether the meta file needs ground truth, because its pixels lie on the terrain.</param>
-    /// <exception cref="MsisfException">A value is wrong.</exception>
     public static NativeSettings Read(OptionValues values, AlbedoSettings map, CameraFileDetector? detector, bool scans, bool needsTruth)
     {
         (string law, SortedDictionary<string, double> parameters) = ReflectanceText.Parse(NativeOptions.Reflectance.Read(values));
@@ -27,11 +26,37 @@ internal static class NativeSettingsReader
             ? NativeOptions.Layers.NamedInErrors(() => Layers(names))
             : null;
         bool isAll = layers == LayerSet.All;
-        layers = NavigationSettings.LayersOf(DetectorChoice.LayersOf(layers, detector), isAll, navigation);
+        if (detector is null)
+        {
+            LeaveOut(
+                layer => layer.NeedsDetector, "needs a camera with a detector. Name a --camera file that has the section 'detector'.",
+                ImageOptions.Camera);
+        }
+
+        if (navigation?.Craters is null)
+        {
+            LeaveOut(
+                layer => layer.NeedsCraters, $"needs a catalogue of craters. Name one by {NavigationOptions.Craters.Name}.",
+                NavigationOptions.Craters);
+        }
+
         IndirectLight? indirect = IndirectOptions.Read(values, scans);
-        layers = IndirectOptions.LayersOf(layers, isAll, indirect);
+        if (indirect is null)
+        {
+            LeaveOut(
+                layer => layer.NeedsIndirect, $"is the light that the ground throws on ground. Add {IndirectOptions.Bounces.Name}.",
+                IndirectOptions.Bounces);
+        }
+
         RefineSettings? refine = RefineSettings.Read(values);
-        layers = RefineSettings.LayersOf(layers, isAll, refine);
+        if (refine is null)
+        {
+            LeaveOut(
+                layer => layer.NeedsInventedGround,
+                $"needs invented ground. Give {NativeOptions.Refine.Name} with a seed, or leave the layer out.",
+                NativeOptions.Refine);
+        }
+
         if (layers is not null && (refine is not null || SurfaceOptions.Ldem.ReadAll(values).Count > 1))
         {
             layers = layers.OfSeveralModels();
@@ -77,6 +102,12 @@ internal static class NativeSettingsReader
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),
             LayersCompression = NativeOptions.LayersCompression.Read(values),
         });
+
+        // Takes the layers away that a frame has with an option only; one that is named is an error without it.
+        void LeaveOut(Func<Layer, bool> needs, string reason, OptionSpec missing) =>
+            layers = isAll || layers?.Layers.FirstOrDefault(needs) is not { } named
+                ? layers?.Without(needs)
+                : throw new UsageException($"--layers: {named.Name} {reason}").About(NativeOptions.Layers, missing);
     }
 
     private static string? HapkeMap(OptionValues values, string law, AlbedoSettings map)
@@ -84,16 +115,15 @@ internal static class NativeSettingsReader
         string? path = NativeOptions.HapkeMap.ReadIfGiven(values);
         if (path is not null && law != ReflectanceFactory.DefaultLaw)
         {
-            throw new UsageException($"--hapke-map is for --reflectance moon; the law here is {law}. Leave one out.")
-                .About(NativeOptions.HapkeMap, NativeOptions.Reflectance);
+            throw NativeOptions.HapkeMap.Wrong(
+                $"is for --reflectance moon; the law here is {law}. Leave one out.", NativeOptions.Reflectance);
         }
 
         return path is null || map.Band.Nanometres == HapkeMapFile.BandNanometres
             ? path
-            : throw new UsageException(
-                $"--hapke-map holds the parameters at {HapkeMapFile.BandNanometres} nm, but --band is {map.Band.Nanometres}. "
-                    + $"Leave one out.")
-                .About(NativeOptions.HapkeMap, AlbedoOptions.Band);
+            : throw NativeOptions.HapkeMap.Wrong(
+                $"holds the parameters at {HapkeMapFile.BandNanometres} nm, but --band is {map.Band.Nanometres}. Leave one out.",
+                AlbedoOptions.Band);
     }
 
     private static void RefuseTwoBrightnesses(double? albedo, AlbedoSettings map)
@@ -112,5 +142,104 @@ internal static class NativeSettingsReader
         return wrong is not null && NearestName.Question(wrong, NativeOptions.Layers.Words) is { Length: > 0 } question
             ? throw new UsageException($"{NativeOptions.Layers.Name} {names}: '{wrong}' is no layer{question}")
             : LayerSet.Parse(names);
+    }
+}
+
+/// <summary>The value of --reflectance, such as "hapke:w=0.3,b0=1.2".</summary>
+internal static class ReflectanceText
+{
+    /// <summary>The law's name and its parameters, both in lower case.</summary>
+    /// <exception cref="UsageException">A parameter has no number or is given twice, or the name resembles a law's.</exception>
+    public static (string Law, SortedDictionary<string, double> Parameters) Parse(string text)
+    {
+        (string law, string[] given) = Split(text);
+        SortedDictionary<string, double> parameters = new(StringComparer.Ordinal);
+        foreach (string parameter in given)
+        {
+            string[] pair = Pair(parameter);
+            if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
+            {
+                throw new UsageException($"--reflectance: '{parameter}' is no parameter; "
+                    + $"name=number is needed, as in hapke:w=0.3,b0=1.2.").About(NativeOptions.Reflectance);
+            }
+
+            if (!parameters.TryAdd(pair[0], value))
+            {
+                throw new UsageException(
+                    $"--reflectance: the parameter {pair[0]} is given twice. Leave one out.").About(NativeOptions.Reflectance);
+            }
+        }
+
+        return NativeOptions.Reflectance.Words.Contains(law) || NearestName.Question(
+            law, NativeOptions.Reflectance.Words) is not { Length: > 0 } question
+            ? (law, parameters)
+            : throw new UsageException($"{NativeOptions.Reflectance.Name}: '{law}' is no law{question}").About(NativeOptions.Reflectance);
+    }
+
+    /// <summary>Whether a text, right or wrong, names a law with a brightness of its own, beside which no albedo can be given.</summary>
+    public static bool IsAbsolute(string text)
+    {
+        (string law, string[] given) = Split(text);
+        return ReflectanceFactory.IsAbsolute(law, given.Select(parameter => Pair(parameter)[0]));
+    }
+
+    private static (string Law, string[] Parameters) Split(string text)
+    {
+        string[] parts = text.ToLowerInvariant().Split(':', 2);
+        return (parts[0].Trim(), parts.Length == 2 ? parts[1].Split(',') : []);
+    }
+
+    private static string[] Pair(string parameter) => parameter.Split('=', 2, StringSplitOptions.TrimEntries);
+}
+
+/// <summary>Reads the option --samples: a square number, or auto with an error.</summary>
+internal static class SamplesReader
+{
+    /// <summary>The word for as many samples as an error takes.</summary>
+    public const string Auto = "auto";
+
+    private const int Max = NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis;
+
+    /// <param name="grey">The grey levels in which the error is meant.</param>
+    /// <returns>Samples along a pixel's edge, 1 with auto, and the sampling of auto, else null.</returns>
+    /// <exception cref="UsageException">The value is neither.</exception>
+    public static (int SubsamplesPerAxis, AdaptiveSampling? Adaptive) Read(OptionValues values, GreyScale grey)
+    {
+        string text = NativeOptions.Samples.Read(values);
+        string[] parts = text.Split(':', 2);
+        return ChoiceSpec.IsSame(Auto, parts[0])
+            ? (1, new AdaptiveSampling(parts.Length == 2 ? Error(parts[1]) : AdaptiveSampling.DefaultError, grey))
+            : (SubsamplesPerAxis(text), null);
+    }
+
+    /// <summary>The option's value as it is written in a frame's arguments.</summary>
+    public static string TextOf(NativeRenderOptions options) => options.Adaptive is { } adaptive
+        ? $"{Auto}:{NumberSpec.TextOf(adaptive.Error)}"
+        : (options.SubsamplesPerAxis * options.SubsamplesPerAxis).ToString(CultureInfo.InvariantCulture);
+
+    private static double Error(string text)
+    {
+        NumberRange range = new(AdaptiveSampling.MinError, AdaptiveSampling.MaxError);
+        return NumberText.TryParse(text, out double error) && range.Contains(error)
+            ? error
+            : throw new UsageException(
+                $"--samples: the error of auto is '{text}'; levels of 255 in the range {range} are needed, as in auto:0.4.")
+                .About(NativeOptions.Samples);
+    }
+
+    private static int SubsamplesPerAxis(string text)
+    {
+        if (!int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int samples) || samples is < 1 or > Max)
+        {
+            throw NativeOptions.Samples.Wrong(
+                $"is '{text}'; a square number from 1 to {Max.ToString(CultureInfo.InvariantCulture)} or auto[:ERROR] is needed.");
+        }
+
+        int perAxis = (int)Math.Sqrt(samples); // exact for numbers as small as these
+        return perAxis * perAxis == samples
+            ? perAxis
+            : throw NativeOptions.Samples.Wrong(
+                $"is {samples}; the samples form a square grid, so a square number is needed: {perAxis * perAxis} or "
+                    + $"{(perAxis + 1) * (perAxis + 1)}.");
     }
 }

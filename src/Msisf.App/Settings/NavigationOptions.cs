@@ -77,7 +77,6 @@ internal static class NavigationOptions
     /// <summary>The options that name a list of places; in a request it is a name of the server's.</summary>
     public static IReadOnlyList<PathSpec> Lists => [Craters, Landmarks];
 
-    /// <summary>The options that are of use with a catalogue only.</summary>
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Flow, Stereo, FlowFormat])

@@ -1,5 +1,4 @@
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Layers;
 using Msisf.Core.Navigation;
 
 namespace Msisf.App.Settings;
@@ -10,7 +9,6 @@ internal sealed record NavigationSettings
     /// <summary>Path of the catalogue of craters; null for none.</summary>
     public string? Craters { get; init; }
 
-    /// <summary>Where rims lie.</summary>
     public CraterRim Rim { get; init; }
 
     /// <summary>px: least diameter of craters in the image.</summary>
@@ -25,7 +23,6 @@ internal sealed record NavigationSettings
     /// <summary>m: baseline of a second camera; null for none.</summary>
     public double? Stereo { get; init; }
 
-    /// <summary>Formats of flow and disparity.</summary>
     public FlowFormats FlowFormats { get; init; }
 
     /// <summary>Their names in the order of the option; null without flow.</summary>
@@ -33,27 +30,22 @@ internal sealed record NavigationSettings
         ? null
         : NavigationOptions.FlowFormat.Words.Where((_, index) => FlowFormats.HasFlag((FlowFormats)(1 << index)));
 
-    /// <summary>Reads the options.</summary>
     /// <returns>Null if no such truth is wanted.</returns>
     /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
     public static NavigationSettings? Read(OptionValues values)
     {
         string? craters = NavigationOptions.Craters.ReadIfGiven(values);
-        if (craters is null && NavigationOptions.OfCraters.FirstOrDefault(values.IsGiven) is { } ofCraters)
-        {
-            throw new UsageException(
-                $"{ofCraters.Name} is given, but no {NavigationOptions.Craters.Name}. Name a catalogue, or leave it out.").About(ofCraters);
-        }
-
+        values.Refuse(
+            craters is null ? NavigationOptions.OfCraters : [],
+            $"is given, but no {NavigationOptions.Craters.Name}. Name a catalogue, or leave it out.");
         string? landmarks = NavigationOptions.Landmarks.ReadIfGiven(values);
         string? flow = NavigationOptions.Flow.ReadIfGiven(values);
         double? stereo = NavigationOptions.Stereo.ReadIfGiven(values);
         FlowFormats formats = NavigationOptions.FlowFormat.NamedInErrors(() => Formats(NavigationOptions.FlowFormat.Read(values)));
         if (values.IsGiven(NavigationOptions.FlowFormat) && flow is null && (stereo is null || formats == FlowFormats.Middlebury))
         {
-            throw new UsageException(
-                $"{NavigationOptions.FlowFormat.Name} is given, but no {NavigationOptions.Flow.Name} that it is for. Add that, or leave it "
-                    + "out.").About(NavigationOptions.FlowFormat);
+            throw NavigationOptions.FlowFormat.Wrong(
+                $"is given, but no {NavigationOptions.Flow.Name} that it is for. Add that, or leave it out.");
         }
 
         return craters is null && landmarks is null && flow is null && stereo is null
@@ -84,25 +76,6 @@ internal sealed record NavigationSettings
         }
 
         return formats;
-    }
-
-    /// <summary>The layers that there are: that of craters only with a catalogue.</summary>
-    /// <param name="layers">What the user wants; null for nothing.</param>
-    /// <param name="isAll">Whether the user wants all that there are.</param>
-    /// <param name="settings">The settings; null for none.</param>
-    /// <exception cref="UsageException">A layer of craters is named, and there is no catalogue.</exception>
-    public static LayerSet? LayersOf(LayerSet? layers, bool isAll, NavigationSettings? settings)
-    {
-        if (layers is null || settings?.Craters is not null)
-        {
-            return layers;
-        }
-
-        return isAll || layers.Layers.FirstOrDefault(layer => layer.NeedsCraters) is not { } layer
-            ? layers.Without(layer => layer.NeedsCraters)
-            : throw new UsageException(
-                $"--layers: {layer.Name} needs a catalogue of craters. Name one by {NavigationOptions.Craters.Name}.")
-                .About(NativeOptions.Layers, NavigationOptions.Craters);
     }
 }
 

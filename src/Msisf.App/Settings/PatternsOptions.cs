@@ -68,11 +68,11 @@ internal static class PatternsOptions
     {
         if (TrajectorySettingsReader.ReadIfGiven(values, ForBatch) is not { } trajectory)
         {
-            Refuse(OfRun, values, $"is for the patterns of a run only. Say of which by {ForBatch.Name}, or leave it out.");
+            values.Refuse(OfRun.Options, $"is for the patterns of a run only. Say of which by {ForBatch.Name}, or leave it out.");
             return null;
         }
 
-        Refuse(WholeMoon, values, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
+        values.Refuse(WholeMoon.Options, "has no meaning for the patterns of a run. Leave it out, or make those of the whole Moon.");
         return (trajectory, RenderSettingsReader.Read(values));
     }
 
@@ -90,21 +90,11 @@ internal static class PatternsOptions
         return settings switch
         {
             { IsDatabase: true, Ldem: not null } =>
-                throw new UsageException(
-                    "--ldem and --source mysql contradict each other. Give one of them.").About(SurfaceOptions.Ldem, Source),
+                throw SurfaceOptions.Ldem.Wrong("and --source mysql contradict each other. Give one of them.", Source),
             { IsDatabase: false, DefaultsFile: not null } =>
-                throw new UsageException(
-                    "--defaults-file is for --source mysql only. Leave it out, or give --source mysql.").About(DefaultsFile, Source),
+                throw DefaultsFile.Wrong("is for --source mysql only. Leave it out, or give --source mysql.", Source),
             _ => settings,
         };
-    }
-
-    private static void Refuse(OptionGroup group, OptionValues values, string why)
-    {
-        if (group.Options.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException($"{wrong.Name} {why}").About(wrong);
-        }
     }
 }
 

@@ -21,7 +21,6 @@ internal sealed record RenderSettings
     /// <summary>Which camera of a rig it is; null for a run with one camera.</summary>
     public RigCamera? Rig { get; init; }
 
-    /// <summary>The file of the rig; null for none.</summary>
     public InputFile? RigFile { get; init; }
 
     public required double FieldOfViewDegrees { get; init; }
@@ -52,7 +51,6 @@ internal sealed record RenderSettings
     /// <summary>Resolution of the elevation model: that of --res, or of the polar map that --ldem names.</summary>
     public required GridResolution Resolution { get; init; }
 
-    /// <summary>The body that is drawn.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     public required RendererKind Renderer { get; init; }
@@ -127,7 +125,6 @@ internal sealed record RenderSettings
 
     public required int? Jobs { get; init; }
 
-    /// <summary>The steps to make; null for all.</summary>
     public required StepRanges? Frames { get; init; }
 
     /// <summary>The steps to make of a run.</summary>

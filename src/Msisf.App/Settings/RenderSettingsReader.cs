@@ -102,9 +102,9 @@ internal static class RenderSettingsReader
         {
             return given is null
                 ? null
-                : throw new UsageException(
-                    "--lod-error has no meaning with --lod off, which always shows the model itself. Leave one of them out.")
-                    .About(SurfaceOptions.LevelOfDetailError, SurfaceOptions.LevelOfDetail);
+                : throw SurfaceOptions.LevelOfDetailError.Wrong(
+                    "has no meaning with --lod off, which always shows the model itself. Leave one of them out.",
+                    SurfaceOptions.LevelOfDetail);
         }
 
         bool hasTiles = SurfaceOptions.Ldem.ReadAll(values).Count < 2 && resolution.PixelsPerDegree is not null;
@@ -115,9 +115,8 @@ internal static class RenderSettingsReader
     {
         Aberration aberration = LightOptions.Aberration.Read(values);
         return values.Text(LightOptions.Aberration) is not null && LightOptions.IgnoreSun.Read(values)
-            ? throw new UsageException(
-                "--aberration has no meaning with --ignore-sun, which lights the scene from the camera. Leave one out.")
-                .About(LightOptions.Aberration, LightOptions.IgnoreSun)
+            ? throw LightOptions.Aberration.Wrong(
+                "has no meaning with --ignore-sun, which lights the scene from the camera. Leave one out.", LightOptions.IgnoreSun)
             : aberration;
     }
 }

@@ -29,27 +29,66 @@ internal static class RendererOptions
     public static void Check(OptionValues values)
     {
         RendererKind renderer = Renderer.Read(values);
-        if (WithoutMeaning(renderer).FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException(renderer == RendererKind.PovRay
-                ? $"{wrong.Name} is for --renderer native only. Add that, or leave it out."
-                : $"{wrong.Name} has no meaning with --renderer native, which needs neither POV-Ray nor patterns. "
-                    + $"Leave it out, or choose --renderer povray.")
-                .About(wrong, Renderer);
-        }
-
-        if (NativeOptions.OfLayers.FirstOrDefault(values.IsGiven) is { } ofLayers && values.Text(NativeOptions.Layers) is null)
-        {
-            throw new UsageException(
-                $"{ofLayers.Name} is given, but no --layers. Name the layers, or leave it out.").About(ofLayers);
-        }
-
+        values.Refuse(
+            WithoutMeaning(renderer),
+            renderer == RendererKind.PovRay
+                ? "is for --renderer native only. Add that, or leave it out."
+                : "has no meaning with --renderer native, which needs neither POV-Ray nor patterns. Leave it out, or choose "
+                    + "--renderer povray.",
+            Renderer);
+        values.Refuse(
+            values.Text(NativeOptions.Layers) is null ? NativeOptions.OfLayers : [],
+            "is given, but no --layers. Name the layers, or leave it out.");
         if (NativeOptions.LayersCompression.Read(values) != LayerCompression.None
             && NativeOptions.LayersFormat.Read(values) != LayersFormat.Fits)
         {
-            throw new UsageException(
-                "--layers-compression gzip is for --layers-format fits. Choose one of them, or compress the .npy files afterwards.")
-                .About(NativeOptions.LayersCompression, NativeOptions.LayersFormat);
+            throw NativeOptions.LayersCompression.Wrong(
+                "gzip is for --layers-format fits. Choose one of them, or compress the .npy files afterwards.", NativeOptions.LayersFormat);
         }
     }
+}
+
+/// <summary>The options that apply to POV-Ray only.</summary>
+internal static class PovOptions
+{
+    /// <summary>Maximum time limit, s: the longest that a .NET timer accepts.</summary>
+    private const int MaxTimeout = int.MaxValue / 1000;
+
+    public static PathSpec PatternRepository { get; } = new(
+        "--pattern-repos", OptionRole.HowItRuns, PathKind.Folder, "Folder of the surface patterns")
+    {
+        Aliases = ["-p"],
+        Default = "pattern-repository",
+        DefaultNote = "./pattern-repository",
+    };
+
+    public static PathSpec Program { get; } = new(
+        "--pov-path", DecidesBytes.ByFiles, PathKind.Any, "POV-Ray's program or its folder")
+    {
+        DefaultNote = "searched along the PATH",
+    };
+
+    public static TextSpec MoreOptions { get; } = new(
+        "--pov-options", DecidesBytes.As(frame => frame.Native is null ? frame.Settings.PovOptions : null).OfRuns(),
+        "TEXT", "More POV-Ray options, separated by spaces, which overrule those of msis, e.g. \"Antialias=Off\"")
+    {
+        Separator = " ",
+    };
+
+    public static NumberSpec Timeout { get; } = new("--timeout", OptionRole.HowItRuns, "SECONDS", "Longest time of one POV-Ray run")
+    {
+        Limits = new NumberRange(0.0, MaxTimeout) { ExcludesMin = true },
+        DefaultNote = "no limit",
+    };
+
+    public static FlagSpec ListPatterns { get; } = new(
+        "--list-patterns", OptionRole.WhatIsPrinted, "Print the tiles of each image and why each is taken or left out; render nothing")
+    {
+        IsOfOneCall = true,
+    };
+
+    public static OptionGroup Group { get; } = new("POV-Ray", [PatternRepository, Program, MoreOptions, Timeout, ListPatterns])
+    {
+        Note = "Only with --renderer povray.",
+    };
 }

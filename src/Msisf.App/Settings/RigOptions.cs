@@ -34,15 +34,12 @@ internal static class RigOptions
             return [RenderSettingsReader.Read(values, geoTiffs: geoTiffs)];
         }
 
-        if (OfCamera.FirstOrDefault(values.IsGiven) is { } said)
-        {
-            throw new UsageException($"{said.Name} and {Rig.Name} exclude each other: the rig file says it of each camera. Leave one out.")
-                .About(said, Rig);
-        }
-
+        values.Refuse(OfCamera, $"and {Rig.Name} exclude each other: the rig file says it of each camera. Leave one out.", Rig);
         RigFile file = Rig.NamedInErrors(() => File.Exists(path)
             ? RigFile.Read(path, [.. OfCamera.Select(option => option.Key)])
-            : throw new BadInputException($"{Rig.Name} {path}: there is no such file."));
+            : throw new BadInputException(Directory.Exists(path)
+                ? $"{Rig.Name} {path}: is a folder; a rig file is needed."
+                : $"{Rig.Name} {path}: there is no such file."));
         MountedCamera[] cameras = [.. file.Cameras.Select(camera => camera.Mounted)];
         RenderSettings[] settings = [.. file.Cameras.Select((camera, index) => Read(values, file, camera, geoTiffs) with
         {
@@ -51,15 +48,14 @@ internal static class RigOptions
         })];
         return !values.IsGiven(CameraOptions.Motion) || settings.Any(camera => camera.Shutter is not null || camera.Scan is not null)
             ? settings
-            : throw new UsageException($"{CameraOptions.Motion.Name} has no meaning for the cameras of {path}: none has a shutter or "
-                + "scans. Remove it.").About(CameraOptions.Motion, Rig);
+            : throw CameraOptions.Motion.Wrong($"has no meaning for the cameras of {path}: none has a shutter or scans. Remove it.", Rig);
     }
 
     /// <summary>Reads the settings of a run that draws with one camera.</summary>
     /// <exception cref="UsageException">There is a rig.</exception>
     public static RenderSettings ReadOne(OptionValues values, GeoTiffFiles? geoTiffs, string what) => Rig.ReadIfGiven(values) is null
         ? RenderSettingsReader.Read(values, geoTiffs: geoTiffs)
-        : throw new UsageException($"{Rig.Name} has several cameras, and {what}. Give one by {ImageOptions.Camera.Name}.").About(Rig);
+        : throw Rig.Wrong($"has several cameras, and {what}. Give one by {ImageOptions.Camera.Name}.");
 
     private static RenderSettings Read(OptionValues values, RigFile file, RigFileCamera camera, GeoTiffFiles? geoTiffs)
     {
@@ -80,8 +76,8 @@ internal static class RigOptions
 
         return settings.Renderer == RendererKind.Native
             ? settings
-            : throw new UsageException($"{Rig.Name} draws with the program's own renderer. Add {RendererOptions.Renderer.Name} native.")
-                .About(Rig, RendererOptions.Renderer);
+            : throw Rig.Wrong(
+                $"draws with the program's own renderer. Add {RendererOptions.Renderer.Name} native.", RendererOptions.Renderer);
     }
 
     /// <summary>The path of a camera's file or folder: its name stands in the path of all.</summary>

@@ -70,8 +70,9 @@ internal static class ScanOptions
         if (camera?.Scan is not { } scan)
         {
             return (given ?? (period is null ? null : Period)) is { } wrong
-                ? throw new UsageException($"{wrong.Name} needs a camera that scans: one whose file has the section 'scan'. Give it by "
-                    + $"{ImageOptions.Camera.Name}, or leave {wrong.Name} out.").About(wrong, ImageOptions.Camera)
+                ? throw wrong.Wrong(
+                    $"needs a camera that scans: one whose file has the section 'scan'. Give it by {ImageOptions.Camera.Name}, or leave "
+                        + $"{wrong.Name} out.", ImageOptions.Camera)
                 : null;
         }
 
@@ -83,15 +84,15 @@ internal static class ScanOptions
         };
         if (given is not null && given != own)
         {
-            throw new UsageException($"{given.Name} has no meaning for --camera {camera.Name}"
-                + (own is null ? ", whose rows are its height. Leave it out." : $". Give {own.Name}.")).About(given, ImageOptions.Camera);
+            throw given.Wrong($"has no meaning for --camera {camera.Name}"
+                + (own is null ? ", whose rows are its height. Leave it out." : $". Give {own.Name}."), ImageOptions.Camera);
         }
 
         if (own is not null && given is null)
         {
             return period is null
                 ? null
-                : throw new UsageException($"{Period.Name} needs {own.Name}: how many. Add it.").About(Period);
+                : throw Period.Wrong($"needs {own.Name}: how many. Add it.");
         }
 
         return new Scan(
@@ -109,8 +110,8 @@ internal static class ScanOptions
         };
     }
 
-    /// <summary>Reads the file of jitter; null if none is given.</summary>
     public static JitterFile? ReadJitter(OptionValues values) => Jitter.ReadIfGiven(values) is not { } path ? null
+        : Directory.Exists(path) ? throw new BadInputException($"{Jitter.Name} {path}: is a folder; a file of jitter is needed.")
         : !File.Exists(path) ? throw new BadInputException($"{Jitter.Name} {path}: there is no such file.")
         : FileErrors.ToBadInput($"{Jitter.Name} {path}: can't be read", () => JitterFile.Of(path, File.ReadAllBytes(path)));
 }
@@ -122,7 +123,6 @@ internal static class ScanOptions
 /// <param name="Bytes">Its length.</param>
 internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, long Bytes)
 {
-    /// <summary>Reads a content.</summary>
     /// <param name="path">For messages.</param>
     /// <exception cref="BadInputException">What is wrong in it.</exception>
     public static JitterFile Of(string path, byte[] content)
@@ -137,4 +137,45 @@ internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, lon
 
     /// <summary>The file as one of those that a frame is made from.</summary>
     public InputFile ToInput() => new(InputKind.Jitter, System.IO.Path.GetFileName(Path), Bytes, Sha256);
+}
+
+/// <summary>Which scanned images are drawn strip by strip, because they are too large for the memory, and what they can't have.</summary>
+internal static class StripRules
+{
+    /// <summary>px: larger images are drawn in strips; one of so many takes some 1.6 GB.</summary>
+    public const long LargestWhole = 1L << 23;
+
+    /// <summary>px of a strip: 50 MB.</summary>
+    public const long PixelsOfStrip = 1L << 18;
+
+    /// <summary>Whether an image is drawn in strips.</summary>
+    /// <param name="scan">How it is scanned; null for a frame.</param>
+    /// <param name="width">px.</param>
+    /// <param name="height">px.</param>
+    public static bool IsStriped(Scan? scan, int width, int height) =>
+        scan is { Kind: not ScanKind.RollingShutter } && (long)width * height > LargestWhole;
+
+    /// <summary>Refuses what needs all of an image that is drawn in strips.</summary>
+    /// <exception cref="UsageException">An option asks for it.</exception>
+    public static void Refuse(RenderSettings settings)
+    {
+        if (!IsStriped(settings.Scan, settings.Width, settings.Height))
+        {
+            return;
+        }
+
+        string? wrong = settings.Annotate ? OutputOptions.Annotation.Name
+            : settings.Native.Navigation is not null ? "truth for navigation"
+            : settings.Map is not null ? MapOptions.Map.Name
+            : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
+                ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
+            : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
+            : null;
+        if (wrong is not null)
+        {
+            throw new UsageException($"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of "
+                + "it "
+                + $"at once. Leave it out, or scan fewer lines: {LargestWhole / settings.Width} are drawn as a whole.");
+        }
+    }
 }

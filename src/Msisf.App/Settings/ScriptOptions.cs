@@ -38,9 +38,9 @@ internal static class ScriptOptions
     public static ScriptFormat ReadFormat(OptionValues values)
     {
         ScriptFormat format = Format.Read(values);
-        return format == ScriptFormat.Slurm || SlurmOptions.Group.Options.FirstOrDefault(values.IsGiven) is not { } wrong
-            ? format
-            : throw new UsageException($"{wrong.Name} is for --format slurm only. Choose that, or leave it out.").About(wrong);
+        values.Refuse(
+            format == ScriptFormat.Slurm ? [] : SlurmOptions.Group.Options, "is for --format slurm only. Choose that, or leave it out.");
+        return format;
     }
 
     /// <summary>Reads the path of the script.</summary>
@@ -71,3 +71,36 @@ internal enum ScriptFormat
     /// <summary>Slurm, as a job array.</summary>
     Slurm,
 }
+
+/// <summary>The options that define how a run is cut into pieces.</summary>
+internal static class CutOptions
+{
+    public static WholeNumberSpec Pieces { get; } = new(
+        "--pieces", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into so many pieces")
+    {
+        IsOfOneCall = true,
+    };
+
+    public static WholeNumberSpec FramesPerPiece { get; } = new(
+        "--frames-per-piece", OptionRole.HowItRuns, "N", 1, int.MaxValue, "Cut the run into pieces of so many images")
+    {
+        IsOfOneCall = true,
+    };
+
+    /// <summary>Reads and checks the options.</summary>
+    /// <exception cref="MsisfException">Neither or both options are given, or a value is no number.</exception>
+    public static CutSettings Read(OptionValues values)
+    {
+        bool hasPieces = values.IsGiven(Pieces);
+        return hasPieces != values.IsGiven(FramesPerPiece)
+            ? new CutSettings(Pieces.ReadIfGiven(values), FramesPerPiece.ReadIfGiven(values))
+            : throw new UsageException(hasPieces
+                ? "--pieces and --frames-per-piece exclude each other. Give one of them."
+                : "nothing says how the run is cut. Give --pieces or --frames-per-piece.");
+    }
+}
+
+/// <summary>How a run is cut into pieces.</summary>
+/// <param name="Pieces">Number of pieces; null if the number of frames is given.</param>
+/// <param name="FramesPerPiece">Frames of each piece except the last; null if the number of pieces is given.</param>
+internal sealed record CutSettings(int? Pieces, int? FramesPerPiece);

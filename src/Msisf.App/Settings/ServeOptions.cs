@@ -6,7 +6,6 @@ namespace Msisf.App.Settings;
 /// <summary>The options of msis serve.</summary>
 internal static partial class ServeOptions
 {
-    /// <summary>Port if none is given.</summary>
     public const int DefaultPort = 8810;
 
     private const int DefaultMaxPixels = 4096 * 4096;
@@ -101,7 +100,6 @@ internal static partial class ServeOptions
         "--record", OptionRole.HowItRuns, PathKind.Folder,
         "With --basilisk: write the state of each image to a batch file here, from which msis draws it again");
 
-    /// <summary>The options of a server for Basilisk.</summary>
     public static OptionGroup OfBasilisk { get; } = new(
         "Basilisk", [Basilisk, BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]);
 
@@ -119,35 +117,28 @@ internal static partial class ServeOptions
         string? token = TokenFile.ReadIfGiven(values);
         if (!address.IsLocal && token is null)
         {
-            throw new UsageException(
-                $"{Listen.Name} {address} can be reached from other computers. Add {TokenFile.Name}, or listen on 127.0.0.1.")
-                .About(Listen, TokenFile);
+            throw Listen.Wrong($"{address} can be reached from other computers. Add {TokenFile.Name}, or listen on 127.0.0.1.", TokenFile);
         }
 
         string? certificate = Certificate.ReadIfGiven(values);
         string? key = CertificateKey.ReadIfGiven(values);
         if (certificate is null != key is null)
         {
-            throw new UsageException($"{Certificate.Name} and {CertificateKey.Name} belong together. Give both, or none.")
-                .About(Certificate, CertificateKey);
+            throw Certificate.Wrong($"and {CertificateKey.Name} belong together. Give both, or none.", CertificateKey);
         }
 
         if (certificate is not null && address.SocketPath is not null)
         {
-            throw new UsageException($"{Certificate.Name} has no meaning with a Unix socket. Leave it out.").About(Certificate, Listen);
+            throw Certificate.Wrong("has no meaning with a Unix socket. Leave it out.", Listen);
         }
 
         string? basilisk = Basilisk.ReadIfGiven(values);
-        OptionSpec[] others = basilisk is null
-            ? [BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]
-            : [Listen, TokenFile, Certificate, Hosts, MaxMegabytes, ViewOptions.Folders, ViewOptions.Catalogues];
-        if (others.FirstOrDefault(values.IsGiven) is { } wrong)
-        {
-            throw new UsageException(
-                $"{wrong.Name} has no meaning {(basilisk is null ? "without" : "with")} {Basilisk.Name}. Leave it out.")
-                .About(wrong, Basilisk);
-        }
-
+        values.Refuse(
+            basilisk is null
+                ? [BasiliskCameras, MoonAttitude, FrameOptions, RecordFolder]
+                : [Listen, TokenFile, Certificate, Hosts, MaxMegabytes, ViewOptions.Folders, ViewOptions.Catalogues],
+            $"has no meaning {(basilisk is null ? "without" : "with")} {Basilisk.Name}. Leave it out.",
+            Basilisk);
         return new ServeSettings(
             address,
             token is null ? null : TokenFile.NamedInErrors(() => ReadToken(token)),

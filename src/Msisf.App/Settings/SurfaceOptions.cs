@@ -76,8 +76,7 @@ internal static class SurfaceOptions
     /// <summary>Reads which of two models gives way where they meet.</summary>
     /// <exception cref="UsageException">It is given for one model.</exception>
     public static NestBlend ReadNestBlend(OptionValues values) => values.IsGiven(NestBlend) && Ldem.ReadAll(values).Count < 2
-        ? throw new UsageException(
-            $"{NestBlend.Name} has no meaning with one model: it says how several are joined. Leave it out, or give more {Ldem.Name}.")
-            .About(NestBlend, Ldem)
+        ? throw NestBlend.Wrong(
+            $"has no meaning with one model: it says how several are joined. Leave it out, or give more {Ldem.Name}.", Ldem)
         : NestBlend.Read(values);
 }

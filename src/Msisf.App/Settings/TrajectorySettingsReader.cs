@@ -36,7 +36,6 @@ internal sealed class TrajectorySettingsReader
             .. MissionOptions.Ways,
         ];
 
-    /// <summary>Reads and checks the options.</summary>
     /// <param name="batchFile">
     /// The option that names the batch file, which has another name in msis patterns; null for the option of a run.
     /// </param>
@@ -47,7 +46,7 @@ internal sealed class TrajectorySettingsReader
     {
         TrajectorySettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
         return reader.ReadIfGiven()
-            ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {Names(reader.Ways)}.");
+            ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {reader.Ways.Names()}.");
     }
 
     /// <summary>Reads and checks the options; null if none of the ways is given.</summary>
@@ -56,7 +55,6 @@ internal sealed class TrajectorySettingsReader
         new TrajectorySettingsReader(values, batchFile).ReadIfGiven();
 
     /// <summary>Reads the noise of the first frame; null if the user does not choose it.</summary>
-    /// <exception cref="UsageException">It is wrong.</exception>
     public static NoiseSeed? ReadNoise(OptionValues values) => NativeOptions.NoiseSeed.ReadIfGiven(values) is { } text
         ? NativeOptions.NoiseSeed.Named(() => NoiseSeedText.Parse(text, step: 1))
         : null;
@@ -75,12 +73,12 @@ internal sealed class TrajectorySettingsReader
         OptionSpec[] given = [.. Ways.Where(_values.IsGiven)];
         if (given.Length > 1)
         {
-            throw new UsageException($"{given[0].Name} and {given[1].Name} exclude each other. Give exactly one of {Names(Ways)}.");
+            throw new UsageException($"{given[0].Name} and {given[1].Name} exclude each other. Give exactly one of {Ways.Names()}.");
         }
 
         if (given is not [OptionSpec way])
         {
-            Refuse(MissionOptions.All, $"needs one of {Names(MissionOptions.Ways)}: what says where the camera is. Add it.");
+            _values.Refuse(MissionOptions.All, $"needs one of {MissionOptions.Ways.Names()}: what says where the camera is. Add it.");
             return null;
         }
 
@@ -89,16 +87,17 @@ internal sealed class TrajectorySettingsReader
             return Sampled();
         }
 
-        Refuse(ScanOptions.OfTrajectory, $"is not allowed with {way.Name}, but with {ScanOptions.Trajectory.Name} only. Remove it.");
+        _values.Refuse(
+            ScanOptions.OfTrajectory, $"is not allowed with {way.Name}, but with {ScanOptions.Trajectory.Name} only. Remove it.");
         if (way != _batchFile)
         {
-            Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
+            _values.Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
         }
 
         if (way != CameraOptions.FixedState && way != _batchFile && !_values.IsGiven(CameraOptions.Attitude)
             && !_values.IsGiven(MissionOptions.Aem))
         {
-            Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
+            _values.Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
         }
 
         if (MissionOptions.Ways.Contains(way))
@@ -106,12 +105,13 @@ internal sealed class TrajectorySettingsReader
             return new MissionSettingsReader(_values, Attitude, Times).Read(way);
         }
 
-        Refuse(MissionOptions.All, $"is not allowed with {way.Name}, but with {Names(MissionOptions.Ways)} only. Remove it.");
+        _values.Refuse(MissionOptions.All, $"is not allowed with {way.Name}, but with {MissionOptions.Ways.Names()} only. Remove it.");
         CameraMotion? motion = Motion();
         if (way == PointingOptions.Position)
         {
-            Refuse(OrbitOptions, $"is not allowed with {way.Name}. Remove it; --look-at or --off-nadir says how the camera points.");
-            RequireTimes(way);
+            _values.Refuse(
+                OrbitOptions, $"is not allowed with {way.Name}. Remove it; --look-at or --off-nadir says how the camera points.");
+            _values.RequireTimes(way, TimeOptions);
             return new PlaceSettings(
                 way.Named(() => PointingText.ParsePosition(PointingOptions.Position.Read(_values))),
                 PointingOptions.ReadPointing(_values), Times())
@@ -120,10 +120,11 @@ internal sealed class TrajectorySettingsReader
             };
         }
 
-        Refuse(PointingOptions.OfPosition, $"is not allowed with {way.Name}, but with {PointingOptions.Position.Name} only. Remove it.");
+        _values.Refuse(
+            PointingOptions.OfPosition, $"is not allowed with {way.Name}, but with {PointingOptions.Position.Name} only. Remove it.");
         if (way == CameraOptions.KeplerSet || way == CameraOptions.StateVectors)
         {
-            Refuse([CameraOptions.Motion], $"is not allowed with {way.Name}, which itself says how the camera moves. Remove it.");
+            _values.Refuse([CameraOptions.Motion], $"is not allowed with {way.Name}, which itself says how the camera moves. Remove it.");
         }
 
         if (way == CameraOptions.KeplerSet)
@@ -137,7 +138,7 @@ internal sealed class TrajectorySettingsReader
         }
 
         bool isBatch = way == _batchFile;
-        Refuse(
+        _values.Refuse(
             [.. OrbitOptions.Where(option => !isBatch || option != CameraOptions.Epoch), .. TimeOptions],
             $"is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
         return isBatch
@@ -147,7 +148,7 @@ internal sealed class TrajectorySettingsReader
 
     private SampledSettings Sampled()
     {
-        Refuse(
+        _values.Refuse(
             [
                 .. OrbitOptions.Except([CameraOptions.Epoch]), .. MissionOptions.All, .. PointingOptions.OfPosition, CameraOptions.Motion,
             ],
@@ -155,7 +156,7 @@ internal sealed class TrajectorySettingsReader
         bool hasTimes = TimeOptions.Any(_values.IsGiven);
         if (hasTimes)
         {
-            RequireTimes(ScanOptions.Trajectory);
+            _values.RequireTimes(ScanOptions.Trajectory, TimeOptions);
         }
 
         BatchFileSettings samples = new(ScanOptions.Trajectory.Read(_values), ScanOptions.Trajectory)
@@ -163,8 +164,7 @@ internal sealed class TrajectorySettingsReader
             Conventions = BatchOptions.Read(_values),
         };
         return samples.IsStandardInput
-            ? throw new UsageException($"{ScanOptions.Trajectory.Name} can't be read from standard input. Save the states to a file.")
-                .About(ScanOptions.Trajectory)
+            ? throw ScanOptions.Trajectory.Wrong("can't be read from standard input. Save the states to a file.")
             : new SampledSettings(samples, hasTimes ? Times() : null)
             {
                 Positions = ScanOptions.Positions.ReadIfGiven(_values),
@@ -191,9 +191,8 @@ internal sealed class TrajectorySettingsReader
         }
 
         return LightOptions.IgnoreSun.Read(_values)
-            ? throw new UsageException(
-                $"{LightOptions.SunPosition.Name} has no meaning with {LightOptions.IgnoreSun.Name}. Leave one out.")
-                .About(LightOptions.SunPosition, LightOptions.IgnoreSun)
+            ? throw LightOptions.SunPosition.Wrong(
+                $"has no meaning with {LightOptions.IgnoreSun.Name}. Leave one out.", LightOptions.IgnoreSun)
             : LightOptions.SunPosition.Named(
                 () => SpacecraftState.CheckedSun(new Vector3D(numbers[0], numbers[1], numbers[2])));
     }
@@ -206,7 +205,7 @@ internal sealed class TrajectorySettingsReader
                 $"{way.Name} needs {CameraOptions.Epoch.Name}: the time (MJD or ISO 8601, UTC) for which the orbit is given.");
         }
 
-        RequireTimes(way);
+        _values.RequireTimes(way, TimeOptions);
         if (_values.IsGiven(CameraOptions.AttitudeTransition) && !_values.IsGiven(CameraOptions.Attitude))
         {
             throw new UsageException("--attitude-transition needs --attitude: the orientation at the epoch from which it turns.");
@@ -225,25 +224,6 @@ internal sealed class TrajectorySettingsReader
             Attitude(),
             _values.IsGiven(CameraOptions.AttitudeFrame) ? CameraOptions.AttitudeFrame.Read(_values) : null,
             Times());
-    }
-
-    private void RequireTimes(OptionSpec way)
-    {
-        OptionSpec[] times = [.. TimeOptions.Where(_values.IsGiven)];
-        if (times.Length != 1)
-        {
-            throw new UsageException(times.Length == 0
-                ? $"{way.Name} needs one of {Names(TimeOptions)}: when to take images."
-                : $"{times[0].Name} and {times[1].Name} exclude each other. Give exactly one of {Names(TimeOptions)}.");
-        }
-    }
-
-    private void Refuse(IEnumerable<OptionSpec> options, string why)
-    {
-        if (options.FirstOrDefault(_values.IsGiven) is { } wrong)
-        {
-            throw new UsageException($"{wrong.Name} {why}");
-        }
     }
 
     private KeplerElements KeplerElements()
@@ -284,6 +264,4 @@ internal sealed class TrajectorySettingsReader
             : CameraOptions.TimeInterval.Value(
                 () => StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!));
     }
-
-    private static string Names(IEnumerable<OptionSpec> options) => string.Join(", ", options.Select(option => option.Name));
 }

@@ -22,7 +22,6 @@ internal static class TwinOptions
         DefaultNote = "all",
     };
 
-    /// <summary>msis twin.</summary>
     public static CommandSpec Command { get; } = new(
         "twin", "Draw the twin of a real image from its label, and compare the two.")
     {
@@ -61,13 +60,12 @@ internal static class TwinOptions
         values.Words(MissionOptions.Spk) is not null && values.Words(MissionOptions.Ck) is not null
         || (((OptionSpec[])[MissionOptions.Spk, MissionOptions.Ck, .. OfSpk]).FirstOrDefault(option => values.Words(option) is not null)
             is { } alone
-            ? throw new UsageException(
-                $"{alone.Name} needs {MissionOptions.Spk.Name} and {MissionOptions.Ck.Name}: where the camera was and how it pointed. Add "
-                    + "them, or leave it out.").About(alone)
+            ? throw alone.Wrong(
+                $"needs {MissionOptions.Spk.Name} and {MissionOptions.Ck.Name}: where the camera was and how it pointed. Add them, or "
+                    + "leave it out.")
             : false);
 
     /// <summary>Reads the lines of the product; null for all.</summary>
-    /// <exception cref="UsageException">They are none.</exception>
     public static (int First, int Last)? ReadLines(OptionValues values)
     {
         if (Lines.ReadIfGiven(values) is not { } text)
@@ -78,7 +76,7 @@ internal static class TwinOptions
         string[] parts = text.Split('-');
         return parts.Length == 2 && TryParse(parts[0], out int first) && TryParse(parts[1], out int last) && first >= 1 && last >= first
             ? (first, last)
-            : throw new UsageException($"{Lines.Name} is '{text}'; two line numbers such as 1001-1400 are needed.").About(Lines);
+            : throw Lines.Wrong($"is '{text}'; two line numbers such as 1001-1400 are needed.");
     }
 
     private static bool TryParse(string text, out int number) =>

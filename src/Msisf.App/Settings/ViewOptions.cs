@@ -24,7 +24,6 @@ internal static class ViewOptions
 
     public static FlagSpec NoBrowser { get; } = new("--no-browser", OptionRole.HowItRuns, "Open no browser; only print the address");
 
-    /// <summary>What to open first.</summary>
     public static ArgumentSpec Opened { get; } = new("PATH", "An output folder, a batch file or a trajectory (OEM) for the time line")
     {
         IsOptional = true,
@@ -33,7 +32,6 @@ internal static class ViewOptions
     /// <summary>The options of msis serve that are for the viewer.</summary>
     public static OptionGroup OfServe { get; } = new("Viewer", [Folders, Catalogues]);
 
-    /// <summary>The options of msis view.</summary>
     public static OptionGroup OfView { get; } = new("Viewer", [Folders, Catalogues, NoBrowser]);
 
     /// <summary>The options of the server that msis view starts.</summary>

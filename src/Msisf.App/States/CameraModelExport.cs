@@ -2,6 +2,7 @@ using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
 using Msisf.App.Host;
+using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
@@ -11,8 +12,6 @@ namespace Msisf.App.States;
 /// <summary><c>msis camera-model</c>: writes the cameras of meta files for other programs.</summary>
 internal static class CameraModelExport
 {
-    /// <summary>Writes all files, or none.</summary>
-    /// <param name="host">Output and installation of the program.</param>
     /// <exception cref="MsisfException">A file can't be read, or a format can't say its camera.</exception>
     public static void Write(OptionValues values, ProgramHost host)
     {
@@ -37,7 +36,9 @@ internal static class CameraModelExport
                     + "rolling shutter --camera-model in the run itself has the time of each row.");
             }
 
-            using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris) ? Open(frame, engine, kernels, host) : null;
+            using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris)
+                ? EphemerisSource.Open(host, engine, frame.Globe.Body, kernels, [])
+                : null;
             string stem = Path.ChangeExtension(metaFile, null);
             ExportedFrame exported = frame with
             {
@@ -49,16 +50,6 @@ internal static class CameraModelExport
 
         files.Commit();
         paths.ForEach(host.Results.WriteLine);
-    }
-
-    private static OpenedEphemeris Open(ExportedFrame frame, EphemerisChoice engine, IReadOnlyList<string> kernels, ProgramHost host)
-    {
-        string installed = frame.Globe.Body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel;
-        return LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
-            engine, KernelList.OnTop(installed, kernels, []), host.Installation.Root, host.Environment("MSISF_CSPICE"))
-        {
-            Body = frame.Globe.Body,
-        }));
     }
 
     private static void Named(string metaFile, Action work)

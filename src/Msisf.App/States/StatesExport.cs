@@ -13,8 +13,6 @@ namespace Msisf.App.States;
 internal static class StatesExport
 {
     /// <summary>Reads the run's states and writes them; all files, or none.</summary>
-    /// <param name="trajectory">The positions of the camera.</param>
-    /// <param name="settings">The run's other settings.</param>
     /// <param name="path">File or folder; null to print.</param>
     /// <exception cref="MsisfException">The run can't be read, or the form can't hold it.</exception>
     public static void Write(

@@ -29,7 +29,6 @@ internal sealed record KnownCamera(
     /// <summary>What of its products can't be drawn; null for nothing.</summary>
     public Func<ImageLabel, string?> Problem { get; init; } = static _ => null;
 
-    /// <summary>All of them.</summary>
     public static IReadOnlyList<KnownCamera> All { get; } =
     [
         new(
@@ -88,7 +87,6 @@ internal sealed record KnownCamera(
         },
     ];
 
-    /// <summary>The camera of a label; null if it is none of these.</summary>
     public static KnownCamera? Of(ImageLabel label) => All.FirstOrDefault(camera => camera.Is(label));
 
     private static bool IsNac(ImageLabel label) => label.Text("INSTRUMENTID") is "NACL" or "NACR"

@@ -15,13 +15,11 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
 {
     private static readonly string[] NamesOfCamera = ["SPACECRAFTNAME", "INSTRUMENTHOSTNAME", "INSTRUMENTID", "INSTRUMENTNAME"];
 
-    /// <summary>Name for people.</summary>
     public string Name => Known is null ? File.Name : $"{Known.Name}, {Word}";
 
     /// <summary>How the image lies in the frame of the instrument.</summary>
     public InstrumentAxes Axes => InstrumentAxes.Parse(AxesText);
 
-    /// <summary>Finds the camera.</summary>
     /// <param name="nanometres">Wavelength of its band; null if the label does not say it.</param>
     /// <param name="values">The options; they name the renderer.</param>
     /// <exception cref="MsisfException">It is not known, and the user gives none; or it can't draw the product.</exception>

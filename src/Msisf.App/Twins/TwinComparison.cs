@@ -16,7 +16,6 @@ internal sealed record TwinComparison(
     /// <summary>Pixels that make a row of the table by phase angle.</summary>
     private const int LeastCount = 50;
 
-    /// <summary>Compares.</summary>
     /// <param name="real">The real image.</param>
     /// <param name="drawn">I/F of its twin, the same size.</param>
     /// <param name="phase">degrees: the phase angle of each pixel; NaN where no surface is seen.</param>

@@ -10,7 +10,6 @@ internal sealed class TwinJson(TwinResult result)
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
-    /// <summary>Writes them.</summary>
     public void Write(Stream stream)
     {
         TwinComparison? found = result.Comparison;

@@ -60,7 +60,7 @@ internal static class TwinOptionValues
                 withCamera.Replacing([ScanOptions.Period], []),
                 [
                     (kind == ScanKind.LineScan ? ScanOptions.Lines : ScanOptions.Framelets, count),
-                    (ScanOptions.Period, Number(plan.Period)),
+                    (ScanOptions.Period, NumberSpec.TextOf(plan.Period)),
                 ]);
     }
 
@@ -68,7 +68,4 @@ internal static class TwinOptionValues
     public static OptionValues With(OptionValues values, IEnumerable<(OptionSpec Option, string Word)> more) => values.With(
         more.Where(pair => values.Words(pair.Option) is null)
             .Select(pair => KeyValuePair.Create(pair.Option.Name, new OptionValue([pair.Word]))));
-
-    /// <summary>A number with all its digits.</summary>
-    public static string Number(double number) => number.ToString("R", CultureInfo.InvariantCulture);
 }

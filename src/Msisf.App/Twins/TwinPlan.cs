@@ -1,7 +1,13 @@
+using System.Buffers.Binary;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.Input;
 using Msisf.Adapters.RealImages;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Comparison;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Twins;
 
@@ -12,7 +18,6 @@ internal sealed record TwinPlan(double Start, double Period, int Exposures, Prod
 {
     private const int MostReduced = 10_000;
 
-    /// <summary>Plans a twin.</summary>
     /// <param name="times">When it was taken.</param>
     /// <param name="known">What is known of such products; null for a camera of the user's.</param>
     /// <param name="window">Lines of the product to draw, from 1; null for all.</param>
@@ -125,4 +130,76 @@ internal sealed record TwinPlan(double Start, double Period, int Exposures, Prod
     private static BadInputException Unfit(ImageLabel label, CameraFile camera, int size, string what) => new(Invariant(
         $"{label.Path}: {size} {what} are not of camera {camera.Name}, which has {camera.Model.Width} x {camera.Model.Height} px. Was it "
             + $"cropped or scaled by a program that does not say so (AlphaCube)?"));
+}
+
+/// <summary>The band of a product that is compared.</summary>
+/// <param name="Index">From 0.</param>
+/// <param name="Nanometres">Its middle; null if the label does not say it.</param>
+internal sealed record TwinBand(int Index, double? Nanometres)
+{
+    /// <exception cref="MsisfException">The product does not have the band.</exception>
+    public static TwinBand Of(ImageLabel label, OptionValues values)
+    {
+        int count = label.Pixels.Size.Bands;
+        LabelValue? center = label.Find("CENTER") ?? label.Find("CENTERFILTERWAVELENGTH") ?? label.Find("CENTERWAVELENGTH");
+        double?[] wavelengths = [.. (center?.Items ?? []).Select(item => Parse(item, center!.Unit))];
+        bool isKnown = wavelengths.Length == count && wavelengths.All(wavelength => wavelength is not null);
+        int index = TwinOptions.Band.ReadIfGiven(values) is { } given ? given - 1
+            : isKnown ? Array.IndexOf(wavelengths, wavelengths.MinBy(found => Math.Abs(found!.Value - AlbedoOptions.Band.Read(values))))
+            : 0;
+        return index < count
+            ? new TwinBand(index, isKnown ? wavelengths[index] : null)
+            : throw TwinOptions.Band.Wrong(Invariant($"{index + 1}: {label.Path} has {count} bands."));
+    }
+
+    /// <summary>ISIS's labels have 643, 0.415 in micrometres, and 640nm.</summary>
+    private static double? Parse(string text, string? unit)
+    {
+        string digits = text.EndsWith("nm", StringComparison.OrdinalIgnoreCase) ? text[..^2] : text;
+        return !double.TryParse(digits, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || number <= 0.0 ? null
+            : unit?.StartsWith("micro", StringComparison.OrdinalIgnoreCase) == true || number < 10.0 ? 1000.0 * number
+            : number;
+    }
+}
+
+/// <summary>Turns the times of a label into TDB seconds past J2000.</summary>
+/// <param name="kernels">Has the leap seconds, and perhaps the spacecraft's clock.</param>
+/// <param name="spacecraft">NAIF's number.</param>
+internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int spacecraft)
+{
+    private const string Computed = "_COMPUTED";
+
+    /// <summary>The time of a count of the spacecraft's clock; null without the keyword, or if nothing here knows the clock.</summary>
+    /// <exception cref="BadInputException">It is no count.</exception>
+    public double? OfCount(string name) => OfCube(name)
+        ?? (label.Find(name) is { } count && SpacecraftClock.IsIn(kernels.Catalogue.Pool, spacecraft)
+            ? SpacecraftClock.Read(kernels.Catalogue.Pool, spacecraft, kernels.Engine.TimeScale).TimeOf(count.Text)
+            : null);
+
+    /// <summary>The time of a count as a cube has kept it: ISIS stores the clock's answer as the bytes of a double.</summary>
+    /// <param name="name">The keyword of the count.</param>
+    /// <returns>Null if the cube has none.</returns>
+    /// <exception cref="BadInputException">It is no time.</exception>
+    public double? OfCube(string name)
+    {
+        string? known = label.Find(name) is not { Text: var count } ? null : label.Naif.Keys.FirstOrDefault(
+            key => key.StartsWith("CLOCK_ET_", StringComparison.Ordinal) && key.EndsWith($"_{count}{Computed}", StringComparison.Ordinal));
+        return known is null ? null
+            : label.Naif[known].Text is var hex && hex.Length == 2 * sizeof(double) && hex.All(char.IsAsciiHexDigit)
+                ? BinaryPrimitives.ReadDoubleLittleEndian(Convert.FromHexString(hex))
+            : throw new BadInputException($"{label.Path}: {known} is '{hex}'; 16 hexadecimal digits are needed.");
+    }
+
+    /// <summary>The time of a keyword in UTC.</summary>
+    /// <exception cref="BadInputException">It is missing, or no time.</exception>
+    public double OfUtc(string name)
+    {
+        string text = label.Text(name);
+        return TimeText.TryParse(text.EndsWith('Z') ? text : text + "Z", out double mjd)
+            ? kernels.Engine.TimeScale.FromUtc(new ModifiedJulianDate(mjd))
+            : throw new BadInputException(
+                text.Length == 0
+                    ? $"{label.Path}: the label has no {name}: when the image was taken is not known."
+                    : $"{label.Path}: {name} is '{text}'; a time such as 2009-07-30T12:20:38.185 is needed.");
+    }
 }

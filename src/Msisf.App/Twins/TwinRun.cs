@@ -36,7 +36,6 @@ internal sealed class TwinRun
     }
 
     /// <summary>Draws and compares; the paths of the files are written to the host's results.</summary>
-    /// <param name="line">The options of the call.</param>
     /// <param name="cancellation">Cancels the work; no incomplete file is left.</param>
     /// <exception cref="MsisfException">The label, its data or an option is wrong, or a file can't be written.</exception>
     public static Task RunAsync(OptionValues line, ProgramHost host, CancellationToken cancellation)
@@ -139,13 +138,8 @@ internal sealed class TwinRun
         }
 
         CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));
-        string installed = body.IsMoon ? _host.Installation.MetaKernel : _host.Installation.BodiesMetaKernel;
-        using OpenedEphemeris kernels = LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
-            LightOptions.Ephemeris.Read(values), KernelList.OnTop(installed, LightOptions.Kernels.ReadAll(values), ofTrajectory),
-            _host.Installation.Root, _host.Environment("MSISF_CSPICE"))
-        {
-            Body = body,
-        }));
+        using OpenedEphemeris kernels = EphemerisSource.Open(
+            _host, LightOptions.Ephemeris.Read(values), body, LightOptions.Kernels.ReadAll(values), ofTrajectory);
         TwinTimes times = camera.Times(
             _label, new TwinClock(_label, kernels, camera.Known?.Spacecraft ?? 0), ScanOptions.Period.ReadIfGiven(values));
         TwinPlan plan = TwinPlan.Of(_label, camera.File, times, camera.Known, TwinOptions.ReadLines(values));
@@ -161,7 +155,7 @@ internal sealed class TwinRun
     {
         List<(OptionSpec, string)> more =
         [
-            (CameraOptions.Time, TwinOptionValues.Number(kernels.Engine.TimeScale.ToUtc(plan.Start).Days)),
+            (CameraOptions.Time, NumberSpec.TextOf(kernels.Engine.TimeScale.ToUtc(plan.Start).Days)),
             (MissionOptions.InstrumentAxes, camera.AxesText),
         ];
         if (camera.Known is null
@@ -223,7 +217,7 @@ internal sealed class TwinRun
     }
 
     private static string StateText(SpacecraftState state) =>
-        $"{{{string.Join(',', state.ToNumbers().Select(TwinOptionValues.Number))}}}";
+        $"{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}";
 
     private static float[] MeansOf(string path, ProductPixels pixels, double ofSky) =>
         FileErrors.ToExternalPart($"{path}: can't be read", () =>

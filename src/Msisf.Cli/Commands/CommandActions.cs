@@ -1,10 +1,14 @@
 using Msisf.App.DataSets;
 using Msisf.App.Host;
+using Msisf.App.Preparation;
+using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
 using Msisf.App.States;
 using Msisf.App.Twins;
+using Msisf.Adapters.Camera;
+using Msisf.Adapters.Input;
 using Msisf.Cli.Completion;
 using Msisf.Cli.Help;
 
@@ -15,34 +19,32 @@ internal static class CommandActions
 {
     private static readonly Dictionary<CommandSpec, CommandAction> Actions = new(ReferenceEqualityComparer.Instance)
     {
-        [CommandTable.Render] = RenderCommand.RunAsync,
-        [CommandTable.Patterns] = PatternsCommand.RunAsync,
-        [CommandTable.BatchConvert] = InBackground(BatchConvertCommand.Run),
-        [CommandTable.Submit] = (call, cancellation) => Task.Run(() => SubmitCommand.RunAsync(call, cancellation), cancellation),
-        [CommandTable.States] = InBackground(StatesCommand.Run),
+        [CommandTable.Render] = RunCommands.RenderAsync,
+        [CommandTable.Patterns] = RunCommands.MakePatternsAsync,
+        [CommandTable.BatchConvert] = InBackground(SeriesCommands.Convert),
+        [CommandTable.Submit] = InBackground(SeriesCommands.SubmitAsync),
+        [CommandTable.States] = InBackground(RunCommands.WriteStates),
         [CameraModelOptions.Command] = Printing(call => CameraModelExport.Write(call.Values, call.Host)),
-        [TwinOptions.Command] = (call, cancellation) => Task.Run(
-            async () =>
-            {
-                await TwinRun.RunAsync(call.Values, call.Host, cancellation).ConfigureAwait(false);
-                return 0;
-            },
-            cancellation),
-        [DataSetOptions.Command] = (call, cancellation) => Task.Run(
-            () => DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation), cancellation),
-        [IlluminationOptions.Command] = InBackground(IlluminationCommand.Run),
-        [CommandTable.Status] = InBackground(CheckCommand.Status),
-        [CommandTable.Verify] = InBackground(CheckCommand.Verify),
-        [CommandTable.Merge] = (call, cancellation) => Task.Run(() => MergeCommand.RunAsync(call, cancellation), cancellation),
-        [CommandTable.Synthesize] = InBackground(SynthesizeCommand.Run),
-        [CommandTable.Pyramid] = InBackground(PyramidCommand.Run),
-        [CommandTable.View] = ViewCommand.RunAsync,
-        [CommandTable.Serve] = ServeCommand.RunAsync,
+        [TwinOptions.Command] = InBackground(async (call, cancellation) =>
+        {
+            await TwinRun.RunAsync(call.Values, call.Host, cancellation).ConfigureAwait(false);
+            return 0;
+        }),
+        [DataSetOptions.Command] = InBackground((call, cancellation) =>
+            DataSetRun.RunAsync(call.Values.Argument!, call.Values, call.Words, call.Host, cancellation)),
+        [IlluminationOptions.Command] = InBackground(RunCommands.Illuminate),
+        [CommandTable.Status] = InBackground(SeriesCommands.Status),
+        [CommandTable.Verify] = InBackground(SeriesCommands.Verify),
+        [CommandTable.Merge] = InBackground(SeriesCommands.MergeAsync),
+        [CommandTable.Synthesize] = InBackground(Synthesize),
+        [CommandTable.Pyramid] = InBackground(MakePyramid),
+        [CommandTable.View] = ViewAsync,
+        [CommandTable.Serve] = (call, cancellation) => ServerProgram.RunAsync(call.Values, call.Host, cancellation),
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
-        [CommandTable.Cameras] = Printing(CamerasCommand.Print),
+        [CommandTable.Cameras] = Printing(PrintCameras),
         [CommandTable.Kernels] = Printing(KernelsCommand.Print),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),
-        [CommandTable.Help] = Printing(HelpCommand.Run),
+        [CommandTable.Help] = Printing(PrintHelp),
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),
     };
 
@@ -53,21 +55,82 @@ internal static class CommandActions
     private static CommandAction InBackground(Func<CommandCall, CancellationToken, int> work) =>
         (call, cancellation) => Task.Run(() => work(call, cancellation), cancellation);
 
+    private static CommandAction InBackground(Func<CommandCall, CancellationToken, Task<int>> work) =>
+        (call, cancellation) => Task.Run(() => work(call, cancellation), cancellation);
+
     private static CommandAction Printing(Action<CommandCall> print) => (call, _) =>
     {
         print(call);
         return Task.FromResult(0);
     };
+
+    private static int Synthesize(CommandCall call, CancellationToken cancellation)
+    {
+        call.Host.Results.WriteLine(SyntheticModel.Write(ModelOptions.ReadSynthesis(call.Values), call.Host, cancellation));
+        return 0;
+    }
+
+    private static int MakePyramid(CommandCall call, CancellationToken cancellation)
+    {
+        PyramidSettings settings = ModelOptions.ReadPyramid(call.Values);
+        string? path = ModelOptions.Verify.Read(call.Values)
+            ? ModelPyramid.Verify(settings, call.Host, cancellation)
+            : ModelPyramid.Make(settings, call.Host, cancellation);
+        if (path is not null)
+        {
+            call.Host.Results.WriteLine(path);
+        }
+
+        return 0;
+    }
+
+    /// <summary>Runs a server until a signal ends it, and opens its page in the browser.</summary>
+    private static Task<int> ViewAsync(CommandCall call, CancellationToken cancellation)
+    {
+        Browser browser = new(call.Host);
+        return ServerProgram.RunAsync(
+            ViewOptions.OfServer(call.Values),
+            call.Host,
+            cancellation,
+            address =>
+            {
+                call.Host.Results.WriteLine(address);
+                call.Host.Results.Flush();
+                if (!ViewOptions.NoBrowser.Read(call.Values))
+                {
+                    browser.Open(address);
+                }
+            });
+    }
+
+    /// <summary>Lists the presets of <c>--camera</c>.</summary>
+    private static void PrintCameras(CommandCall call)
+    {
+        foreach (CameraFile camera in CameraChoice.Presets(call.Host.Installation))
+        {
+            call.Host.Results.WriteLine(Invariant(
+                $"{camera.Name}\t{camera.Model.Width}\t{camera.Model.Height}\t{camera.FieldOfViewDegrees:G6}\t{camera.Description}"));
+        }
+    }
+
+    private static void PrintHelp(CommandCall call)
+    {
+        string path = call.Values.Argument ?? string.Empty;
+        string[] names = [.. CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => entry.Command.Name)];
+        HelpText.Write(
+            call.Host.Results,
+            path,
+            HelpWords.Find(path.Split(' ', StringSplitOptions.RemoveEmptyEntries)) ?? throw new UsageException(
+                $"'{path}' is no command{NearestName.Question(path.Split(' ')[^1], names, ".")} msis help lists them."));
+    }
 }
 
 /// <summary>The action of a command.</summary>
 /// <param name="call">Options of the call.</param>
-/// <param name="cancellation">Cancels the work, as Ctrl-C does.</param>
 /// <returns>The exit code.</returns>
 internal delegate Task<int> CommandAction(CommandCall call, CancellationToken cancellation);
 
 /// <summary>One call of a command.</summary>
 /// <param name="Values">Options of the call, including those from configuration files.</param>
 /// <param name="Words">All words of the command line, with the words of response files inserted in their places.</param>
-/// <param name="Host">The world.</param>
 internal sealed record CommandCall(OptionValues Values, IReadOnlyList<string> Words, ProgramHost Host);

@@ -6,7 +6,6 @@ namespace Msisf.Cli.Completion;
 /// <summary>Makes the completion script for bash.</summary>
 internal static class BashCompletion
 {
-    /// <summary>The whole script.</summary>
     public static string Script() => $$"""
         # Completion of msis for bash; made by: msis completion bash
         _msis() {

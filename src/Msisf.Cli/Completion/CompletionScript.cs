@@ -12,7 +12,6 @@ internal static class CompletionScript
     public static string CommandPaths(string separator) =>
         string.Join(separator, CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => $"'{entry.Path}'"));
 
-    /// <summary>The script of a shell.</summary>
     /// <param name="shell">Name of the shell.</param>
     /// <exception cref="UsageException">The shell is not supported.</exception>
     public static string For(string shell) => shell.ToLowerInvariant() switch

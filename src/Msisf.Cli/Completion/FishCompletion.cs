@@ -6,7 +6,6 @@ namespace Msisf.Cli.Completion;
 /// <summary>Makes the completion script for fish.</summary>
 internal static class FishCompletion
 {
-    /// <summary>The whole script.</summary>
     public static string Script() => $$"""
         # Completion of msis for fish; made by: msis completion fish
         function __msis_in --description 'Whether the words before the cursor call this command of msis'

@@ -1,3 +1,4 @@
+using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 
 namespace Msisf.Cli.Help;
@@ -9,7 +10,6 @@ internal static class HelpText
     private const int Column = 27;
 
     /// <summary>Prints the help.</summary>
-    /// <param name="output">Receives the text.</param>
     /// <param name="path">The words by which the command is called; empty for the render command.</param>
     public static void Write(TextWriter output, string path, CommandSpec command)
     {
@@ -80,5 +80,30 @@ internal static class HelpText
         string[] lines = [.. TextLayout.Lines(text, Column)];
         string left = $"  {call}";
         return left.Length + 2 <= Column ? [left.PadRight(Column) + lines[0].TrimStart(), .. lines[1..]] : [left, .. lines];
+    }
+}
+
+/// <summary>The ways to ask for help besides --help.</summary>
+internal static class HelpWords
+{
+    /// <summary>
+    /// Turns -h into --help where it stands alone, or alone behind a command: -h is the image height (thesis appendix A), which needs a
+    /// number.
+    /// </summary>
+    public static IReadOnlyList<string> Replace(IReadOnlyList<string> arguments) =>
+        arguments.Count > 0 && arguments[^1] == "-h" && Find(arguments.SkipLast(1)) is not null
+            ? [.. arguments.SkipLast(1), RunOptions.Help.Name]
+            : arguments;
+
+    /// <summary>The command of some words, e.g. "ldem", "pyramid"; null if there is none. No word calls the render command.</summary>
+    public static CommandSpec? Find(IEnumerable<string> words)
+    {
+        CommandSpec? command = CommandTable.Render;
+        foreach (string word in words)
+        {
+            command = command?.Commands.FirstOrDefault(inner => inner.Name == word);
+        }
+
+        return command;
     }
 }

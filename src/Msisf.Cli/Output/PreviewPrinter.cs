@@ -1,5 +1,3 @@
-using System.Text;
-using System.Text.Json;
 using Msisf.App.Preview;
 using Msisf.App.Settings;
 
@@ -15,22 +13,15 @@ internal static class PreviewPrinter
     /// <summary>What the table has where a number is undefined.</summary>
     private const string Undefined = "-";
 
-    /// <summary>Prints rows.</summary>
-    /// <param name="rows">The rows, in the order of the frames.</param>
-    /// <param name="format">Their form.</param>
-    /// <param name="results">Receives them.</param>
     public static void Print(IReadOnlyList<PreviewRow> rows, PreviewFormat format, TextWriter results)
     {
         IReadOnlyList<PreviewColumn> columns = PreviewColumn.Of(rows);
-        foreach (string line in format switch
+        TextTable.Print(results, format switch
         {
             PreviewFormat.Csv => Csv(rows, columns),
-            PreviewFormat.Json => Json(rows, columns),
-            _ => Table(rows, columns),
-        })
-        {
-            results.WriteLine(line);
-        }
+            PreviewFormat.Json => TextTable.Json(rows.Select(row => JsonOf(row, columns))),
+            _ => TextTable.Columns(Cells(rows, columns), isRight: true),
+        });
     }
 
     private static IEnumerable<string> Csv(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns) => rows
@@ -43,53 +34,18 @@ internal static class PreviewPrinter
     /// <summary>The step, and the camera of a rig.</summary>
     private static string[] Named(PreviewRow row) => row.Camera is { } camera ? [Text(row.Step, "F0"), camera] : [Text(row.Step, "F0")];
 
-    /// <summary>An array with an object a line.</summary>
-    private static IEnumerable<string> Json(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
-    {
-        yield return "[";
-        for (int index = 0; index < rows.Count; index++)
-        {
-            yield return $"{JsonObject(rows[index], columns)}{(index + 1 < rows.Count ? "," : string.Empty)}";
-        }
+    private static Dictionary<string, object?> JsonOf(PreviewRow row, IReadOnlyList<PreviewColumn> columns) => new(
+    [
+        new(Step, row.Step),
+        .. row.Camera is { } camera ? (KeyValuePair<string, object?>[])[new(Camera, camera)] : [],
+        new(Time, row.Time.ToIsoUtc()),
+        .. columns.Select(column => new KeyValuePair<string, object?>(column.Name, column.ValueOf(row))),
+    ]);
 
-        yield return "]";
-    }
-
-    private static string JsonObject(PreviewRow row, IReadOnlyList<PreviewColumn> columns)
-    {
-        using MemoryStream stream = new();
-        using (Utf8JsonWriter json = new(stream))
-        {
-            json.WriteStartObject();
-            json.WriteNumber(Step, row.Step);
-            if (row.Camera is { } camera)
-            {
-                json.WriteString(Camera, camera);
-            }
-
-            json.WriteString(Time, row.Time.ToIsoUtc());
-            foreach (PreviewColumn column in columns)
-            {
-                if (column.ValueOf(row) is { } number)
-                {
-                    json.WriteNumber(column.Name, number);
-                }
-                else
-                {
-                    json.WriteNull(column.Name);
-                }
-            }
-
-            json.WriteEndObject();
-        }
-
-        return Encoding.UTF8.GetString(stream.ToArray());
-    }
-
-    private static IEnumerable<string> Table(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
+    private static string[][] Cells(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)
     {
         bool isRig = rows[0].Camera is not null;
-        string[][] cells =
+        return
         [
             [Step, .. isRig ? (string[])[Camera] : [], "time", .. columns.Select(column => column.Heading)],
             [string.Empty, .. isRig ? (string[])[string.Empty] : [], "UTC", .. columns.Select(column => column.Unit)],
@@ -98,8 +54,6 @@ internal static class PreviewPrinter
                 .. Named(row), row.Time.ToIsoUtc(), .. columns.Select(column => TableCell(column, row)),
             ]),
         ];
-        int[] widths = [.. Enumerable.Range(0, cells[0].Length).Select(column => cells.Max(line => line[column].Length))];
-        return cells.Select(line => string.Join("  ", line.Zip(widths, (cell, width) => cell.PadLeft(width))));
     }
 
     private static string TableCell(PreviewColumn column, PreviewRow row) =>
@@ -107,4 +61,51 @@ internal static class PreviewPrinter
 
     /// <summary>A number; empty if it is undefined.</summary>
     private static string Text(double? number, string format) => number?.ToString(format, CultureInfo.InvariantCulture) ?? string.Empty;
+}
+
+/// <summary>A column of numbers that <c>--dry-run</c> prints.</summary>
+/// <param name="Name">Name in CSV and JSON, with the unit.</param>
+/// <param name="Heading">First line of the heading of the table.</param>
+/// <param name="Unit">Second line of the heading of the table.</param>
+/// <param name="Decimals">Decimals in the table.</param>
+/// <param name="ValueOf">The number of a row; null if it is undefined.</param>
+internal sealed record PreviewColumn(string Name, string Heading, string Unit, int Decimals, Func<PreviewRow, double?> ValueOf)
+{
+    private static IReadOnlyList<PreviewColumn> OfAnyRun { get; } =
+    [
+        new("camera_latitude_deg", "latitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Latitude)),
+        new("camera_longitude_deg", "longitude", "deg", 4, row => Degrees(row.View.SubSpacecraft.Longitude)),
+        new("height_over_terrain_m", "height", "m", 1, row => row.HeightOverGround),
+        new("boresight_latitude_deg", "looks at", "lat deg", 4, row => Degrees(row.View.Boresight?.Point.Latitude)),
+        new("boresight_longitude_deg", "looks at", "lon deg", 4, row => Degrees(row.View.Boresight?.Point.Longitude)),
+        new("off_nadir_deg", "off nadir", "deg", 2, row => Degrees(row.View.OffNadir)),
+        new("sun_elevation_deg", "Sun elev.", "deg", 2, row => Degrees(row.View.Boresight?.Sun?.Elevation)),
+        new("sun_azimuth_deg", "azimuth", "deg", 2, row => Degrees(row.View.Boresight?.Sun?.Azimuth)),
+        new("metres_per_pixel", "pixel", "m", 3, row => row.View.Boresight?.MetresPerPixel),
+        new("pixels_per_cell", "cell", "px", 2, row => row.PixelsPerCell),
+        new("moon_fraction", "Moon", "of image", 3, row => row.View.Share.Moon),
+        new("lit_fraction", "lit", "of Moon", 3, row => row.View.Share.Lit),
+    ];
+
+    private static IReadOnlyList<PreviewColumn> OfDetector { get; } =
+    [
+        new("expected_dn_median", "lit: median", "DN", 0, row => row.Signal?.Median),
+        new("expected_dn_99", "99 %", "DN", 0, row => row.Signal?.High),
+    ];
+
+    /// <summary>The columns after step and time; two more of a detector, and of several models one more each, the coarsest first.</summary>
+    public static IReadOnlyList<PreviewColumn> Of(IReadOnlyList<PreviewRow> rows) =>
+    [
+        .. OfAnyRun,
+        .. rows.Any(row => row.HasSignal) ? OfDetector : [],
+        .. Enumerable.Range(0, rows.Select(row => row.Drawn.Count).DefaultIfEmpty().Max()).Select(DrawnCell),
+    ];
+
+    private static PreviewColumn DrawnCell(int part)
+    {
+        string number = part.ToString(CultureInfo.InvariantCulture);
+        return new($"drawn_cell_{number}_m", $"model {number}", "cell m", 1, row => row.Drawn[part]?.MetresPerPixel);
+    }
+
+    private static double? Degrees(double? angle) => angle / Math.PI * 180.0;
 }

@@ -35,16 +35,13 @@ internal sealed class CommandTree
         help.Action = new ShowHelp(line => showHelp(PathOf(line), SpecOf(line)));
     }
 
-    /// <summary>The root command, which is the program itself.</summary>
     public RootCommand Root { get; }
 
     /// <summary>The path of a parsed line's command, e.g. "ldem pyramid"; empty for the render command.</summary>
     public string PathOf(ParseResult line) => _commands[line.CommandResult.Command].Path;
 
-    /// <summary>The command of a parsed line.</summary>
     public CommandSpec SpecOf(ParseResult line) => _commands[line.CommandResult.Command].Spec;
 
-    /// <summary>The option values of a parsed line.</summary>
     public OptionValues ValuesOf(ParseResult line)
     {
         ParsedCommand command = _commands[line.CommandResult.Command];

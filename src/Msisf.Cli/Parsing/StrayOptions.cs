@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 
@@ -8,7 +9,6 @@ namespace Msisf.Cli.Parsing;
 /// <summary>Rejects errors that the parser ignores: an option given twice, and options before a command that does not have them.</summary>
 internal static class StrayOptions
 {
-    /// <summary>Checks a parsed command line.</summary>
     /// <exception cref="UsageException">An option is given twice, or does not belong to the command.</exception>
     public static void Refuse(ParseResult line, CommandSpec command)
     {
@@ -48,7 +48,6 @@ internal static class StrayOptions
 
     /// <summary>The problem with the first option that is given more than once; null if none is.</summary>
     /// <param name="line">The parsed command line, which may have errors.</param>
-    /// <param name="command">The command of the line.</param>
     public static string? Repeated(ParseResult line, CommandSpec command) =>
         OptionsOf(line.CommandResult).FirstOrDefault(option => option.IdentifierTokenCount > 1
             && !command.Options.Any(spec => spec.Name == option.Option.Name && spec.MayBeRepeated)) is { } repeated
@@ -72,4 +71,49 @@ internal static class StrayOptions
 
     private static IEnumerable<OptionResult> OptionsOf(CommandResult command) =>
         command.Children.OfType<OptionResult>().Where(option => !option.Implicit);
+}
+
+/// <summary>Says what a word of the command line that nothing takes was probably meant to be.</summary>
+internal static class Misspelling
+{
+    /// <summary>The problem with the words that the parser could not match; null if it matched all.</summary>
+    public static string? In(ParseResult line, CommandSpec command)
+    {
+        // A word behind a misspelt option is its value.
+        string? word = line.UnmatchedTokens.FirstOrDefault(IsOption) ?? (line.UnmatchedTokens is [var first, ..] ? first : null);
+        return word is null ? null : IsOption(word) ? OfOption(word, command) : OfWord(word, IsInPlaceOfCommand(word, line), command);
+    }
+
+    /// <summary>The problem with a word that looks like an option.</summary>
+    /// <param name="word">The word, e.g. "--rendrer" or "--rendrer=native".</param>
+    public static string OfOption(string word, CommandSpec command)
+    {
+        string name = word.Split('=')[0];
+        string[] names = [.. command.Options.SelectMany(option => option.Aliases.Append(option.Name))];
+        return name == "-h"
+            ? "-h is no option here; --help shows which there are."
+            : $"{Shown(name)} is no option{NearestName.Question(name, [.. names.Where(IsLong)], ".")}";
+    }
+
+    private static bool IsInPlaceOfCommand(string word, ParseResult line)
+    {
+        int depth = 0;
+        for (SymbolResult? outer = line.CommandResult.Parent; outer is CommandResult; outer = outer.Parent)
+        {
+            depth++;
+        }
+
+        return line.Tokens[depth].Value == word;
+    }
+
+    private static string OfWord(string word, bool isInPlaceOfCommand, CommandSpec command) =>
+        isInPlaceOfCommand && command.Commands.Count > 0
+            ? $"{Shown(word)} is no command{NearestName.Question(word, [.. command.Commands.Select(inner => inner.Name)], ".")}"
+            : $"{Shown(word)} belongs to no option. Leave it out, or quote it with the value before it.";
+
+    private static string Shown(string word) => IsOption(word) && word.All(char.IsAscii) ? word : NumberText.Shown(word);
+
+    private static bool IsOption(string word) => word.Length > 1 && word[0] == '-';
+
+    private static bool IsLong(string name) => name.StartsWith("--", StringComparison.Ordinal);
 }

@@ -27,7 +27,6 @@ public sealed record CameraPointing
     /// <summary>The attitude of a camera that points so.</summary>
     /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
     /// <param name="time">UTC.</param>
-    /// <param name="scene">Terrain and Sun.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="Errors.BadInputException">The camera is in the Moon's centre, or at the place that it looks at.</exception>
     public UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed, ModifiedJulianDate time, ISceneGeometry scene)
@@ -53,7 +52,6 @@ public sealed record CameraPointing
 
     /// <summary>Whether the camera looks at a place beyond its horizon, so that it sees the ground in between.</summary>
     /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
-    /// <param name="scene">Terrain and Sun.</param>
     public bool IsTargetHidden(Vector3D positionBodyFixed, ISceneGeometry scene) =>
         Kind == BoresightKind.Place
         && SightLine.IsBlocked(positionBodyFixed, PlaceOfTarget(scene), scene.GroundRadius);
@@ -75,8 +73,6 @@ public enum UpDirection
 }
 
 /// <summary>A camera that looks at one target all along a trajectory.</summary>
-/// <param name="pointing">How it points.</param>
-/// <param name="scene">Terrain and Sun.</param>
 public sealed class PointedAttitude(CameraPointing pointing, ISceneGeometry scene) : IAttitudeSource
 {
     /// <inheritdoc/>

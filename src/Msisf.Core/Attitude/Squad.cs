@@ -2,8 +2,7 @@ namespace Msisf.Core.Attitude;
 
 /// <summary>
 /// Attitudes between samples whose rate does not jump at them: Shoemake's spherical and quadrangle interpolation (1987), for samples at
-/// equal
-/// intervals. A turn at a constant rate stays one.
+/// equal intervals. A turn at a constant rate stays one.
 /// </summary>
 public static class Squad
 {

@@ -13,7 +13,6 @@ internal sealed class BlockTargets : IReceiverBounds
     private readonly LightAxis _v;
     private readonly double[] _depths = new double[Bins * Bins];
 
-    /// <param name="blocks">The blocks that are seen.</param>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     public BlockTargets(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed)
     {

@@ -193,8 +193,6 @@ public sealed class CameraModel
 
     /// <summary>How a direction in the ideal image plane appears in the image.</summary>
     /// <param name="at">The point, as tangents.</param>
-    /// <param name="right">Component to the right.</param>
-    /// <param name="down">Component down.</param>
     /// <returns>The direction in the image, of another length.</returns>
     internal (double Right, double Down) DirectionInImage((double Right, double Down) at, double right, double down)
     {

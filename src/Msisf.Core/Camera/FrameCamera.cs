@@ -131,9 +131,6 @@ public abstract class FrameCamera : ICamera
     public abstract Ray RayThrough(double x, double y);
 
     /// <summary>The directions of the rays through the centres of pixels, with the bits of <see cref="RayThrough"/>.</summary>
-    /// <param name="row">The row, from 0.</param>
-    /// <param name="columns">The columns, from 0.</param>
-    /// <param name="directions">Receives the directions.</param>
     internal abstract void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions);
 
     /// <summary>Where the line from the focal point along a direction meets the image plane.</summary>
@@ -204,8 +201,6 @@ public abstract class FrameCamera : ICamera
 
     /// <summary>How a direction in the image plane of a pinhole appears in the image.</summary>
     /// <param name="lineOfSightBodyFixed">The line of sight through the point, forward.</param>
-    /// <param name="right">Component to the right.</param>
-    /// <param name="down">Component down.</param>
     internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightBodyFixed, double right, double down) =>
         Model.IsThesis ? (right, down) : Model.DirectionInImage(TangentsOf(lineOfSightBodyFixed), right, down);
 

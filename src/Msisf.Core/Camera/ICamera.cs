@@ -49,7 +49,6 @@ public interface ICamera
     ICamera Window(int left, int top, int width, int height);
 
     /// <summary>The camera some time after, or before, with all its rows.</summary>
-    /// <param name="motion">How it moves.</param>
     /// <param name="seconds">s; the camera itself at 0.</param>
     ICamera Moved(CameraMotion motion, double seconds);
 
@@ -66,5 +65,35 @@ public interface ICamera
                 margin,
                 new PixelRows(
                     Math.Max(0, wanted.First - band.Rows.First), Math.Min(band.Rows.End, wanted.End) - band.Rows.First)));
+    }
+}
+
+/// <summary>A half line: origin + t direction, t >= 0.</summary>
+/// <param name="Origin">m, body-fixed.</param>
+/// <param name="Direction">MOON_ME, any length but zero.</param>
+public readonly record struct Ray(Vector3D Origin, Vector3D Direction);
+
+/// <summary>
+/// A point of the image plane in rendering coordinates (thesis eq. 8.13): whole numbers are pixel centres, from 1; any value outside the
+/// image is allowed.
+/// </summary>
+/// <param name="X">px, to the right.</param>
+/// <param name="Y">px, down.</param>
+public readonly record struct RenderingPoint(double X, double Y);
+
+/// <summary>Some neighbouring rows of an image.</summary>
+/// <param name="First">0: the topmost row of the image.</param>
+/// <param name="End">One past the lowest row.</param>
+public readonly record struct PixelRows(int First, int End)
+{
+    /// <summary>Cuts an image into strips of about equal height.</summary>
+    /// <param name="strips">How many are wanted; an image with few rows gives fewer.</param>
+    /// <param name="unit">Each strip but the last begins at a multiple of this.</param>
+    public static IReadOnlyList<PixelRows> Strips(int height, int strips, int unit)
+    {
+        int units = (height + unit - 1) / unit;
+        int count = Math.Clamp(strips, 1, units);
+        int Border(int strip) => Math.Min(height, units * strip / count * unit);
+        return [.. Enumerable.Range(0, count).Select(strip => new PixelRows(Border(strip), Border(strip + 1)))];
     }
 }

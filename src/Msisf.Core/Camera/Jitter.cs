@@ -77,7 +77,6 @@ public sealed class Jitter
     }
 
     /// <summary>Turns a camera.</summary>
-    /// <param name="moonFromCamera">Its orientation without jitter.</param>
     /// <param name="seconds">s.</param>
     public UnitQuaternion Turn(UnitQuaternion moonFromCamera, double seconds)
     {

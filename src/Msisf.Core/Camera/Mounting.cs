@@ -33,7 +33,6 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
 
     /// <summary>How the camera moves: the offset turns with the body.</summary>
     /// <param name="body">How the body moves; its turn is about the body's axes.</param>
-    /// <param name="moonFromBody">The body's orientation.</param>
     public CameraMotion Of(CameraMotion body, UnitQuaternion moonFromBody) => new(
         body.VelocityBodyFixed + (moonFromBody * Vector3D.Cross(body.AngularVelocityCamera, OffsetBody)),
         BodyFromCamera == UnitQuaternion.Identity
@@ -43,4 +42,28 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
     /// <summary>The camera as another one on the same body has it: its orientation and its focal point in the other's axes.</summary>
     public Mounting SeenFrom(Mounting other) => new(
         other.BodyFromCamera.Conjugate * BodyFromCamera, other.BodyFromCamera.Conjugate * (OffsetBody - other.OffsetBody));
+}
+
+/// <summary>A camera of a rig.</summary>
+public sealed record MountedCamera(string Name, Mounting Mounting)
+{
+    /// <summary>What a name may be, for messages.</summary>
+    public const string Names = "1 to 40 letters, digits, '-' and '_' are possible, as it stands in names of files";
+
+    private const int LongestName = 40;
+
+    /// <summary>Whether a text can be a camera's name.</summary>
+    public static bool IsName(string text) =>
+        text.Length is > 0 and <= LongestName && text.All(letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '_');
+}
+
+/// <summary>One of several cameras on a body (docs/rigs.md). Immutable.</summary>
+/// <param name="Index">Which one it is, from 0.</param>
+public sealed record RigCamera(IReadOnlyList<MountedCamera> Cameras, int Index)
+{
+    /// <summary>Its name.</summary>
+    public string Name => Cameras[Index].Name;
+
+    /// <summary>How it sits on the body.</summary>
+    public Mounting Mounting => Cameras[Index].Mounting;
 }

@@ -49,7 +49,6 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
     public double SecondsOf(int exposure) => exposure * Period;
 
     /// <summary>The camera of the whole image.</summary>
-    /// <param name="model">The camera whose rows are exposed.</param>
     /// <param name="states">Of each exposure.</param>
     public ICamera CameraOf(CameraModel model, IReadOnlyList<CameraState> states)
     {

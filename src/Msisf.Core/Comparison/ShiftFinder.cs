@@ -47,7 +47,6 @@ public sealed class ShiftFinder
     }
 
     /// <summary>Finds the shifts.</summary>
-    /// <param name="cancellation">Stops between blocks.</param>
     /// <returns>That of the whole image, null if none is best within the reach; and those of blocks, by rows.</returns>
     public (ImageShift? Whole, IReadOnlyList<BlockShift> Blocks) Find(CancellationToken cancellation)
     {

@@ -21,9 +21,7 @@ public sealed class CameraDetector
     private readonly ConcurrentBag<DetectorImage> _idle = [];
 
     /// <summary>Prepares a camera.</summary>
-    /// <param name="settings">Optics and detector.</param>
     /// <param name="camera">Size and geometry of the images; its states do not matter.</param>
-    /// <param name="threads">Number of threads for the preparation.</param>
     /// <exception cref="BadInputException">The camera can't be drawn as far beyond its borders as the PSF reaches.</exception>
     public CameraDetector(DetectorSettings settings, ICamera camera, int threads)
     {
@@ -61,7 +59,6 @@ public sealed class CameraDetector
     /// <param name="middle">
     /// The frame at its own time, drawn with <see cref="WindowOf"/>; with ground truth if there is a motion.
     /// </param>
-    /// <param name="motion">How the camera moves.</param>
     /// <exception cref="BadInputException">More than <see cref="MaxSubExposures"/> are needed.</exception>
     public SubExposures SubExposuresOf(NativeFrame middle, CameraMotion motion, int threads, CancellationToken cancellation)
     {
@@ -97,7 +94,6 @@ public sealed class CameraDetector
     /// <summary>Collects the electrons of one instant of the exposure.</summary>
     /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowOf"/>, in sunlight.</param>
     /// <param name="weight">Part of the exposure for which the instant stands.</param>
-    /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Collect(NativeFrame drawn, double weight, DetectorImage image, int threads, CancellationToken cancellation) =>
@@ -106,7 +102,6 @@ public sealed class CameraDetector
     /// <summary>Collects the electrons of one instant in some rows.</summary>
     /// <param name="drawn">These rows at that instant, drawn with <see cref="WindowOf"/>.</param>
     /// <param name="weight">Part of the exposure for which the instant stands.</param>
-    /// <param name="image">Receives the electrons.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     internal void Collect(
         NativeFrame drawn, PixelRows rows, double weight, DetectorImage image, int threads, CancellationToken cancellation) => _pass.Expose(

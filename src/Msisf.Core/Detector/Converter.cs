@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Detector;
 
 /// <summary>The amplifier and the analogue-to-digital converter: electrons and read noise to digital numbers.</summary>
-internal sealed class Converter
+internal sealed class Converter(DetectorSettings settings)
 {
     private const int Lanes = 8;
     private const int PixelsAtOnce = 4 * Lanes;
@@ -14,26 +14,16 @@ internal sealed class Converter
     /// <summary>Added to a small whole number, it leaves the number in the last bits.</summary>
     private const double WholeNumberShift = 1L << 52;
 
-    private readonly double _perElectron;
-    private readonly double _readNoise;
-    private readonly double _bias;
-    private readonly double _max;
-    private readonly double _fullWell;
-
-    public Converter(DetectorSettings settings)
-    {
-        _perElectron = 1.0 / settings.Gain;
-        _readNoise = settings.ReadNoise;
-        _bias = settings.Bias + 0.5; // rounds to the nearest DN
-        _max = settings.MaxNumber;
-        _fullWell = settings.FullWell;
-    }
+    private readonly double _perElectron = 1.0 / settings.Gain;
+    private readonly double _readNoise = settings.ReadNoise;
+    private readonly double _bias = settings.Bias + 0.5; // rounds to the nearest DN
+    private readonly double _max = settings.MaxNumber;
+    private readonly double _fullWell = settings.FullWell;
 
     /// <summary>Converts a part of a row.</summary>
     /// <param name="charge">Electrons.</param>
     /// <param name="deviates">Normal deviates for the read noise.</param>
     /// <param name="offsets">DN: offsets of the columns.</param>
-    /// <param name="numbers">Receives the digital numbers.</param>
     /// <param name="saturated">Receives the saturation, see <see cref="DetectorImage.Saturated"/>.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be converted with unoptimised vectors
     public void Convert(

@@ -12,22 +12,11 @@ namespace Msisf.Core.Detector;
 /// Turns the light of a frame into digital numbers: optics, PSF, exposure, noise, full well, conversion (docs/detector.md). The result does
 /// not depend on the number of threads.
 /// </summary>
-internal sealed class DetectorPass
+internal sealed class DetectorPass(DetectorSettings settings, FixedPattern pattern)
 {
     private const int SmearColumns = 128; // columns that a thread sums at once: four lines of the cache each row
 
-    private readonly DetectorSettings _settings;
-    private readonly FixedPattern _pattern;
-    private readonly Converter _converter;
-
-    /// <summary>Prepares a detector.</summary>
-    /// <param name="pattern">Its fixed pattern.</param>
-    public DetectorPass(DetectorSettings settings, FixedPattern pattern)
-    {
-        _settings = settings;
-        _pattern = pattern;
-        _converter = new Converter(settings);
-    }
+    private readonly Converter _converter = new(settings);
 
     /// <summary>Adds the electrons of one drawn instant to <see cref="DetectorImage.Electrons"/>.</summary>
     /// <param name="light">
@@ -39,13 +28,12 @@ internal sealed class DetectorPass
     /// </param>
     /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
     /// <param name="rows">The detector's rows on which the light falls.</param>
-    /// <param name="image">Receives the electrons.</param>
     public void Expose(
         ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, Func<int, double> perSteradianOfRow, Func<int, double> weightOfRow,
         PixelRows rows, DetectorImage image, int threads, CancellationToken cancellation)
     {
         int width = image.Width;
-        int margin = _settings.PointSpread?.Radius ?? 0;
+        int margin = settings.PointSpread?.Radius ?? 0;
         WorkerTeam.Run(threads, rows.End - rows.First, (_, drawnRow) =>
         {
             int row = rows.First + drawnRow;
@@ -58,7 +46,7 @@ internal sealed class DetectorPass
             double perSteradian = perSteradianOfRow(row);
             double[] memory = ArrayPool<double>.Shared.Rent(width);
             Span<double> spread = memory.AsSpan(0, width);
-            if (_settings.PointSpread is PointSpreadKernel kernel)
+            if (settings.PointSpread is PointSpreadKernel kernel)
             {
                 KernelConvolution.Row(light.Span, width + (2 * margin), kernel, drawnRow, spread);
             }
@@ -82,13 +70,13 @@ internal sealed class DetectorPass
     /// <param name="noise">Random numbers of the frame; null for an image without noise.</param>
     public void Read(DetectorImage image, NoiseSource? noise, int threads, CancellationToken cancellation)
     {
-        if (_settings.Smear is not null)
+        if (settings.Smear is not null)
         {
             int stripes = (image.Width + SmearColumns - 1) / SmearColumns;
             WorkerTeam.Run(threads, stripes, (_, stripe) =>
             {
                 Range columns = (stripe * SmearColumns)..Math.Min(image.Width, (stripe + 1) * SmearColumns);
-                SmearSum.Fill(image.Electrons, image.Width, columns, _settings, image.Charge);
+                SmearSum.Fill(image.Electrons, image.Width, columns, settings, image.Charge);
             }, cancellation);
         }
 
@@ -100,21 +88,21 @@ internal sealed class DetectorPass
                 Volatile.Write(ref overflows, 1);
             }
         }, cancellation);
-        if (noise is { } source && _settings.CosmicRays is not null)
+        if (noise is { } source && settings.CosmicRays is not null)
         {
-            RayTracks.Add(image.Charge, image.Width, _settings, source);
-            overflows = double.IsFinite(_settings.FullWell) ? 1 : 0;
+            RayTracks.Add(image.Charge, image.Width, settings, source);
+            overflows = double.IsFinite(settings.FullWell) ? 1 : 0;
         }
 
         if (overflows != 0)
         {
-            if (_settings.IsBlooming)
+            if (settings.IsBlooming)
             {
-                Blooming.Spread(image.Charge, image.Width, _settings.FullWell);
+                Blooming.Spread(image.Charge, image.Width, settings.FullWell);
             }
             else
             {
-                Blooming.Drain(image.Charge, _settings.FullWell);
+                Blooming.Drain(image.Charge, settings.FullWell);
             }
         }
 
@@ -127,10 +115,10 @@ internal sealed class DetectorPass
     {
         int start = row * image.Width;
         ReadOnlySpan<double> electrons = image.Electrons.AsSpan(start, image.Width);
-        ReadOnlySpan<float> response = _pattern.Response.AsSpan(start, image.Width);
-        ReadOnlySpan<float> dark = _pattern.DarkElectrons.AsSpan(start, image.Width);
+        ReadOnlySpan<float> response = pattern.Response.AsSpan(start, image.Width);
+        ReadOnlySpan<float> dark = pattern.DarkElectrons.AsSpan(start, image.Width);
         Span<double> charge = image.Charge.AsSpan(start, image.Width);
-        if (_settings.Smear is null)
+        if (settings.Smear is null)
         {
             charge.Clear();
         }
@@ -147,7 +135,7 @@ internal sealed class DetectorPass
             }
         }
 
-        return IsAnyAbove(charge, _settings.FullWell);
+        return IsAnyAbove(charge, settings.FullWell);
     }
 
     /// <summary>Adds the electrons to the smear, in proportion to the pixels' responses, and adds the dark electrons.</summary>
@@ -206,13 +194,13 @@ internal sealed class DetectorPass
         {
             Span<double> chunk = deviates[..Math.Min(NoiseSource.MaxRun, charge.Length - first)];
             chunk.Clear();
-            if (noise is { } source && _settings.ReadNoise > 0.0)
+            if (noise is { } source && settings.ReadNoise > 0.0)
             {
                 NormalDeviate.Fill(source, NoiseKind.Read, (uint)(start + first), chunk);
             }
 
             _converter.Convert(
-                charge.Slice(first, chunk.Length), chunk, _pattern.ColumnOffsets.AsSpan(first, chunk.Length),
+                charge.Slice(first, chunk.Length), chunk, pattern.ColumnOffsets.AsSpan(first, chunk.Length),
                 numbers.Slice(first, chunk.Length), saturated.Slice(first, chunk.Length));
         }
     }

@@ -15,7 +15,6 @@ internal static class RayTracks
     /// <param name="charge">Electrons of each pixel, by rows.</param>
     /// <param name="width">px.</param>
     /// <param name="settings">Of the detector, with cosmic rays and a pixel pitch.</param>
-    /// <param name="noise">Random numbers of the frame.</param>
     public static void Add(Span<double> charge, int width, DetectorSettings settings, in NoiseSource noise)
     {
         if (settings.CosmicRays is not CosmicRays rays)

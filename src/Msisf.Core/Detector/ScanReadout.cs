@@ -10,8 +10,6 @@ namespace Msisf.Core.Detector;
 /// and framelets are read out each after its exposure, the rows of a rolling shutter all at the end.
 /// </summary>
 /// <param name="detector">The detector: of one line or framelet, or of the whole image.</param>
-/// <param name="renderer">Draws the instants.</param>
-/// <param name="options">Settings of the renderer.</param>
 public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer, NativeRenderOptions options)
 {
     private readonly CameraDetector _detector = detector;
@@ -19,7 +17,6 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
     private readonly NativeRenderOptions _options = options;
 
     /// <summary>The camera of which a scan has the detector.</summary>
-    /// <param name="shot">The image.</param>
     public static FrameCamera CameraOf(ScannedShot shot) => (shot.Scan.Kind == ScanKind.RollingShutter
         ? shot.Model
         : shot.Scan.ExposureOf(shot.Model, 0, 0.0)).At(shot.Path.States[0]);
@@ -58,8 +55,6 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
     }
 
     /// <summary>One exposure of a scan.</summary>
-    /// <param name="readout">The detector, and what draws for it.</param>
-    /// <param name="shot">The image.</param>
     /// <param name="number">From 0.</param>
     /// <param name="drawn">Gets what the exposure's pixels show in the middle of its time.</param>
     /// <param name="shared">The detector's image that all exposures share; null for one of its own.</param>

@@ -5,11 +5,7 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Detector;
 
 /// <summary>A scanned image to be exposed.</summary>
-/// <param name="Scan">Its exposures.</param>
-/// <param name="Model">The camera whose rows are exposed.</param>
-/// <param name="Path">How the camera moves.</param>
 /// <param name="Camera">The camera of the image, with the Sun of each exposure.</param>
-/// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Time">Time of the image, UTC; goes into the noise.</param>
 /// <param name="Noise">The noise of the image, whatever time and camera are; null for that of the detector's seed.</param>
 /// <param name="HalfExposure">s: half of the time that the shutter is open; 0 for images without the camera's motion in it.</param>

@@ -5,45 +5,27 @@ namespace Msisf.Core.Ephemeris;
 /// <summary>
 /// The engine that needs no CSPICE: it chains the segments of the kernels itself. Safe for several threads, without locks.
 /// </summary>
-public sealed class BuiltInEphemeris : IEphemeris
+/// <param name="scale">From the leap seconds kernel.</param>
+/// <param name="orientation">Orientation of the body's frame: for the Moon that of MOON_ME.</param>
+/// <param name="body">The body; null for the Moon.</param>
+public sealed class BuiltInEphemeris(
+    TdbScale scale, SegmentTable positions, IFrameOrientation orientation, CelestialBody? body = null) : IEphemeris
 {
     private const int Sun = 10;
     private const double MetresPerKilometre = 1000.0;
 
-    /// <summary>
-    /// Maximum number of links in a chain of centres, as in SPICE (CHLEN in SPKGEO); more links mean that the chain is a ring.
-    /// </summary>
-    private const int MaximumLinks = 20;
-
-    private readonly TdbScale _scale;
-    private readonly SegmentTable _positions;
-    private readonly CenterChain _chain;
-    private readonly IFrameOrientation _orientation;
-    private readonly CelestialBody _body;
-
-    /// <summary>Makes the engine from what the kernels hold.</summary>
-    /// <param name="scale">From the leap seconds kernel.</param>
-    /// <param name="positions">Segments of the SPK kernels.</param>
-    /// <param name="orientation">Orientation of the body's frame: for the Moon that of MOON_ME.</param>
-    /// <param name="body">The body; null for the Moon.</param>
-    public BuiltInEphemeris(TdbScale scale, SegmentTable positions, IFrameOrientation orientation, CelestialBody? body = null)
-    {
-        _scale = scale;
-        _positions = positions;
-        _chain = new CenterChain(positions);
-        _orientation = orientation;
-        _body = body ?? CelestialBody.Moon;
-    }
+    private readonly CenterChain _chain = new(positions);
+    private readonly CelestialBody _body = body ?? CelestialBody.Moon;
 
     /// <inheritdoc/>
     public string EngineName => "built-in kernel reader";
 
     /// <inheritdoc/>
-    public TdbScale TimeScale => _scale;
+    public TdbScale TimeScale => scale;
 
     /// <summary>Times at which the Sun, the body and the body's orientation are all known; computed anew at each call.</summary>
     public KernelCover Cover => new(
-        _scale, _positions.CoverOfChain(Sun).Intersect(_positions.CoverOfChain(_body.NaifNumber)).Intersect(_orientation.Cover))
+        scale, positions.CoverOfChain(Sun).Intersect(positions.CoverOfChain(_body.NaifNumber)).Intersect(orientation.Cover))
     {
         Body = _body,
     };
@@ -51,7 +33,7 @@ public sealed class BuiltInEphemeris : IEphemeris
     /// <inheritdoc/>
     public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None)
     {
-        double tdbSeconds = _scale.FromUtc(time);
+        double tdbSeconds = scale.FromUtc(time);
         Vector3D sunKm = PositionKm(Sun, tdbSeconds) ?? throw Cover.Outside(time);
         Vector3D bodyKm = PositionKm(_body.NaifNumber, tdbSeconds) ?? throw Cover.Outside(time);
         Vector3D sunFromBodyKm = sunKm - bodyKm;
@@ -77,11 +59,11 @@ public sealed class BuiltInEphemeris : IEphemeris
     }
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(_scale.FromUtc(time), time);
+    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
 
     /// <inheritdoc/>
     public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
-        _orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(_scale.ToUtc(tdbSeconds));
+        orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(scale.ToUtc(tdbSeconds));
 
     /// <inheritdoc/>
     public StateVector StateOf(int naifNumber, double tdbSeconds)
@@ -91,16 +73,16 @@ public sealed class BuiltInEphemeris : IEphemeris
         return state.Position.IsFinite && state.Velocity.IsFinite
             ? state
             : throw new BadInputException(Invariant(
-                $"The kernels put body {naifNumber} out of all bounds at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: they are damaged. "
+                $"The kernels put body {naifNumber} out of all bounds at {scale.ToUtc(tdbSeconds).ToIsoUtc()}: they are damaged. "
                     + $"Use other kernels."));
     }
 
     private SpiceException NoState(int body, double tdbSeconds)
     {
-        TdbCover cover = _positions.CoverOfChain(body);
+        TdbCover cover = positions.CoverOfChain(body);
         return new SpiceException(Invariant(
-            $"No kernel leads from body {body} to {_body.NameInText} at {_scale.ToUtc(tdbSeconds).ToIsoUtc()}: the kernels have "
-                + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(_scale, cover).Describe())}. "
+            $"No kernel leads from body {body} to {_body.NameInText} at {scale.ToUtc(tdbSeconds).ToIsoUtc()}: the kernels have "
+                + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(scale, cover).Describe())}. "
                 + $"Choose a time inside, or other kernels."));
     }
 
@@ -117,14 +99,14 @@ public sealed class BuiltInEphemeris : IEphemeris
         int link = body;
         for (int count = 0; link != SegmentTable.SolarSystemBarycenter; count++)
         {
-            if (count == MaximumLinks)
+            if (count == CenterChain.MaximumLinks)
             {
                 throw new SpiceException(
                     $"The kernels' centres lead from body {body} nowhere: "
-                        + $"{MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
+                        + $"{CenterChain.MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
             }
 
-            if (_positions.Find(link, tdbSeconds) is not IEphemerisSegment segment)
+            if (positions.Find(link, tdbSeconds) is not IEphemerisSegment segment)
             {
                 return null;
             }
@@ -137,5 +119,65 @@ public sealed class BuiltInEphemeris : IEphemeris
     }
 
     private RotationMatrix Rotation(double tdbSeconds, ModifiedJulianDate time) =>
-        _orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(time);
+        orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(time);
+}
+
+/// <summary>
+/// Follows the centres of segments from one body to another, as SPICE does: to the first centre that both have in common, so that nothing
+/// is lost by sums over the distance to the Sun. Safe for several threads.
+/// </summary>
+internal sealed class CenterChain(SegmentTable segments)
+{
+    /// <summary>
+    /// Maximum number of links in a chain of centres, as in SPICE (CHLEN in SPKGEO); more links mean that the chain is a ring.
+    /// </summary>
+    public const int MaximumLinks = 20;
+
+    /// <summary>State of a body relative to another one, J2000; null if no kernel leads from one to the other at that time.</summary>
+    /// <param name="target">NAIF's number.</param>
+    /// <param name="observer">NAIF's number.</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <returns>km, km/s.</returns>
+    /// <exception cref="SpiceException">The chain of centres is a ring, or a segment can't be read.</exception>
+    public StateVector? StateKm(int target, int observer, double tdbSeconds)
+    {
+        List<(int Body, StateVector FromTarget)> chain = [(target, default)];
+        while (chain[^1].Body != observer && Next(chain[^1], target, chain.Count, tdbSeconds) is { } link)
+        {
+            chain.Add(link);
+        }
+
+        (int Body, StateVector FromTarget) end = (observer, default);
+        for (int count = 1; ; count++)
+        {
+            int common = chain.FindIndex(link => link.Body == end.Body);
+            if (common >= 0)
+            {
+                return end.FromTarget - chain[common].FromTarget;
+            }
+
+            if (Next(end, observer, count, tdbSeconds) is not { } link)
+            {
+                return null;
+            }
+
+            end = link;
+        }
+    }
+
+    /// <summary>The next centre, with its state relative to the chain's first body, negative; null where the chain ends.</summary>
+    private (int Body, StateVector FromTarget)? Next(
+        (int Body, StateVector FromTarget) link, int first, int count, double tdbSeconds)
+    {
+        if (link.Body == SegmentTable.SolarSystemBarycenter || segments.Find(link.Body, tdbSeconds) is not { } segment)
+        {
+            return null;
+        }
+
+        return count <= MaximumLinks
+            ? (segment.Center, link.FromTarget - segment.StateAt(tdbSeconds))
+            : throw new SpiceException(Invariant(
+                $"The kernels' centres lead from body {first} nowhere: {MaximumLinks} links end at none that is known. "
+                    + $"Use other kernels."));
+    }
 }

@@ -73,3 +73,13 @@ public readonly record struct StateVector(Vector3D Position, Vector3D Velocity)
     /// <summary>Turns both along the axes of a frame that does not turn itself.</summary>
     public static StateVector operator *(RotationMatrix rotation, StateVector a) => new(rotation * a.Position, rotation * a.Velocity);
 }
+
+/// <summary>How the frames of spacecraft and instruments are turned. Safe for several threads.</summary>
+public interface ISpaceFrames
+{
+    /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
+    /// <param name="frame">Name of the frame, e.g. "LRO_LROCNACL".</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
+    RotationMatrix FrameFromJ2000(string frame, double tdbSeconds);
+}

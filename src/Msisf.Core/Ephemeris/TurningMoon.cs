@@ -10,7 +10,6 @@ public static class TurningMoon
     /// <param name="state">Position (m) and velocity (m/s) along the axes of a frame that turns with the Moon, and over it.</param>
     /// <param name="moonMeFromFrame">The constant rotation of that frame.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    /// <param name="ephemeris">How the Moon turns.</param>
     public static StateVector ToJ2000(StateVector state, RotationMatrix moonMeFromFrame, double tdbSeconds, IEphemeris ephemeris)
     {
         RotationMatrix j2000FromFrame = J2000FromMoonMe(tdbSeconds) * moonMeFromFrame;

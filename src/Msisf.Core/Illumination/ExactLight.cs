@@ -1,8 +1,6 @@
 using System.Numerics;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
-using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Illumination;
 
@@ -10,10 +8,9 @@ namespace Msisf.Core.Illumination;
 /// Decides by rays of the exact tracer whether any part of the Sun is in view. Rays are sent only where the stored horizon leaves it open.
 /// Safe for several threads.
 /// </summary>
-/// <param name="tracer">The tracer.</param>
 /// <param name="sunBodyFixed">The Sun at each step, m, body-fixed.</param>
 /// <param name="sunRadius">m; 0 for a point.</param>
-internal sealed class ExactLight(ITerrainTracer tracer, IReadOnlyList<Vector3D> sunBodyFixed, double sunRadius)
+internal sealed class ExactLight(IReadOnlyList<Vector3D> sunBodyFixed, double sunRadius)
 {
     /// <summary>rad, 0.01 degrees: where the horizon is nearer to the Sun's edge, rays decide. It is twice the horizon's error.</summary>
     public const float Doubt = 1.75e-4f;
@@ -34,18 +31,19 @@ internal sealed class ExactLight(ITerrainTracer tracer, IReadOnlyList<Vector3D> 
     private static readonly float[] Sines = [.. Edge.Select(point => (float)point.Sine)];
 
     /// <summary>Whether any part of the Sun is in view of a place above the ground.</summary>
-    /// <param name="frame">The place.</param>
+    /// <param name="rays">From the place.</param>
     /// <param name="tangents">Its horizon: the tangent at each column, after the last one that of the first again.</param>
     /// <param name="step">The step.</param>
-    public bool IsVisible(LocalFrame frame, float[] tangents, int step) => IsVisible(frame, tangents, sunBodyFixed[step]);
+    public bool IsVisible(PlaceRays rays, float[] tangents, int step) => IsVisible(rays, tangents, sunBodyFixed[step]);
 
     /// <summary>The same for a place of the Sun, m, body-fixed.</summary>
-    public bool IsVisible(LocalFrame frame, float[] tangents, Vector3D sun)
+    public bool IsVisible(PlaceRays rays, float[] tangents, Vector3D sun)
     {
+        LocalFrame frame = rays.Frame;
         Vector3D toSun = sun - frame.PositionBodyFixed;
         if (sunRadius == 0.0)
         {
-            return IsFree(frame, toSun);
+            return rays.IsFree(toSun);
         }
 
         Vector3D across = Vector3D.Cross(toSun, frame.Up).Normalized();
@@ -64,7 +62,7 @@ internal sealed class ExactLight(ITerrainTracer tracer, IReadOnlyList<Vector3D> 
             for (uint left = open[block]; left != 0; left &= left - 1)
             {
                 (double cosine, double sine) = Edge[(block * Lanes) + BitOperations.TrailingZeroCount(left)];
-                if (IsFree(frame, toSun + (radius * ((cosine * across) + (sine * up)))))
+                if (rays.IsFree(toSun + (radius * ((cosine * across) + (sine * up)))))
                 {
                     return true;
                 }
@@ -84,8 +82,8 @@ internal sealed class ExactLight(ITerrainTracer tracer, IReadOnlyList<Vector3D> 
     {
         for (int block = 0; block < open.Length; block++)
         {
-            Vector512<float> cosine = Vector512.LoadUnsafe(ref Cosines[block * Lanes]);
-            Vector512<float> sine = Vector512.LoadUnsafe(ref Sines[block * Lanes]);
+            Vector512<float> cosine = ArrayLanes.Load(Cosines, block * Lanes);
+            Vector512<float> sine = ArrayLanes.Load(Sines, block * Lanes);
             Vector512<float> east = Along(middle.X, right.X, top.X);
             Vector512<float> north = Along(middle.Y, right.Y, top.Y);
             Vector512<float> tangent = Along(middle.Z, right.Z, top.Z) / Vector512.Sqrt((east * east) + (north * north));
@@ -107,9 +105,6 @@ internal sealed class ExactLight(ITerrainTracer tracer, IReadOnlyList<Vector3D> 
 
         return false;
     }
-
-    private bool IsFree(in LocalFrame frame, Vector3D direction) =>
-        !tracer.TryTrace(new Ray(frame.PositionBodyFixed, direction), out _);
 
     private static IEnumerable<(double Cosine, double Sine)> PointsOfEdge()
     {

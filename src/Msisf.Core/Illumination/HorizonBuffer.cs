@@ -88,10 +88,10 @@ internal sealed class HorizonBuffer
             int group = from;
             if (run >= 16)
             {
-                Vector512<float> lanes = Vector512.LoadUnsafe(ref _least[group]);
+                Vector512<float> lanes = ArrayLanes.Load(_least, group);
                 for (group += 16; group + 16 <= from + run; group += 16)
                 {
-                    lanes = Vector512.MinNative(lanes, Vector512.LoadUnsafe(ref _least[group]));
+                    lanes = Vector512.MinNative(lanes, ArrayLanes.Load(_least, group));
                 }
 
                 least = Math.Min(least, LaneMasks.Min(lanes));
@@ -229,17 +229,14 @@ internal sealed class HorizonBuffer
 
     private void RaisePlane(int first, int count, float alongSine, float alongCosine)
     {
-        ref float sines = ref MemoryMarshal.GetArrayDataReference(_sines);
-        ref float cosines = ref MemoryMarshal.GetArrayDataReference(_cosines);
         Vector512<float> bySine = Vector512.Create(alongSine);
         Vector512<float> byCosine = Vector512.Create(alongCosine);
         bool isRaised = false;
         int done = 0;
         for (; done + 16 <= count; done += 16)
         {
-            nuint at = (nuint)(first + done);
-            Vector512<float> line = (bySine * Vector512.LoadUnsafe(ref sines, at)) + (byCosine * Vector512.LoadUnsafe(ref cosines, at));
-            isRaised |= Raise(first + done, line);
+            int at = first + done;
+            isRaised |= Raise(at, (bySine * ArrayLanes.Load(_sines, at)) + (byCosine * ArrayLanes.Load(_cosines, at)));
         }
 
         for (; done < count; done++)
@@ -254,17 +251,15 @@ internal sealed class HorizonBuffer
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool Raise(int at, Vector512<float> line)
     {
-        ref float tangents = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_tangents), at);
-        ref int owners = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_owners), at);
-        Vector512<float> before = Vector512.LoadUnsafe(ref tangents);
+        Vector512<float> before = ArrayLanes.Load(_tangents, at);
         Vector512<float> isHigher = Vector512.GreaterThan(line, before);
         if (isHigher.AsInt32() == Vector512<int>.Zero)
         {
             return false;
         }
 
-        Vector512.MaxNative(before, line).StoreUnsafe(ref tangents);
-        Vector512.ConditionalSelect(isHigher.AsInt32(), Vector512.Create(Owner), Vector512.LoadUnsafe(ref owners)).StoreUnsafe(ref owners);
+        Vector512.MaxNative(before, line).StoreTo(_tangents, at);
+        Vector512.ConditionalSelect(isHigher.AsInt32(), Vector512.Create(Owner), ArrayLanes.Load(_owners, at)).StoreTo(_owners, at);
         return true;
     }
 
@@ -288,12 +283,11 @@ internal sealed class HorizonBuffer
             return;
         }
 
-        ref float start = ref MemoryMarshal.GetArrayDataReference(_tangents);
         for (int group = first / Group; group <= (first + count - 1) / Group; group++)
         {
-            nuint at = (nuint)(group * Group);
+            int at = group * Group;
             float least = LaneMasks.Min(
-                Vector512.MinNative(Vector512.LoadUnsafe(ref start, at), Vector512.LoadUnsafe(ref start, at + 16)));
+                Vector512.MinNative(ArrayLanes.Load(_tangents, at), ArrayLanes.Load(_tangents, at + Lanes)));
             _least[group] = least >= _tops[group] ? float.PositiveInfinity : least;
         }
     }

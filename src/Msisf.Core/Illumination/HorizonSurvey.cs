@@ -15,7 +15,7 @@ public sealed class HorizonSurvey
     /// <summary>
     /// Raise it when the same terrain gets another horizon, or one that is stored in another way: kept ones are not used then.
     /// </summary>
-    public const int Version = 3;
+    public const int Version = 4;
 
     /// <summary>Columns of a turn: 0.011 degrees each.</summary>
     public const int Columns = 32_768;
@@ -38,7 +38,6 @@ public sealed class HorizonSurvey
     private const double FineErrorDegrees = 1e-4;
 
     private readonly HorizonTerrain _terrain;
-    private readonly ITerrainTracer _tracer;
     private readonly double _start;
     private readonly double _bottom;
 
@@ -50,7 +49,7 @@ public sealed class HorizonSurvey
     public HorizonSurvey(ITerrain terrain, ITerrainTracer tracer, IEnumerable<Vector3D> directions, bool isMoon)
     {
         _terrain = new HorizonTerrain(SurfaceModel.Of(terrain));
-        _tracer = tracer;
+        Tracer = tracer;
         _start = terrain.RadiusLimits.Max + 1.0;
 
         // No horizon dips lower than that of the lowest ground from the highest place.
@@ -64,12 +63,11 @@ public sealed class HorizonSurvey
     /// <summary>Whether horizons are stored more exactly, with some ten times as many corners; for few places.</summary>
     public bool IsFine { get; init; }
 
-    /// <summary>degrees: horizons that are higher are stored as this.</summary>
-    public double TopDegrees => Band.TopDegrees;
-
     internal HorizonBand Band { get; }
 
     internal HorizonProfile Profile { get; }
+
+    internal ITerrainTracer Tracer { get; }
 
     /// <summary>Finds the place above the ground in a direction.</summary>
     /// <param name="direction">MOON_ME, length 1.</param>
@@ -77,7 +75,7 @@ public sealed class HorizonSurvey
     /// <returns>The place, and the tangent of the ground's slope; null where there is no ground.</returns>
     public (LocalFrame Frame, double Slope)? PlaceAt(Vector3D direction, double height)
     {
-        if (!_tracer.TryTrace(new Ray(_start * direction, -direction), out SurfaceHit hit))
+        if (!Tracer.TryTrace(new Ray(_start * direction, -direction), out SurfaceHit hit))
         {
             return null;
         }
@@ -140,6 +138,20 @@ public sealed class HorizonSurvey
         }
 
         return new PlaceHorizons(radii, slopes, ends, all);
+    }
+
+    /// <summary>Rays of the tracer from a place above the ground.</summary>
+    public PlaceRays RaysFrom(LocalFrame frame) => new(Tracer, _terrain.Surface, frame);
+
+    /// <summary>The stored horizon of a place.</summary>
+    /// <param name="horizons">Horizons of places.</param>
+    /// <param name="place">Which of them.</param>
+    /// <returns>Tangent of the elevation at each column of azimuth, and after them that of the first again.</returns>
+    public float[] HorizonOf(PlaceHorizons horizons, int place)
+    {
+        float[] tangents = new float[HorizonProfile.TableLength(Columns)];
+        Profile.Read(horizons.CornersOf(place), tangents);
+        return tangents[..(Columns + 1)];
     }
 
     private static BadInputException Outside(Vector3D direction)

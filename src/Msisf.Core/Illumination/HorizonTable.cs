@@ -50,8 +50,8 @@ internal sealed class HorizonTable
         for (int group = 0; group < groups; group++)
         {
             int from = group * Group;
-            Vector512<float> first = Vector512.LoadUnsafe(ref Tangents[from]);
-            Vector512<float> second = Vector512.LoadUnsafe(ref Tangents[from + Vector512<float>.Count]);
+            Vector512<float> first = ArrayLanes.Load(Tangents, from);
+            Vector512<float> second = ArrayLanes.Load(Tangents, from + Vector512<float>.Count);
             float next = Tangents[from + Group];
             _least[Edge + group] = Math.Min(next, LaneMasks.Min(Vector512.MinNative(first, second)));
             _most[Edge + group] = Math.Max(next, LaneMasks.Max(Vector512.MaxNative(first, second)));
@@ -79,16 +79,16 @@ internal sealed class HorizonTable
         for (int group = 0; group < least.Length; group += Vector512<float>.Count)
         {
             int from = group + Edge - groups;
-            Vector512<float> low = Vector512.LoadUnsafe(ref _least[from]);
-            Vector512<float> high = Vector512.LoadUnsafe(ref _most[from]);
+            Vector512<float> low = ArrayLanes.Load(_least, from);
+            Vector512<float> high = ArrayLanes.Load(_most, from);
             for (int away = 1; away <= 2 * groups; away++)
             {
-                low = Vector512.MinNative(low, Vector512.LoadUnsafe(ref _least[from + away]));
-                high = Vector512.MaxNative(high, Vector512.LoadUnsafe(ref _most[from + away]));
+                low = Vector512.MinNative(low, ArrayLanes.Load(_least, from + away));
+                high = Vector512.MaxNative(high, ArrayLanes.Load(_most, from + away));
             }
 
-            low.StoreUnsafe(ref least[group]);
-            high.StoreUnsafe(ref most[group]);
+            low.StoreTo(least, group);
+            high.StoreTo(most, group);
         }
     }
 

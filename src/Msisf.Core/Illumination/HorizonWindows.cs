@@ -34,8 +34,8 @@ internal sealed class HorizonWindows(int columns)
             // Twice as many columns from each one on.
             for (int at = 0; at + length + Lanes <= _running.Length; at += Lanes)
             {
-                Vector512.MinNative(Vector512.LoadUnsafe(ref _running[at]), Vector512.LoadUnsafe(ref _running[at + length]))
-                    .StoreUnsafe(ref _running[at]);
+                Vector512.MinNative(ArrayLanes.Load(_running, at), ArrayLanes.Load(_running, at + length))
+                    .StoreTo(_running, at);
             }
 
             if (length == side)
@@ -44,8 +44,8 @@ internal sealed class HorizonWindows(int columns)
                 for (int at = 0; at < columns; at += Lanes)
                 {
                     int from = at + Edge - side;
-                    Vector512.MinNative(Vector512.LoadUnsafe(ref _running[from]), Vector512.LoadUnsafe(ref _running[from + 1]))
-                        .StoreUnsafe(ref window[at]);
+                    Vector512.MinNative(ArrayLanes.Load(_running, from), ArrayLanes.Load(_running, from + 1))
+                        .StoreTo(window, at);
                 }
 
                 side *= 2;

@@ -1,6 +1,7 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Illumination;
@@ -11,6 +12,9 @@ internal sealed class LightFinder
     private const int Lanes = LightTimes.Lanes;
 
     private const int Strips = 16;
+
+    /// <summary>W/m^2 at one astronomical unit.</summary>
+    private const double FluxAtAu = 1361.0;
 
     /// <summary>Part of a disc that is told of a sliver which rays see, but no strip.</summary>
     private const float LeastPart = 1e-6f;
@@ -30,19 +34,16 @@ internal sealed class LightFinder
     /// <summary>Prepares an interval.</summary>
     /// <param name="sun">The Sun's path.</param>
     /// <param name="earth">The Earth's.</param>
-    /// <param name="fluxAtAu">W/m^2 at one astronomical unit.</param>
-    /// <param name="fixedLocal">Normal of the chosen plane along east, north and up, length 1.</param>
-    /// <param name="nightLimit">Steps: longer times without Sun are counted.</param>
-    /// <param name="columns">Columns of a turn of horizons.</param>
+    /// <param name="conditions">What is asked for.</param>
     /// <param name="steepest">Tangent of the greatest elevation of a horizon.</param>
-    public LightFinder(
-        LightTimes sun, LightTimes earth, double fluxAtAu, Vector3D fixedLocal, double nightLimit, int columns, double steepest)
+    public LightFinder(LightTimes sun, LightTimes earth, LightConditions conditions, double steepest)
     {
-        const double AstronomicalUnit = 149_597_870_700.0; // m, IAU 2012 Resolution B2
-        (_sun, _fixedLocal, _nightLimit) = (sun, fixedLocal, nightLimit);
-        _flux = [.. sun.Distances.Select(distance => (float)(fluxAtAu * AstronomicalUnit * AstronomicalUnit / (distance * distance)))];
-        Table = new HorizonTable(columns);
-        (_sunSteps, _earthSteps) = (new SkySteps(sun, columns, steepest), new SkySteps(earth, columns, steepest));
+        const double Au = AstronomicalConstants.AstronomicalUnit;
+        (_sun, _fixedLocal, _nightLimit) = (sun, conditions.FixedPlane, conditions.NightLimit);
+        _flux = [.. sun.Distances.Select(distance => (float)(FluxAtAu * Au * Au / (distance * distance)))];
+        Table = new HorizonTable(HorizonSurvey.Columns);
+        _sunSteps = new SkySteps(sun, HorizonSurvey.Columns, steepest);
+        _earthSteps = new SkySteps(earth, HorizonSurvey.Columns, steepest);
         (_sunSeen, _earthSeen) = (new uint[_sunSteps.Whole.Length], new uint[_earthSteps.Whole.Length]);
     }
 
@@ -63,14 +64,15 @@ internal sealed class LightFinder
     }
 
     /// <summary>The light of a place whose horizon is in <see cref="Table"/>.</summary>
-    /// <param name="frame">The place.</param>
-    public PlaceLight Of(LocalFrame frame)
+    /// <param name="rays">From the place.</param>
+    public PlaceLight Of(PlaceRays rays)
     {
+        LocalFrame frame = rays.Frame;
         Table.FindLimits();
         _sunSteps.Find(Table, frame);
         _earthSteps.Find(Table, frame);
         LightSums sums = default;
-        SeeSun(frame, ref sums);
+        SeeSun(rays, ref sums);
         int wholeEarth = SeeEarth();
         StepRuns runs = new(_nightLimit);
         (int lit, int earth, int both) = (0, 0, 0);
@@ -98,8 +100,9 @@ internal sealed class LightFinder
 
     /// <summary>Finds the steps at which any of the Sun is in view, and sums up its light.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void SeeSun(in LocalFrame frame, ref LightSums sums)
+    private void SeeSun(PlaceRays rays, ref LightSums sums)
     {
+        LocalFrame frame = rays.Frame;
         Vector3D upright = _sunSteps.Path.ToLocal(frame.Up);
         Vector3D plane = _sunSteps.Path.ToLocal(
             (_fixedLocal.X * frame.East) + (_fixedLocal.Y * frame.North) + (_fixedLocal.Z * frame.Up));
@@ -113,19 +116,19 @@ internal sealed class LightFinder
             {
                 int step = block * Lanes;
                 Vector512<float> area = LaneMasks.Of(whole) & Vector512<float>.One;
-                Vector512<float> light = area * Vector512.LoadUnsafe(ref _flux[step]);
-                Vector512<float> up = _sunDisc.UpOf(_sunSteps.Path.CosineTo(upright, step), Vector512.LoadUnsafe(ref _sun.Slope[step]));
+                Vector512<float> light = area * ArrayLanes.Load(_flux, step);
+                Vector512<float> up = _sunDisc.UpOf(_sunSteps.Path.CosineTo(upright, step), ArrayLanes.Load(_sun.Slope, step));
                 sums.Add(area, light, light * up, light * Vector512.MaxNative(zero, _sunSteps.Path.CosineTo(plane, step)));
                 if (Parts is { } parts)
                 {
-                    area.StoreUnsafe(ref parts[step]);
+                    area.StoreTo(parts, step);
                 }
             }
         }
 
         for (int first = 0; first < _sunSteps.NearCount; first += Lanes)
         {
-            (DiscParts parts, uint visible) = SeeNearSun(frame, first);
+            (DiscParts parts, uint visible) = SeeNearSun(rays, first);
             Vector512<int> steps = _sunSteps.StepsAt(first);
             Vector512<float> isVisible = LaneMasks.Of(visible);
             Vector512<float> flux = HorizonTable.Gather(_flux, steps) & isVisible;
@@ -173,7 +176,7 @@ internal sealed class LightFinder
     }
 
     /// <summary>The parts of the Sun that stand over the horizon at sixteen steps at which that is near, and the steps with any.</summary>
-    private (DiscParts Parts, uint Visible) SeeNearSun(in LocalFrame frame, int first)
+    private (DiscParts Parts, uint Visible) SeeNearSun(PlaceRays rays, int first)
     {
         SeenBody sun = _sunSteps.NearAt(first);
         DiscParts parts;
@@ -201,7 +204,7 @@ internal sealed class LightFinder
         {
             int lane = BitOperations.TrailingZeroCount(left);
             visible &= ~(1u << lane);
-            visible |= Exact!.IsVisible(frame, Table.Tangents, _sunSteps.Near[first + lane]) ? 1u << lane : 0;
+            visible |= Exact!.IsVisible(rays, Table.Tangents, _sunSteps.Near[first + lane]) ? 1u << lane : 0;
         }
 
         return (parts, visible & valid);

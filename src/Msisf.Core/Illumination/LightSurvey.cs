@@ -1,19 +1,13 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Time;
-using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Illumination;
 
 /// <summary>Finds the light of places over an interval from their horizons. Safe for several threads.</summary>
 public sealed class LightSurvey
 {
-    /// <summary>m: nominal radius of the Sun (IAU 2015 Resolution B3).</summary>
-    public const double SunRadius = 695_700e3;
-
-    /// <summary>m: mean radius of the Earth (B. A. Archinal et al., Celest. Mech. Dyn. Astr. 130 (2018) 22, table 4).</summary>
-    public const double EarthRadius = 6_371_008.4;
-
     private readonly HorizonSurvey _horizons;
     private readonly LightConditions _conditions;
     private readonly LightTimes _sun;
@@ -23,14 +17,13 @@ public sealed class LightSurvey
     /// <summary>Prepares an interval.</summary>
     /// <param name="horizons">How horizons were found.</param>
     /// <param name="conditions">The bodies' places and what is asked for.</param>
-    /// <param name="tracer">Of the same terrain.</param>
-    public LightSurvey(HorizonSurvey horizons, LightConditions conditions, ITerrainTracer tracer)
+    public LightSurvey(HorizonSurvey horizons, LightConditions conditions)
     {
         (_horizons, _conditions) = (horizons, conditions);
-        double radius = conditions.IsPoint ? 0.0 : SunRadius;
+        double radius = conditions.IsPoint ? 0.0 : AstronomicalConstants.SunRadius;
         _sun = new LightTimes(conditions.SunBodyFixed, radius);
-        _earth = new LightTimes(conditions.EarthMoonMe, EarthRadius);
-        _exact = new ExactLight(tracer, conditions.SunBodyFixed, radius);
+        _earth = new LightTimes(conditions.EarthMoonMe, AstronomicalConstants.EarthRadius);
+        _exact = new ExactLight(conditions.SunBodyFixed, radius);
     }
 
     /// <summary>The light of places.</summary>
@@ -73,46 +66,28 @@ public sealed class LightSurvey
     }
 
     /// <summary>Finds by rays of the exact tracer when light begins or ends at a place above the ground, to half a second.</summary>
-    /// <param name="frame">The place.</param>
-    /// <param name="horizon">As <see cref="HorizonOf"/> gives it.</param>
+    /// <param name="rays">From the place.</param>
+    /// <param name="horizon">As <see cref="HorizonSurvey.HorizonOf"/> gives it.</param>
     /// <param name="before">A time before.</param>
     /// <param name="after">A time after.</param>
     /// <param name="isRise">Whether it begins.</param>
     /// <param name="sunAt">The Sun at a time, m, body-fixed.</param>
     public ModifiedJulianDate ChangeBetween(
-        LocalFrame frame, float[] horizon, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise,
+        PlaceRays rays, float[] horizon, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise,
         Func<ModifiedJulianDate, Vector3D> sunAt)
     {
         (double low, double high) = (before.Days, after.Days);
         while (high - low > 0.5 / 86400.0)
         {
             ModifiedJulianDate middle = new(0.5 * (low + high));
-            (low, high) = _exact.IsVisible(frame, horizon, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
+            (low, high) = _exact.IsVisible(rays, horizon, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
         }
 
         return new ModifiedJulianDate(0.5 * (low + high));
     }
 
-    /// <summary>The stored horizon of a place.</summary>
-    /// <param name="horizons">Horizons of places.</param>
-    /// <param name="place">Which of them.</param>
-    /// <returns>Tangent of the elevation at each column of azimuth, and after them that of the first again.</returns>
-    public float[] HorizonOf(PlaceHorizons horizons, int place)
-    {
-        float[] tangents = new float[HorizonProfile.TableLength(HorizonSurvey.Columns)];
-        _horizons.Profile.Read(CornersOf(horizons, place), tangents);
-        return tangents[..(HorizonSurvey.Columns + 1)];
-    }
-
-    private static ReadOnlySpan<uint> CornersOf(PlaceHorizons horizons, int place)
-    {
-        int start = place == 0 ? 0 : horizons.Ends[place - 1];
-        return horizons.Corners.AsSpan(start, horizons.Ends[place] - start);
-    }
-
     private LightFinder NewFinder(float[]? parts) => new(
-        _sun, _earth, _conditions.FluxAtAu, _conditions.FixedPlane, _conditions.NightLimit, HorizonSurvey.Columns,
-        Math.Tan(double.DegreesToRadians(_horizons.TopDegrees)))
+        _sun, _earth, _conditions, Math.Tan(double.DegreesToRadians(_horizons.Band.TopDegrees)))
     {
         Exact = _conditions.IsExact ? _exact : null,
         Parts = parts,
@@ -120,8 +95,8 @@ public sealed class LightSurvey
 
     private PlaceLight Of(LightFinder finder, IReadOnlyList<Vector3D> directions, PlaceHorizons horizons, int place)
     {
-        _horizons.Profile.Read(CornersOf(horizons, place), finder.Table.Tangents);
-        return finder.Of(LocalFrame.At(horizons.Radii[place] * directions[place]));
+        _horizons.Profile.Read(horizons.CornersOf(place), finder.Table.Tangents);
+        return finder.Of(_horizons.RaysFrom(LocalFrame.At(horizons.Radii[place] * directions[place])));
     }
 }
 
@@ -135,9 +110,6 @@ public sealed record LightConditions(IReadOnlyList<Vector3D> SunBodyFixed, IRead
 
     /// <summary>Whether the exact tracer decides what the horizon's error leaves open.</summary>
     public bool IsExact { get; init; }
-
-    /// <summary>W/m^2 at one astronomical unit.</summary>
-    public double FluxAtAu { get; init; } = 1361.0;
 
     /// <summary>Normal of the chosen plane along east, north and up, length 1.</summary>
     public Vector3D FixedPlane { get; init; } = Vector3D.UnitZ;

@@ -20,7 +20,7 @@ internal sealed class PatchPoints
     private readonly double[] _north = new double[(Cells + 2) * Stride];
     private readonly double[] _up = new double[(Cells + 2) * Stride];
     private readonly float[] _columns = new float[(Cells + 2) * Stride];
-    private readonly float[] _tangents = new float[(Cells + 1) * Stride];
+    private readonly float[] _tangents = new float[(Cells + 2) * Stride];
     private readonly uint[] _high = new uint[Cells + 1];
 
     /// <summary>Turns the vertices of a patch, and finds the tangents of their elevations.</summary>
@@ -40,7 +40,7 @@ internal sealed class PatchPoints
         Vector512<float> isVertex = Vector512.LessThanOrEqual(Vector512<int>.Indices, Vector512.Create(cells.Samples)).AsSingle();
         for (int line = 0; line <= cells.Lines; line++)
         {
-            nuint from = (nuint)(((top + line) * BlockVertices.Stride) + left);
+            int from = ((top + line) * BlockVertices.Stride) + left;
             int to = line * Stride;
             Turn(vertices, from, start, frame, to);
             Turn(vertices, from + Cells, start, frame, to + Cells);
@@ -52,7 +52,7 @@ internal sealed class PatchPoints
             Vector512<float> tangent = Vector512.MaxNative(up / Vector512.MaxNative(across, Vector512.Create(1e-9f)), lowest);
             tangent = Vector512.ConditionalSelect(isVertex, tangent, lowest);
             highest = Vector512.MaxNative(highest, tangent);
-            tangent.StoreUnsafe(ref _tangents[to]);
+            tangent.StoreTo(_tangents, to);
         }
 
         return LaneMasks.Max(highest);
@@ -67,7 +67,7 @@ internal sealed class PatchPoints
         for (int line = 0; line < lines; line++)
         {
             (Vector512<float> east, Vector512<float> north) = Across(line * Stride);
-            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)columns)).StoreUnsafe(ref _columns[line * Stride]);
+            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)columns)).StoreTo(_columns, line * Stride);
         }
     }
 
@@ -86,8 +86,8 @@ internal sealed class PatchPoints
             uint high = all;
             if (least is not null)
             {
-                Vector512<float> tangent = Vector512.LoadUnsafe(ref _tangents[line * Stride]);
-                Vector512<int> column = Vector512.ConvertToInt32(Vector512.LoadUnsafe(ref _columns[line * Stride]));
+                Vector512<float> tangent = ArrayLanes.Load(_tangents, line * Stride);
+                Vector512<int> column = Vector512.ConvertToInt32(ArrayLanes.Load(_columns, line * Stride));
                 Vector512<float> horizon = HorizonTable.Gather(least, column & Vector512.Create(least.Length - 1));
                 Vector512<float> bulge = Vector512.Create(HorizonBuffer.NarrowBulge) * Vector512.Abs(tangent);
                 high = (uint)Vector512.GreaterThan(tangent + bulge, horizon).ExtractMostSignificantBits() & all;
@@ -108,16 +108,16 @@ internal sealed class PatchPoints
         Vector512<float> widest = Vector512<float>.Zero;
         for (int at = 0; at < cells.Lines * Stride; at += Stride)
         {
-            Vector512<float> here = Vector512.LoadUnsafe(ref _columns[at]);
-            Vector512<float> below = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + Stride]) - here);
-            Vector512<float> right = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + 1]) - here);
-            Vector512<float> across = Vector512.Abs(Vector512.LoadUnsafe(ref _columns[at + Stride + 1]) - here);
+            Vector512<float> here = ArrayLanes.Load(_columns, at);
+            Vector512<float> below = Vector512.Abs(ArrayLanes.Load(_columns, at + Stride) - here);
+            Vector512<float> right = Vector512.Abs(ArrayLanes.Load(_columns, at + 1) - here);
+            Vector512<float> across = Vector512.Abs(ArrayLanes.Load(_columns, at + Stride + 1) - here);
             widest = Vector512.MaxNative(widest, below & isVertex);
             widest = Vector512.MaxNative(widest, Vector512.MaxNative(right, across) & isCell);
         }
 
-        Vector512<float> last = Vector512.LoadUnsafe(ref _columns[cells.Lines * Stride]);
-        Vector512<float> lastRight = Vector512.LoadUnsafe(ref _columns[(cells.Lines * Stride) + 1]);
+        Vector512<float> last = ArrayLanes.Load(_columns, cells.Lines * Stride);
+        Vector512<float> lastRight = ArrayLanes.Load(_columns, (cells.Lines * Stride) + 1);
         return LaneMasks.Max(Vector512.MaxNative(widest, Vector512.Abs(lastRight - last) & isCell));
     }
 
@@ -126,17 +126,17 @@ internal sealed class PatchPoints
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> Narrow(double[] values, int at) =>
-        Vector512.Narrow(Vector512.LoadUnsafe(ref values[at]), Vector512.LoadUnsafe(ref values[at + Cells]));
+        Vector512.Narrow(ArrayLanes.Load(values, at), ArrayLanes.Load(values, at + Cells));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Turn(BlockVertices vertices, nuint from, Vector3D start, in LocalFrame frame, int to)
+    private void Turn(BlockVertices vertices, int from, Vector3D start, in LocalFrame frame, int to)
     {
-        Vector512<double> x = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.X), from);
-        Vector512<double> y = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Y), from);
-        Vector512<double> z = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Z), from);
-        Along(frame.East, start.X, x, y, z).StoreUnsafe(ref _east[to]);
-        Along(frame.North, start.Y, x, y, z).StoreUnsafe(ref _north[to]);
-        Along(frame.Up, start.Z, x, y, z).StoreUnsafe(ref _up[to]);
+        Vector512<double> x = ArrayLanes.Load(vertices.X, from);
+        Vector512<double> y = ArrayLanes.Load(vertices.Y, from);
+        Vector512<double> z = ArrayLanes.Load(vertices.Z, from);
+        Along(frame.East, start.X, x, y, z).StoreTo(_east, to);
+        Along(frame.North, start.Y, x, y, z).StoreTo(_north, to);
+        Along(frame.Up, start.Z, x, y, z).StoreTo(_up, to);
     }
 
     /// <summary>Raises a horizon to the edges of the patch's facets.</summary>
@@ -255,7 +255,7 @@ internal sealed class PatchPoints
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private (Vector512<double> X, Vector512<double> Y, Vector512<double> Z) Corners(int at) =>
-        (Vector512.LoadUnsafe(ref _east[at]), Vector512.LoadUnsafe(ref _north[at]), Vector512.LoadUnsafe(ref _up[at]));
+        (ArrayLanes.Load(_east, at), ArrayLanes.Load(_north, at), ArrayLanes.Load(_up, at));
 
     private HorizonPoint this[int at] => new(_east[at], _north[at], _up[at], _columns[at], _tangents[at]);
 
@@ -267,14 +267,14 @@ internal sealed class PatchPoints
     /// <summary>Whether an edge of some cells of a line may rise above the horizon.</summary>
     private bool MayRise(HorizonBuffer buffer, int at, int cells)
     {
-        Vector512<float> columns = Vector512.LoadUnsafe(ref _columns[at]);
-        Vector512<float> columnsBelow = Vector512.LoadUnsafe(ref _columns[at + Stride]);
+        Vector512<float> columns = ArrayLanes.Load(_columns, at);
+        Vector512<float> columnsBelow = ArrayLanes.Load(_columns, at + Stride);
         Vector512<float> isVertex = Vector512.LessThanOrEqual(Vector512<int>.Indices, Vector512.Create(cells)).AsSingle();
         Vector512<float> any = Vector512.Create(columns[0]);
         float first = LaneMasks.Min(Vector512.ConditionalSelect(isVertex, Vector512.MinNative(columns, columnsBelow), any));
         float width = LaneMasks.Max(Vector512.ConditionalSelect(isVertex, Vector512.MaxNative(columns, columnsBelow), any)) - first;
-        float highest = LaneMasks.Max(Vector512.MaxNative(
-            Vector512.LoadUnsafe(ref _tangents[at]), Vector512.LoadUnsafe(ref _tangents[at + Stride])));
+        Vector512<float> tangents = Vector512.MaxNative(ArrayLanes.Load(_tangents, at), ArrayLanes.Load(_tangents, at + Stride));
+        float highest = LaneMasks.Max(Vector512.ConditionalSelect(isVertex, tangents, Vector512.Create(HorizonPoint.Lowest)));
         return width > 0.25f * buffer.Columns // perhaps across the north
             || buffer.HighestOf(highest, width) > buffer.LeastFrom((int)first & (buffer.Columns - 1), (int)width + 2);
     }

@@ -7,6 +7,13 @@ namespace Msisf.Core.Illumination;
 /// <param name="Corners">Corners between which the horizon is straight.</param>
 public sealed record PlaceHorizons(double[] Radii, float[] Slopes, int[] Ends, uint[] Corners)
 {
+    /// <summary>The corners of a place.</summary>
+    public ReadOnlySpan<uint> CornersOf(int place)
+    {
+        int start = place == 0 ? 0 : Ends[place - 1];
+        return Corners.AsSpan(start, Ends[place] - start);
+    }
+
     /// <summary>Whether each place has corners from the first column to the last.</summary>
     public bool IsSound
     {

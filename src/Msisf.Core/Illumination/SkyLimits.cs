@@ -55,8 +55,8 @@ internal sealed class SkyLimits(int columns)
         for (int done = 0; done < count; done += Lanes)
         {
             Vector512<float> isThere = Vector512.LessThan(lanes, Vector512.Create(count - done)).AsSingle();
-            Vector512<float> lower = Vector512.LoadUnsafe(ref _least[first + done]);
-            Vector512<float> upper = Vector512.LoadUnsafe(ref _most[first + done]);
+            Vector512<float> lower = ArrayLanes.Load(_least, first + done);
+            Vector512<float> upper = ArrayLanes.Load(_most, first + done);
             least = Vector512.ConditionalSelect(isThere, Vector512.MinNative(least, lower), least);
             most = Vector512.ConditionalSelect(isThere, Vector512.MaxNative(most, upper), most);
         }

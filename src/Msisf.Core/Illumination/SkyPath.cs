@@ -65,16 +65,16 @@ internal sealed class SkyPath
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public SeenBody At(int step, in SkyShift shift)
     {
-        Vector512<float> east = Vector512.LoadUnsafe(ref _east[step]);
-        Vector512<float> north = Vector512.LoadUnsafe(ref _north[step]);
+        Vector512<float> east = ArrayLanes.Load(_east, step);
+        Vector512<float> north = ArrayLanes.Load(_north, step);
         Vector512<float> tiltEast = Vector512.Create(shift.TiltEast);
         Vector512<float> tiltNorth = Vector512.Create(shift.TiltNorth);
         return SeenAt(
-            Vector512.LoadUnsafe(ref _tangent[step])
-                + (Vector512.LoadUnsafe(ref _rise[step]) * ((tiltEast * east) + (tiltNorth * north))),
-            Vector512.LoadUnsafe(ref _column[step]) + Vector512.Create(shift.Columns)
-                + (Vector512.LoadUnsafe(ref _turn[step]) * ((tiltNorth * east) - (tiltEast * north))),
-            Vector512.LoadUnsafe(ref _times.Slope[step]));
+            ArrayLanes.Load(_tangent, step)
+                + (ArrayLanes.Load(_rise, step) * ((tiltEast * east) + (tiltNorth * north))),
+            ArrayLanes.Load(_column, step) + Vector512.Create(shift.Columns)
+                + (ArrayLanes.Load(_turn, step) * ((tiltNorth * east) - (tiltEast * north))),
+            ArrayLanes.Load(_times.Slope, step));
     }
 
     /// <summary>The body from its place in the sky.</summary>
@@ -123,7 +123,7 @@ internal sealed class SkyPath
     /// <param name="step">The first step.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector512<float> CosineTo(Vector3D normal, int step) => Along(
-        normal, Vector512.LoadUnsafe(ref _east[step]), Vector512.LoadUnsafe(ref _north[step]), Vector512.LoadUnsafe(ref _up[step]));
+        normal, ArrayLanes.Load(_east, step), ArrayLanes.Load(_north, step), ArrayLanes.Load(_up, step));
 
     /// <summary>The same at steps anywhere.</summary>
     public Vector512<float> CosineTo(Vector3D normal, Vector512<int> steps) => Along(
@@ -135,26 +135,26 @@ internal sealed class SkyPath
         Vector512<float> least = Vector512.Create(1e-6f);
         for (int step = 0; step < _times.X.Length; step += LightTimes.Lanes)
         {
-            Vector512<float> x = Vector512.LoadUnsafe(ref _times.X[step]);
-            Vector512<float> y = Vector512.LoadUnsafe(ref _times.Y[step]);
-            Vector512<float> z = Vector512.LoadUnsafe(ref _times.Z[step]);
+            Vector512<float> x = ArrayLanes.Load(_times.X, step);
+            Vector512<float> y = ArrayLanes.Load(_times.Y, step);
+            Vector512<float> z = ArrayLanes.Load(_times.Z, step);
             Vector512<float> east = Along(_middle.East, x, y, z);
             Vector512<float> north = Along(_middle.North, x, y, z);
             Vector512<float> far = Along(_middle.Up, x, y, z);
             Vector512<float> up = far - (Vector512.Create((float)_middle.PositionBodyFixed.Length)
-                * Vector512.LoadUnsafe(ref _times.PerMetre[step]));
+                * ArrayLanes.Load(_times.PerMetre, step));
             Vector512<float> across = Vector512.MaxNative(Vector512.Sqrt((east * east) + (north * north)), least);
             Vector512<float> length = Vector512.Sqrt((across * across) + (up * up));
             Vector512<float> tangent = up / across;
-            tangent.StoreUnsafe(ref _tangent[step]);
-            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)_columns)).StoreUnsafe(ref _column[step]);
-            (east / length).StoreUnsafe(ref _east[step]);
-            (north / length).StoreUnsafe(ref _north[step]);
-            (up / length).StoreUnsafe(ref _up[step]);
+            tangent.StoreTo(_tangent, step);
+            (AzimuthLanes.Turns(east, north) * Vector512.Create((float)_columns)).StoreTo(_column, step);
+            (east / length).StoreTo(_east, step);
+            (north / length).StoreTo(_north, step);
+            (up / length).StoreTo(_up, step);
 
             // A tilt of the ground turns the body's direction, not its parallax.
-            (length / across * (Vector512<float>.One + (tangent * far / across))).StoreUnsafe(ref _rise[step]);
-            (length * far / (across * across) * Vector512.Create((float)(_columns / (2.0 * Math.PI)))).StoreUnsafe(ref _turn[step]);
+            (length / across * (Vector512<float>.One + (tangent * far / across))).StoreTo(_rise, step);
+            (length * far / (across * across) * Vector512.Create((float)(_columns / (2.0 * Math.PI)))).StoreTo(_turn, step);
         }
     }
 

@@ -49,8 +49,8 @@ internal sealed class SkySteps(LightTimes times, int columns, double steepest)
             {
                 SeenBody seen = Path.At(step, shift);
                 (whole, open) = _limits.Compare(seen);
-                seen.Tangent.StoreUnsafe(ref _tangents[step]);
-                seen.Column.StoreUnsafe(ref _columns[step]);
+                seen.Tangent.StoreTo(_tangents, step);
+                seen.Column.StoreTo(_columns, step);
                 for (open &= valid; open != 0; open &= open - 1)
                 {
                     _near[near++] = step + BitOperations.TrailingZeroCount(open);
@@ -74,5 +74,5 @@ internal sealed class SkySteps(LightTimes times, int columns, double steepest)
     }
 
     /// <summary>Those sixteen steps.</summary>
-    public Vector512<int> StepsAt(int first) => Vector512.LoadUnsafe(ref _near[first]);
+    public Vector512<int> StepsAt(int first) => ArrayLanes.Load(_near, first);
 }

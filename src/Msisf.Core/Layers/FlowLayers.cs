@@ -1,3 +1,4 @@
+using System.Numerics;
 using Msisf.Core.Navigation;
 
 namespace Msisf.Core.Layers;
@@ -43,21 +44,13 @@ public static class FlowLayers
             (row, _, values) => Copy(row, flow.Classes, flow.Width, values)),
     ]);
 
-    private static void Copy(LayerRow row, double[] image, int width, double[] values)
+    private static void Copy<T>(LayerRow row, T[] image, int width, double[] values)
+        where T : INumberBase<T>
     {
         ReadOnlySpan<int> columns = row.Columns;
         for (int i = 0; i < columns.Length; i++)
         {
-            values[i] = image[(row.Row * width) + columns[i]];
-        }
-    }
-
-    private static void Copy(LayerRow row, byte[] image, int width, double[] values)
-    {
-        ReadOnlySpan<int> columns = row.Columns;
-        for (int i = 0; i < columns.Length; i++)
-        {
-            values[i] = image[(row.Row * width) + columns[i]];
+            values[i] = double.CreateChecked(image[(row.Row * width) + columns[i]]);
         }
     }
 }

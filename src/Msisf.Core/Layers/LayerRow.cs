@@ -11,10 +11,12 @@ namespace Msisf.Core.Layers;
 /// What the layers of one row are computed from, for each pixel that shows the surface. What several layers need is computed once, for the
 /// first that asks. One object serves row after row; it is for one thread.
 /// </summary>
-internal sealed class LayerRow
+/// <param name="meshPixelsPerDegree">
+/// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
+/// </param>
+/// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
+internal sealed class LayerRow(IGroundTruth frame, int? meshPixelsPerDegree, double referenceRadius, SpectralBand band)
 {
-    private readonly IGroundTruth _frame;
-    private readonly SpectralBand _band;
     private readonly TruthRow _truth = new();
     private VectorRow _points = VectorRow.OfLength(0);
     private VectorRow _normals = VectorRow.OfLength(0);
@@ -26,20 +28,6 @@ internal sealed class LayerRow
     private double[] _normalLengths = [];
     private Known _known;
     private int _rowOfBand;
-
-    /// <summary>Starts with a frame.</summary>
-    /// <param name="meshPixelsPerDegree">
-    /// px/deg: resolution of the grid whose cells the facets count; null if it is not one of latitude and longitude.
-    /// </param>
-    /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
-    /// <param name="band">Of the radiance.</param>
-    public LayerRow(IGroundTruth frame, int? meshPixelsPerDegree, double referenceRadius, SpectralBand band)
-    {
-        _frame = frame;
-        MeshPixelsPerDegree = meshPixelsPerDegree;
-        ReferenceRadius = referenceRadius;
-        _band = band;
-    }
 
     [Flags]
     private enum Known
@@ -65,13 +53,13 @@ internal sealed class LayerRow
     /// <summary>
     /// px/deg: resolution of the grid whose cells <see cref="Facets"/> count; null if it is not one of latitude and longitude.
     /// </summary>
-    public int? MeshPixelsPerDegree { get; }
+    public int? MeshPixelsPerDegree { get; } = meshPixelsPerDegree;
 
     /// <summary>Tells where the heights of facets come from; null if all are those of one model.</summary>
     public FacetSources? Sources { get; init; }
 
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
-    public double ReferenceRadius { get; }
+    public double ReferenceRadius { get; } = referenceRadius;
 
     /// <summary>W m^-2 sr^-1 nm^-1: radiance of the radiance factor 1; null if a lamp at the camera replaces the Sun.</summary>
     public double? RadianceOfUnitFactor { get; private set; }
@@ -142,35 +130,35 @@ internal sealed class LayerRow
     public double[] NormalLengths => LengthsOf(Normals, Known.NormalLengths, _normalLengths);
 
     /// <summary>I/F of the row's pixels, the mean over the samples of each; empty if the renderer does not know it.</summary>
-    public ReadOnlySpan<double> RadianceFactors => _frame.RadianceFactorsOf(Row);
+    public ReadOnlySpan<double> RadianceFactors => frame.RadianceFactorsOf(Row);
 
     /// <summary>The part of <see cref="RadianceFactors"/> that is light from the ground; empty if it was not asked for.</summary>
-    public ReadOnlySpan<double> IndirectFactors => _frame.IndirectFactorsOf(Row);
+    public ReadOnlySpan<double> IndirectFactors => frame.IndirectFactorsOf(Row);
 
     /// <summary>Electrons in the detector's pixels, before noise; empty without a detector.</summary>
-    public ReadOnlySpan<double> Electrons => _frame.ElectronsOf(Row);
+    public ReadOnlySpan<double> Electrons => frame.ElectronsOf(Row);
 
     /// <summary>Number of the crater that each of the row's pixels shows; empty without a catalogue.</summary>
-    public ReadOnlySpan<int> CraterNumbers => OfRow(_frame.CraterNumbers);
+    public ReadOnlySpan<int> CraterNumbers => OfRow(frame.CraterNumbers);
 
     /// <summary>Saturation of the detector's pixels; empty without a detector.</summary>
-    public ReadOnlySpan<byte> Saturated => _frame.SaturatedOf(Row);
+    public ReadOnlySpan<byte> Saturated => frame.SaturatedOf(Row);
 
     /// <summary>Goes on to a row, from 0.</summary>
     public void MoveTo(int row)
     {
         Row = row;
-        (PixelRows rows, FrameCamera camera) = _frame.Camera.BandAt(row + 1);
+        (PixelRows rows, FrameCamera camera) = frame.Camera.BandAt(row + 1);
         _rowOfBand = row - rows.First;
         if (camera != Camera)
         {
             (Camera, AxisLength) = (camera, camera.OpticalAxis.Length);
-            SceneLight light = _frame.Light.At(_frame.Camera, row + 1);
+            SceneLight light = frame.Light.At(frame.Camera, row + 1);
             LightPositionBodyFixed = light.PositionBodyFixed;
-            RadianceOfUnitFactor = light.IsSun ? _band.RadianceOfUnitFactor(light.PositionBodyFixed.Length) : null;
+            RadianceOfUnitFactor = light.IsSun ? band.RadianceOfUnitFactor(light.PositionBodyFixed.Length) : null;
         }
 
-        _frame.ReadRow(row + 1, _truth);
+        frame.ReadRow(row + 1, _truth);
         _known = Known.None;
         int length = _truth.Points.X.Length;
         if (_radii.Length < length)

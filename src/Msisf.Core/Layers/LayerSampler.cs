@@ -3,38 +3,28 @@ using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface.Sources;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Layers;
 
 /// <summary>Computes the layers of a frame, row by row; no row is kept. Safe for several threads.</summary>
-public sealed class LayerSampler
+/// <param name="provenance">Resolution of the cells, and the band of the radiance.</param>
+public sealed class LayerSampler(IGroundTruth truth, LayerProvenance provenance)
 {
-    private readonly IGroundTruth _truth;
-    private readonly int? _meshPixelsPerDegree;
-    private readonly double _referenceRadius;
-    private readonly SpectralBand _band;
-    private readonly FacetSources? _sources;
+    private readonly int? _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
+    private readonly double _referenceRadius = provenance.ReferenceRadius;
+    private readonly SpectralBand _band = provenance.Band;
+    private readonly FacetSources? _sources = provenance.Sources;
     private readonly ConcurrentBag<Scratch> _idle = [];
 
-    /// <summary>Prepares a frame.</summary>
-    /// <param name="provenance">Resolution of the cells, and the band of the radiance.</param>
-    public LayerSampler(IGroundTruth truth, LayerProvenance provenance)
-    {
-        _truth = truth;
-        _meshPixelsPerDegree = provenance.Parts > 1 ? null : provenance.MeshResolution.PixelsPerDegree;
-        _referenceRadius = provenance.ReferenceRadius;
-        _band = provenance.Band;
-        _sources = provenance.Sources;
-    }
+    /// <summary>px.</summary>
+    public int Width => truth.Camera.Width;
 
     /// <summary>px.</summary>
-    public int Width => _truth.Camera.Width;
-
-    /// <summary>px.</summary>
-    public int Height => _truth.Camera.Height;
+    public int Height => truth.Camera.Height;
 
     /// <summary>Rows of the parts in which a frame that is drawn row by row is best read, from the top.</summary>
-    public int RowsAtOnce => _truth.RowsAtOnce;
+    public int RowsAtOnce => truth.RowsAtOnce;
 
     /// <summary>Computes one row of some layers; what several of them need is computed once.</summary>
     /// <param name="row">0 (top) to <see cref="Height"/> - 1.</param>
@@ -78,8 +68,31 @@ public sealed class LayerSampler
         }
     }
 
-    private LayerRow NewRow() => new(_truth, _meshPixelsPerDegree, _referenceRadius, _band) { Sources = _sources };
+    private LayerRow NewRow() => new(truth, _meshPixelsPerDegree, _referenceRadius, _band) { Sources = _sources };
 
     /// <summary>What one thread computes in.</summary>
     private sealed record Scratch(LayerRow Row, double[] Values);
+}
+
+/// <summary>Facts about a frame that the layers' files hold beyond its metadata.</summary>
+/// <param name="ElevationProduct">Name of the elevation model, e.g. "LDEM_64".</param>
+/// <param name="MeshResolution">
+/// Resolution of the grid whose cells are counted: the model's own, or that of its level of detail.
+/// </param>
+/// <param name="LevelOfDetail">Level of detail; 0 is the model itself.</param>
+/// <param name="Renderer">Name of the renderer, e.g. "native".</param>
+public sealed record LayerProvenance(
+    string ElevationProduct, GridResolution MeshResolution, int LevelOfDetail, string Renderer, SpectralBand Band)
+{
+    /// <summary>Number of elevation models; with several the mesh's resolution is that of the finest, and there are no tiles.</summary>
+    public int Parts { get; init; } = 1;
+
+    /// <summary>Tells where the heights of facets come from; null if all are those of one model.</summary>
+    public FacetSources? Sources { get; init; }
+
+    /// <summary>Name of the detail that was invented below the models' resolution, e.g. "REFINE_7"; null without.</summary>
+    public string? InventedDetail { get; init; }
+
+    /// <summary>m: radius of the sphere over which heights are counted.</summary>
+    public double ReferenceRadius { get; init; } = MoonConstants.ReferenceRadius;
 }

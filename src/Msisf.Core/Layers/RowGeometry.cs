@@ -9,7 +9,6 @@ internal static class RowGeometry
     private static readonly int Lanes = Vector512<double>.Count;
 
     /// <summary>A vector less multiples of a row's vectors.</summary>
-    /// <param name="rest">Receives the differences.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static void FindRest(Vector3D whole, double[] factors, VectorRow vectors, int count, VectorRow rest)
     {
@@ -23,9 +22,7 @@ internal static class RowGeometry
     /// Angles between two rows of vectors in degrees, [0, 180]; within 1e-15 rad of Kahan's formula in <see cref="Vector3D"/>, three times
     /// as fast.
     /// </summary>
-    /// <param name="v">The other one.</param>
     /// <param name="sign">1, or -1 for the angles to the opposite of <paramref name="v"/>.</param>
-    /// <param name="degrees">Receives the angles.</param>
     public static void FindAngles(VectorRow u, VectorRow v, double sign, int count, double[] degrees)
     {
         Span<double> cosines = stackalloc double[Block];
@@ -44,8 +41,6 @@ internal static class RowGeometry
     /// Angles between two rows of vectors in degrees, right to the last digits at 0 and 180 too (<see cref="Vector3D.AngleBetween(Vector3D,
     /// Vector3D)"/>).
     /// </summary>
-    /// <param name="v">The other one.</param>
-    /// <param name="degrees">Receives the angles.</param>
     public static void FindExactAngles(VectorRow u, double[] uLengths, VectorRow v, double[] vLengths, int count, double[] degrees)
     {
         Span<double> sums = stackalloc double[Block];

@@ -10,8 +10,6 @@ namespace Msisf.Core.Maps;
 /// Finds the pixels in which an image shows the cells of a map. Of each cell the ground in its middle counts: single rays tell where it is,
 /// and whether other ground hides it from the camera.
 /// </summary>
-/// <param name="truth">What the image shows.</param>
-/// <param name="terrain">The ground that was drawn.</param>
 public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
 {
     /// <summary>Cells of a map at most.</summary>

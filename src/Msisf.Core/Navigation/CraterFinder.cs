@@ -1,11 +1,11 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Navigation;
 
 /// <summary>Finds the craters that an image shows, and how.</summary>
-/// <param name="rim">Where their rims are.</param>
 /// <param name="leastDiameter">px: smaller ones are only counted.</param>
 public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, double leastDiameter)
 {
@@ -19,7 +19,6 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
     private const double ManyPointsFrom = 40.0;
 
     /// <summary>The craters that a pinhole or another camera sees, without what only the drawn frame tells.</summary>
-    /// <param name="terrain">The terrain that the frame shows.</param>
     public CratersOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
     {
         List<CraterView> views = [];
@@ -188,4 +187,40 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
     /// <summary>How a rim is seen; <c>default</c> is not at all.</summary>
     private readonly record struct CraterShape(
         bool IsInView, ImageEllipse Ellipse, IReadOnlyList<RenderingPoint> Curve, double Residual, CraterLeftOutReason? LeftOut);
+}
+
+/// <summary>Finds the rim of a crater on the terrain: in each direction from its centre the highest ground near the disc's end.</summary>
+internal static class TerrainRim
+{
+    /// <summary>Parts of the way to the disc's border between which the rim is looked for.</summary>
+    private const double Nearest = 0.8;
+
+    /// <inheritdoc cref="Nearest"/>
+    private const double Farthest = 1.2;
+
+    /// <summary>Places on this way: steps of a 20th of the radius.</summary>
+    private const int Places = 9;
+
+    /// <summary>The rim, m, body-fixed.</summary>
+    public static Vector3D[] Of(in CraterDisc disc, ITerrain terrain, int directions)
+    {
+        Vector3D[] rim = new Vector3D[directions];
+        for (int i = 0; i < directions; i++)
+        {
+            Vector3D way = disc.RimAt(2.0 * Math.PI * i / directions) - disc.Centre;
+            double highest = double.NegativeInfinity;
+            for (int place = 0; place < Places; place++)
+            {
+                double part = Nearest + ((Farthest - Nearest) * place / (Places - 1));
+                Vector3D direction = (disc.Centre + (part * way)).Normalized();
+                double radius = TerrainHeight.RadiusBelow(terrain, direction);
+                if (radius > highest)
+                {
+                    (highest, rim[i]) = (radius, radius * direction);
+                }
+            }
+        }
+
+        return rim;
+    }
 }

@@ -1,7 +1,7 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
-using Msisf.Core.Render.Options;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Tracing;
 
@@ -13,14 +13,12 @@ namespace Msisf.Core.Navigation;
 /// other one has.
 /// </summary>
 /// <param name="frame">The frame; its camera has one state for all rows.</param>
-/// <param name="redraw">Draws the frame again with another light.</param>
 public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
 {
     /// <summary>m above the highest ground, from where on a light may be placed.</summary>
     private const double Clear = 1.0;
 
     /// <summary>The flow.</summary>
-    /// <param name="target">The other frame.</param>
     public FlowField Find(FlowTarget target, int threads, CancellationToken cancellation)
     {
         FlowField flow = new(frame.Camera.Width, frame.Camera.Height);
@@ -114,3 +112,56 @@ public sealed class FlowFinder(IGroundTruth frame, FrameRedraw redraw)
 
 /// <summary>The other frame of a flow.</summary>
 public sealed record FlowTarget(FrameCamera Camera, SceneLight Light);
+
+/// <summary>Where the surface points of a frame's pixels lie in another frame. Arrays by rows, a number for each pixel.</summary>
+/// <param name="Width">px.</param>
+/// <param name="Height">px.</param>
+public sealed record FlowField(int Width, int Height)
+{
+    /// <summary>px: to the right, from the pixel's centre to the point's place in the other frame; NaN where there is none.</summary>
+    public double[] Right { get; } = new double[Width * Height];
+
+    /// <summary>px: down.</summary>
+    public double[] Down { get; } = new double[Width * Height];
+
+    /// <summary><see cref="FlowClass"/>: what the other frame shows of the points.</summary>
+    public byte[] Classes { get; } = new byte[Width * Height];
+
+    /// <summary><see cref="FlowLight"/>: how the light on the points differs.</summary>
+    public byte[] Lights { get; } = new byte[Width * Height];
+}
+
+/// <summary>What another frame shows of a surface point; the numbers are those of the files.</summary>
+public enum FlowClass : byte
+{
+    /// <summary>The pixel shows no surface.</summary>
+    NoSurface = 0,
+
+    /// <summary>The other frame shows the point.</summary>
+    Seen = 1,
+
+    /// <summary>Its place lies inside the other image, but its facet faces away, or terrain lies in front of it.</summary>
+    Hidden = 2,
+
+    /// <summary>Its place lies outside the other image, or it lies behind that camera.</summary>
+    Outside = 3,
+}
+
+/// <summary>How the light on a surface point differs in two frames; the numbers are those of the files.</summary>
+public enum FlowLight : byte
+{
+    /// <summary>The pixel shows no surface.</summary>
+    NoSurface = 0,
+
+    /// <summary>Some of the Sun shines on it in both.</summary>
+    LitInBoth = 1,
+
+    /// <summary>None in either.</summary>
+    DarkInBoth = 2,
+
+    /// <summary>Dark in one, because terrain is between it and the Sun.</summary>
+    ChangedByShadow = 3,
+
+    /// <summary>Dark in one, because its facet faces away from the Sun.</summary>
+    ChangedBySlope = 4,
+}

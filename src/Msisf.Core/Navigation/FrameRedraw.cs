@@ -8,7 +8,6 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Navigation;
 
 /// <summary>Draws a frame again with other lights, on the surface that it shows.</summary>
-/// <param name="renderer">What drew the frame.</param>
 /// <param name="camera">What was drawn: the frame's camera with a margin.</param>
 /// <param name="margin">px.</param>
 /// <param name="options">The frame's; one sample, facets and no map are enough.</param>

@@ -18,7 +18,6 @@ public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
     private readonly ConditionalWeakTable<ITerrain, TerrainTracer> _tracers = [];
 
     /// <summary>The landmarks of a frame.</summary>
-    /// <param name="terrain">The terrain that the frame shows.</param>
     public LandmarksOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
     {
         TerrainTracer tracer = _tracers.GetValue(terrain, static shown => new TerrainTracer(shown));

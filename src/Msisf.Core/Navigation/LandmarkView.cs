@@ -39,3 +39,13 @@ public sealed record LandmarksOfFrame(IReadOnlyList<LandmarkView> Views, int Out
 /// <param name="Direction">From the Moon's centre, length 1, body-fixed.</param>
 /// <param name="Height">m over the reference radius; null for a point on the terrain.</param>
 public sealed record Landmark(int Number, string Identity, string? Name, Vector3D Direction, double? Height);
+
+/// <summary>What a frame says for navigation, beside its pixels.</summary>
+public sealed record NavigationTruth
+{
+    /// <summary>The craters of the catalogue; null without one.</summary>
+    public CratersOfFrame? Craters { get; init; }
+
+    /// <summary>The landmarks of the list; null without one.</summary>
+    public LandmarksOfFrame? Landmarks { get; init; }
+}

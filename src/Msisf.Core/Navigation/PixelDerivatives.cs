@@ -16,7 +16,7 @@ public readonly record struct PixelDerivatives(
     /// <param name="pointBodyFixed">m.</param>
     /// <remarks>
     /// The point is p = M^T (P - C) in camera axes, its tangents are -p.y / p.x to the right and p.z / p.x down. A shift of the camera
-    /// changes p by its opposite, a turn w by p x w.
+    /// changes p by its opposite, a turn w by p x w; the derivatives by w of g . (p x w) are g x p.
     /// </remarks>
     public static PixelDerivatives At(FrameCamera camera, Vector3D pointBodyFixed)
     {
@@ -29,9 +29,6 @@ public readonly record struct PixelDerivatives(
         Vector3D x = (xByRight * right) + (xByDown * down);
         Vector3D y = (yByRight * right) + (yByDown * down);
         UnitQuaternion toMoon = camera.MoonFromCamera;
-        return new PixelDerivatives(-x, ByTurn(x, p), toMoon * x, -y, ByTurn(y, p), toMoon * y);
+        return new PixelDerivatives(-x, Vector3D.Cross(x, p), toMoon * x, -y, Vector3D.Cross(y, p), toMoon * y);
     }
-
-    /// <summary>The derivatives by w of g . (p x w), which are g x p.</summary>
-    private static Vector3D ByTurn(Vector3D gradient, Vector3D p) => Vector3D.Cross(gradient, p);
 }

@@ -22,12 +22,12 @@ internal readonly record struct LaneVector(Vector512<double> X, Vector512<double
     /// <summary>Reads eight numbers, without range checks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<double> Load(double[] values, int first) =>
-        Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (nuint)first);
+        ArrayLanes.Load(values, first);
 
     /// <summary>Writes eight numbers, without range checks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector512<double> numbers, double[] values, int first) =>
-        numbers.StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (nuint)first);
+        numbers.StoreTo(values, first);
 
     /// <summary>Writes the vectors, without range checks.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -168,7 +168,8 @@ internal sealed class FramePass : IDrawnFrame
         double offsetX, double offsetY, double weight, bool isFirst, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        SampleWeight sample = new(weight, IsFirst: isFirst);
+        bool forgetsLight = isFirst && weight == 1.0 && _options is { KeepGroundTruth: false, Adaptive: null };
+        SampleWeight sample = new(weight, isFirst, forgetsLight);
         _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
         if (_options!.Indirect is null || weight == 0.0)
         {

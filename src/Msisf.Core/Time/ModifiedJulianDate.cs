@@ -57,6 +57,9 @@ public readonly record struct ModifiedJulianDate
     /// <summary>The time some seconds later, leap seconds left out.</summary>
     public ModifiedJulianDate After(double seconds) => new(Days + (seconds / 86400.0));
 
+    /// <summary>The nearest whole second, as far as a double can hold it.</summary>
+    public ModifiedJulianDate ToNearestSecond() => new(Math.Round(Days * 86400.0) / 86400.0);
+
     /// <summary>ISO 8601 with as many decimals of a second as the time needs, at most 6: "2010-04-03T00:00:00Z".</summary>
     public string ToIsoUtc()
     {

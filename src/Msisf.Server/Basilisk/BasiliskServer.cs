@@ -45,7 +45,6 @@ internal sealed class BasiliskServer : IAsyncDisposable
     /// <summary>Where simulations find the server.</summary>
     public string Address => _socket.Options.LastEndpoint!;
 
-    /// <summary>Starts a server.</summary>
     /// <param name="settings">Its settings, with those for Basilisk.</param>
     /// <exception cref="MsisfException">There is no elevation model or camera, or the address can't be listened on.</exception>
     public static BasiliskServer Start(ServeSettings settings, ProgramHost host)
@@ -79,7 +78,6 @@ internal sealed class BasiliskServer : IAsyncDisposable
         await end.WaitAsync(input).ConfigureAwait(false);
     }
 
-    /// <summary>Ends the server.</summary>
     public async ValueTask DisposeAsync()
     {
         await _end.CancelAsync().ConfigureAwait(false);

@@ -10,9 +10,6 @@ using Msisf.Core.Time;
 namespace Msisf.Server.Basilisk;
 
 /// <summary>One simulation: what its last message says, and the images of it.</summary>
-/// <param name="frames">Draws images.</param>
-/// <param name="settings">How.</param>
-/// <param name="log">Receives bugs.</param>
 /// <param name="note">Receives what the user should know, each text once.</param>
 internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings settings, ILog log, Action<string> note)
 {

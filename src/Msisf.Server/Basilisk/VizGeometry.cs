@@ -49,7 +49,6 @@ internal static class VizGeometry
                     + $"Link the epoch of the simulation (viz.epochInMsg), or leave out --moon-attitude spice."));
     }
 
-    /// <summary>The state.</summary>
     /// <param name="moonFromInertial">The Moon's attitude.</param>
     /// <param name="time">UTC.</param>
     /// <exception cref="BadInputException">A number is not finite, or the Sun too near.</exception>

@@ -20,7 +20,7 @@ public sealed class CameraFileReaderTests
                 + "pixel-convention: opencv\nskew: 1.5\ndistortion:\n  model: opencv\n  k1: -0.1\n  s4: 0.001\n");
 
         Assert.Equal("a camera", file.Description);
-        Assert.Equal(0.01, file.FocalLength!.Value, 1e-18);
+        Assert.Equal(0.01, file.FocalLength!.Value, 1e-18); // m: half an ulp of mm turned into m
         Assert.Equal((1e-5, 2e-5), file.PixelPitch);
         Assert.Equal((640, 480), (file.Model.Width, file.Model.Height));
         Assert.Equal(1000.0, file.Model.FocalX, Rounding.OfSolutions);

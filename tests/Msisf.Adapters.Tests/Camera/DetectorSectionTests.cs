@@ -31,7 +31,7 @@ public sealed class DetectorSectionTests : IDisposable
             "cosmic-ray-depth: 12", "full-well: 30000", "blooming: yes", "gain: 2.5", "read-noise: 8", "bias: 50", "column-offset: 1",
             "adc-bits: 14", "seed: 18446744073709551615", "fits: no",
         ]).Settings;
-        Assert.Equal(Math.PI / 4.0 * 0.01 * 0.01, settings.ApertureArea, 15);
+        Assert.Equal(Math.PI / 4.0 * 0.01 * 0.01, settings.ApertureArea, 15); // decimals: a millionth of a millionth of it
         Assert.Equal((400.0, 700.0, 0.02), (settings.Response.Shortest, settings.Response.Longest, settings.ExposureTime));
         Assert.True(settings.IsFlatFielded && settings.IsBlooming);
         Assert.Equal(4, settings.PointSpread!.Radius);

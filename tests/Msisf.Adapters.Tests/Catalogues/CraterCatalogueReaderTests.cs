@@ -46,8 +46,8 @@ public class CraterCatalogueReaderTests
         IReadOnlyList<Crater> craters = Read(text);
 
         Assert.Equal(CraterCatalogueReader.MostCraters, craters.Count);
-        Assert.Equal(500_020.0, craters[0].Diameter, 1e-6);
-        Assert.Equal(30.0, craters[^1].Diameter, 1e-6);
+        Assert.Equal(500_020.0, craters[0].Diameter, 1e-6); // m: km in text times 1000
+        Assert.Equal(30.0, craters[^1].Diameter, 1e-6); // m: the same
     }
 
     [Theory]

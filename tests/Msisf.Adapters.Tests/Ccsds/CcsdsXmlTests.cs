@@ -113,7 +113,7 @@ public sealed class CcsdsXmlTests
 
         UnitQuaternion frameFromBody = Assert.Single(CcsdsTexts.ReadAem(text)).Samples.At(CcsdsTexts.Noon);
 
-        Assert.InRange(((frameFromBody * Vector3D.UnitX) - Vector3D.UnitY).Length, 0.0, 1e-8);
+        Assert.InRange(((frameFromBody * Vector3D.UnitX) - Vector3D.UnitY).Length, 0.0, 1e-8); // the quaternion has 8 decimals
     }
 
     [Theory]

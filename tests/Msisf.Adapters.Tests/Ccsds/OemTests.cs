@@ -21,6 +21,7 @@ public sealed class OemTests
 
         StateVector state = block.Samples.At(CcsdsTexts.Noon + 90.0);
         Assert.InRange((state.Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, OfTime);
+        // m/s: thousands of ulps; a wrong unit or column makes far more
         Assert.InRange((state.Velocity - new Vector3D(1000.0, 50.0, 0.0)).Length, 0.0, 1e-4);
         Assert.Equal(301, block.Center);
         Assert.Null(block.MoonMeFromFrame);
@@ -192,6 +193,7 @@ public sealed class OemTests
 
         TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(text, notes));
 
+        // m: thousands of ulps
         Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-6);
         Assert.Contains("LAGRANGE of that degree is used", notes[0]);
     }

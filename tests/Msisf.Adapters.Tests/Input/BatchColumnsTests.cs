@@ -119,7 +119,9 @@ public class BatchColumnsTests
             Up = UpDirection.North,
         };
         Assert.Equal(position, state.PositionBodyFixed);
-        Assert.Equal(MoonConstants.ReferenceRadius + SphereScene.TerrainHeight + 50_000.0, state.PositionBodyFixed.Length, 1e-8);
+        Assert.Equal(
+            MoonConstants.ReferenceRadius + SphereScene.TerrainHeight + 50_000.0, state.PositionBodyFixed.Length,
+            Rounding.OfConvertedPlaces);
         Assert.Equal(pointing.MoonFromCamera(position, state.Time, new SphereScene()), state.MoonFromCamera);
     }
 

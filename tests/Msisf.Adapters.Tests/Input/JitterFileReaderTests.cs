@@ -43,5 +43,6 @@ public sealed class JitterFileReaderTests
 
     private static Jitter Read(string text) => JitterFileReader.Read(new StringReader(text), "j.txt");
 
+    // rad: hundreds of ulps of some microradians
     private static void AssertClose(Vector3D expected, Vector3D actual) => Assert.InRange((expected - actual).Length, 0.0, 1e-18);
 }

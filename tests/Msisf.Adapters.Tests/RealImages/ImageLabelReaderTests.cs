@@ -36,6 +36,7 @@ public sealed class ImageLabelReaderTests : IDisposable
             Assert.True(pixels.AreThere());
             float[] expected = MemoryMarshal.Cast<byte, float>(File.ReadAllBytes(_folder[words[4]])).ToArray();
             float[] found = [.. Enumerable.Range(0, pixels.Size.Bands).SelectMany(band => pixels.Read(band, 0, pixels.Size.Lines))];
+            // floats have 6e-8; a factor of the label is taken in double here
             Assert.True(expected.Zip(found, (e, f) => e.Equals(f) || Math.Abs(e - f) <= 1e-6 * Math.Abs(e)).All(same => same), line);
             Assert.Equal(found[(2 * pixels.Size.Samples)..(4 * pixels.Size.Samples)], pixels.Read(0, 2, 2));
         });

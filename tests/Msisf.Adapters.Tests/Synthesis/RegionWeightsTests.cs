@@ -19,7 +19,7 @@ public sealed class RegionWeightsTests
     [InlineData(355, 0.0)]
     [InlineData(180, 0.0)]
     public void At_ColumnsAroundThePrimeMeridian_FadeOnBothSides(int column, double expected) =>
-        Assert.Equal(expected, Weights.At(75, column), 1e-6);
+        Assert.Equal(expected, Weights.At(75, column), 1e-6); // weights are floats
 
     [Theory]
     [InlineData(70, 1.0)]
@@ -27,7 +27,8 @@ public sealed class RegionWeightsTests
     [InlineData(69, 0.7407407)]
     [InlineData(81, 0.2592593)]
     [InlineData(82, 0.0)]
-    public void At_LinesNorthAndSouth_FadeLikewise(int line, double expected) => Assert.Equal(expected, Weights.At(line, 0), 1e-6);
+    public void At_LinesNorthAndSouth_FadeLikewise(int line, double expected) =>
+        Assert.Equal(expected, Weights.At(line, 0), 1e-6); // weights are floats
 
     [Fact]
     public void Extents_OfABlock_HoldAllThatHasDetail()

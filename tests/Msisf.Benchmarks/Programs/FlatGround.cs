@@ -27,19 +27,23 @@ internal static class FlatGround
         ];
         foreach (MoonRegion region in rest.Where(region => region.IsValid))
         {
-            Write(new SyntheticLdemProduct(label.PixelsPerDegree, region, SyntheticRest.None, SyntheticSampleFormat.Integers), folder);
+            Write(new SyntheticLdemOptions(label.PixelsPerDegree, Seed: 0, folder)
+            {
+                Region = region,
+                Rest = SyntheticRest.None,
+                Format = SyntheticSampleFormat.Integers,
+            });
         }
     }
 
-    private static void Write(SyntheticLdemProduct product, string folder)
+    private static void Write(SyntheticLdemOptions product)
     {
-        string stem = Path.Combine(folder, product.ProductId);
+        string stem = Path.Combine(product.OutputFolder, product.ProductId);
         using (FileStream image = new($"{stem}.IMG", FileMode.OpenOrCreate, FileAccess.Write))
         {
             image.SetLength(product.Bytes); // zeros that the file system does not store: height 0
         }
 
-        SyntheticLdemOptions options = new(product.PixelsPerDegree, Seed: 0, folder) { Region = product.Region };
-        AtomicFile.WriteText($"{stem}.LBL", writer => SyntheticLdemLabel.Of(product, options).Write(writer, minimum: 0, maximum: 0));
+        AtomicFile.WriteText($"{stem}.LBL", writer => SyntheticLdemLabel.Of(product).Write(writer, minimum: 0, maximum: 0));
     }
 }

@@ -1,4 +1,4 @@
-"""Measures how processor time and memory of a scan grow with its lines, and writes the table of docs/performance.md.
+"""Measures how processor time and memory of a scan grow with its lines, and writes the table of its page.
 
 /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/scans.py [--msis PROGRAM] [--lines N,...] [--write]
 
@@ -10,7 +10,7 @@ import os
 import subprocess
 import tempfile
 
-PAGE = os.path.join("docs", "performance.md")
+PAGE = os.path.join("docs", "benchmark", "lines-of-a-scan.md")
 BEGIN, END = "<!-- scans.py: begin -->", "<!-- scans.py: end -->"
 ORBIT = ["--kepler-set", "{1.8374E6,0,0,0.3,1.5,0.52}", "--epoch", "55289", "--time", "2010-04-03T00:00:00Z"]
 LAYER = ["--layers", "depth", "--layers-precision", "single"]

@@ -90,7 +90,7 @@ public sealed class CameraModelTests
 
         Assert.Null(model.Distortion);
         Assert.Equal(fieldOfView, model.FieldOfView, 1e-15); // some last digits of an angle below 1 rad
-        PinholeCamera camera = new(new Vector3D(1.9e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        FrameCamera camera = model.At(new CameraState(new Vector3D(1.9e6, 0.0, 0.0), UnitQuaternion.Identity));
         PinholeCamera thesis = new(new Vector3D(1.9e6, 0.0, 0.0), UnitQuaternion.Identity, model.FieldOfView, width, height);
         Assert.Equal(thesis.RayThrough(3.0, 7.0), camera.RayThrough(3.0, 7.0));
     }
@@ -100,7 +100,7 @@ public sealed class CameraModelTests
     public void RayThrough_PrincipalPointAndSkew_IsTheCameraMatrixs()
     {
         CameraModel model = LensCases.Of("principal-point", 0.4, 640, 480);
-        PinholeCamera camera = new(new Vector3D(1.9e6, 0.0, 0.0), UnitQuaternion.Identity, model);
+        FrameCamera camera = model.At(new CameraState(new Vector3D(1.9e6, 0.0, 0.0), UnitQuaternion.Identity));
         foreach ((double x, double y) in ((double, double)[])[(1.0, 1.0), (640.0, 480.0), (320.25, 17.5)])
         {
             double down = (y - model.PrincipalY) / model.FocalY;

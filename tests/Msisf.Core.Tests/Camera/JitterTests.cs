@@ -76,7 +76,7 @@ public sealed class JitterTests
         Jitter jitter = new([.. times.Select(time => (time, Cubic(time)))]);
         foreach (double time in (double[])[-1.0, -0.9, 0.0, 0.3, 0.77, 1.4, 2.4, 2.5])
         {
-            Assert.InRange((Cubic(time) - jitter.AnglesAt(time)).Length, 0.0, 1e-13);
+            Assert.InRange((Cubic(time) - jitter.AnglesAt(time)).Length, 0.0, 1e-13); // 450 ulps: numbers up to 47, a cubic through four
         }
 
         Assert.Throws<BadInputException>(() => jitter.AnglesAt(2.5001));

@@ -102,12 +102,12 @@ public sealed class CameraDetectorMotionTests
     /// <summary>Facets of 0.25 degrees lie up to 4 m below the sphere.</summary>
     private static NativeRenderer Renderer { get; } = new(FunctionGrid.OfHeights(4, (_, _) => 0.0));
 
-    private static PinholeCamera Camera
+    private static FrameCamera Camera
     {
         get
         {
             Vector3D position = new(MoonConstants.ReferenceRadius + Height, 0.0, 0.0);
-            return new PinholeCamera(position, NadirPointing.MoonFromCamera(position), Model);
+            return Model.At(new CameraState(position, NadirPointing.MoonFromCamera(position)));
         }
     }
 

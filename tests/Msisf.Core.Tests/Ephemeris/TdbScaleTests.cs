@@ -84,7 +84,7 @@ public class TdbScaleTests
     {
         ModifiedJulianDate time = new(mjd);
 
-        Assert.Equal((mjd - 51544.5) * 86400.0, Scale.ToUtcSeconds(Scale.FromUtc(time)), 2e-6);
+        Assert.Equal((mjd - 51544.5) * 86400.0, Scale.ToUtcSeconds(Scale.FromUtc(time)), 2e-6); // s: ulps of 1e9 s and of a day of an MJD
     }
 
     [Fact]

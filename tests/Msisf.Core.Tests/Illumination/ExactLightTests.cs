@@ -20,23 +20,22 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
     [MemberData(nameof(HardPlaces.Kinds), MemberType = typeof(HardPlaces))]
     public void At_Exact_IsTheTracersAnswerWithoutException(string where, double height)
     {
-        (bool, bool, int)[] modes =
-        [
-            (true, false, TestLength.Of(40, 48)), (true, true, TestLength.Of(40, 48)),
-            (false, false, TestLength.Of(4, 24)), (false, true, TestLength.Of(4, 24)),
-        ];
-        foreach ((bool isPoint, bool isFine, int suns) in modes)
+        foreach ((bool isPoint, int suns) in ((bool, int)[])[(true, TestLength.Of(40, 48)), (false, TestLength.Of(4, 24))])
         {
             int seen = 0;
             int count = 0;
-            foreach (Case at in CasesOf(where, height, isFine, TestLength.Of(1, 30), suns))
+            foreach (Case at in CasesOf(where, height, TestLength.Of(1, 30), suns))
             {
-                (PlaceLight light, float[] parts) = LightsOf(at.Survey, at.Suns, isPoint, isExact: true)
-                    .At(at.Directions, at.Horizons, at.Place);
                 bool[] expected = [.. at.Suns.AsParallel().AsOrdered().Select(sun => IsInView(at.Frame, sun, isPoint))];
-                Assert.Equal(expected, parts.Select(part => part > 0.0f));
-                Assert.Equal(expected.Count(isLit => isLit), light.LitSteps);
-                (seen, count) = (seen + light.LitSteps, count + at.Suns.Length);
+                foreach (HorizonsOf from in (HorizonsOf[])[at.Kept, at.Fine])
+                {
+                    (PlaceLight light, float[] parts) = LightsOf(from.Survey, at.Suns, isPoint, isExact: true)
+                        .At(at.Directions, from.Horizons, at.Place);
+                    Assert.Equal(expected, parts.Select(part => part > 0.0f));
+                    Assert.Equal(expected.Count(isLit => isLit), light.LitSteps);
+                }
+
+                (seen, count) = (seen + expected.Count(isLit => isLit), count + at.Suns.Length);
             }
 
             Assert.InRange(seen, 1, count - 1);
@@ -48,9 +47,10 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
     [MemberData(nameof(HardPlaces.Kinds), MemberType = typeof(HardPlaces))]
     public void At_PointSun_IsWrongOnlyWithinTheStatedError(string where, double height)
     {
-        foreach (Case at in CasesOf(where, height, isFine: false, TestLength.Of(1, 30), 50))
+        foreach (Case at in CasesOf(where, height, TestLength.Of(1, 30), 50))
         {
-            (_, float[] parts) = LightsOf(at.Survey, at.Suns, isPoint: true, isExact: false).At(at.Directions, at.Horizons, at.Place);
+            (_, float[] parts) = LightsOf(at.Kept.Survey, at.Suns, isPoint: true, isExact: false)
+                .At(at.Directions, at.Kept.Horizons, at.Place);
             double error = double.DegreesToRadians(HorizonSurvey.ErrorDegrees);
             for (int step = 0; step < at.Suns.Length; step++)
             {
@@ -70,18 +70,18 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
     [MemberData(nameof(HardPlaces.Kinds), MemberType = typeof(HardPlaces))]
     public void At_Disc_IsThePartOfRays(string where, double height)
     {
-        foreach ((bool isFine, double tolerance) in ((bool, double)[])[(false, 0.02), (true, 0.01)])
+        foreach (Case at in CasesOf(where, height, TestLength.Of(1, 30), TestLength.Of(2, 4)))
         {
-            foreach (Case at in CasesOf(where, height, isFine, TestLength.Of(1, 30), TestLength.Of(2, 4)))
+            double[] free = [.. at.Suns.Select(sun => PartOfRays(at.Frame, sun))];
+            foreach ((HorizonsOf from, double tolerance) in ((HorizonsOf, double)[])[(at.Kept, 0.02), (at.Fine, 0.01)])
             {
-                (PlaceLight light, float[] parts) = LightsOf(at.Survey, at.Suns, isPoint: false, isExact: isFine)
-                    .At(at.Directions, at.Horizons, at.Place);
+                (PlaceLight light, float[] parts) = LightsOf(from.Survey, at.Suns, isPoint: false, isExact: from.Survey.IsFine)
+                    .At(at.Directions, from.Horizons, at.Place);
                 Assert.Equal(parts.Average(), light.DiscPart, 1e-6);
                 for (int step = 0; step < at.Suns.Length; step++)
                 {
-                    double free = PartOfRays(at.Frame, at.Suns[step]);
-                    Assert.Equal(free, parts[step], tolerance);
-                    Assert.True(!isFine || free == 0.0 || parts[step] > 0.0f);
+                    Assert.Equal(free[step], parts[step], tolerance);
+                    Assert.True(!from.Survey.IsFine || free[step] == 0.0 || parts[step] > 0.0f);
                 }
             }
         }
@@ -91,7 +91,7 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
     [Fact]
     public void Find_MountainBeyondThePole_IsTheHorizon()
     {
-        Case at = CasesOf("beyond", 2.0, isFine: false, places: 1, suns: 20).Single();
+        Case at = CasesOf("beyond", 2.0, places: 1, suns: 20).Single();
         foreach (Vector3D sun in at.Suns)
         {
             Vector3D local = at.Frame.ToLocal(sun - at.Frame.PositionBodyFixed);
@@ -104,22 +104,26 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
         }
     }
 
-    private LightSurvey LightsOf(HorizonSurvey survey, Vector3D[] suns, bool isPoint, bool isExact) => new(
-        survey, new LightConditions(suns, suns) { IsPoint = isPoint, IsExact = isExact }, hard.Tracer);
+    private static LightSurvey LightsOf(HorizonSurvey survey, Vector3D[] suns, bool isPoint, bool isExact) =>
+        new(survey, new LightConditions(suns, suns) { IsPoint = isPoint, IsExact = isExact });
 
-    private IEnumerable<Case> CasesOf(string where, double height, bool isFine, int places, int suns)
+    private IEnumerable<Case> CasesOf(string where, double height, int places, int suns)
     {
         Vector3D[] directions = hard.Of(where, places, _random);
-        HorizonSurvey survey = new(hard.Terrain, hard.Tracer, directions, isMoon: true) { IsFine = isFine };
-        PlaceHorizons horizons = survey.Find(directions, height, threads: 2, advanced: null, CancellationToken.None);
-        LightSurvey any = LightsOf(survey, [HardPlaces.SunDistance * Vector3D.UnitX], true, false);
+        (HorizonsOf kept, HorizonsOf fine) = (Find(isFine: false), Find(isFine: true));
         for (int place = 0; place < places; place++)
         {
-            LocalFrame frame = LocalFrame.At(horizons.Radii[place] * directions[place]);
-            float[] tangents = any.HorizonOf(horizons, place);
+            LocalFrame frame = LocalFrame.At(kept.Horizons.Radii[place] * directions[place]);
+            float[] tangents = kept.Survey.HorizonOf(kept.Horizons, place);
             yield return new Case(
-                survey, directions, horizons, place, frame, tangents,
-                [.. HardPlaces.Suns(where, frame, tangents, survey, suns, _random)]);
+                directions, kept, fine, place, frame, tangents,
+                [.. HardPlaces.Suns(where, frame, tangents, kept.Survey, suns, _random)]);
+        }
+
+        HorizonsOf Find(bool isFine)
+        {
+            HorizonSurvey survey = new(hard.Terrain, hard.Tracer, directions, isMoon: true) { IsFine = isFine };
+            return new HorizonsOf(survey, survey.Find(directions, height, threads: 2, advanced: null, CancellationToken.None));
         }
     }
 
@@ -158,7 +162,9 @@ public sealed class ExactLightTests(HardPlaces hard) : IClassFixture<HardPlaces>
         return (toSun, right, Vector3D.Cross(right, toSun));
     }
 
+    /// <summary>A place and times, with its horizons as files keep them and as points have them.</summary>
     private sealed record Case(
-        HorizonSurvey Survey, Vector3D[] Directions, PlaceHorizons Horizons, int Place, LocalFrame Frame, float[] Tangents,
-        Vector3D[] Suns);
+        Vector3D[] Directions, HorizonsOf Kept, HorizonsOf Fine, int Place, LocalFrame Frame, float[] Tangents, Vector3D[] Suns);
+
+    private sealed record HorizonsOf(HorizonSurvey Survey, PlaceHorizons Horizons);
 }

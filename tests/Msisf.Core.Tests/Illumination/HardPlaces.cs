@@ -18,17 +18,23 @@ public sealed class HardPlaces
     /// <summary>m.</summary>
     public const double SunDistance = 1.5e11;
 
+    private const double RealRadius = 695_700e3;
+
     /// <summary>rad: of the Sun at that distance.</summary>
     public static readonly double SunRadius =
-        Math.Atan2(LightSurvey.SunRadius, Math.Sqrt((SunDistance - LightSurvey.SunRadius) * (SunDistance + LightSurvey.SunRadius)));
+        Math.Atan2(RealRadius, Math.Sqrt((SunDistance - RealRadius) * (SunDistance + RealRadius)));
+
+    /// <summary>Joined once for all classes.</summary>
+    private static readonly Lazy<(ITerrain Terrain, TerrainTracer Tracer)> Ground = new(() =>
+    {
+        NestedTerrain terrain = new([Mountainous(), WithPlain(600.0, 300), WithPlain(100.0, 200)]);
+        return (terrain, new TerrainTracer(terrain));
+    });
 
     /// <summary>The terrain.</summary>
-    internal ITerrain Terrain { get; } = new NestedTerrain([Mountainous(), WithPlain(600.0, 300), WithPlain(100.0, 200)]);
+    internal ITerrain Terrain { get; } = Ground.Value.Terrain;
 
-    internal TerrainTracer Tracer { get; }
-
-    /// <summary>Builds the surface.</summary>
-    public HardPlaces() => Tracer = new TerrainTracer(Terrain);
+    internal TerrainTracer Tracer { get; } = Ground.Value.Tracer;
 
     /// <summary>The Sun over a lunar year, m, body-fixed.</summary>
     internal static Vector3D SunAt(double day) => SunDistance * new SelenographicPoint(

@@ -21,7 +21,7 @@ public sealed class LightSurveyTests(HardPlaces hard) : IClassFixture<HardPlaces
             double.DegreesToRadians(-89.4 + (0.002 * place)), 1.0 + (0.004 * place)).ToDirectionBodyFixed())];
         HorizonSurvey survey = new(hard.Terrain, hard.Tracer, row, isMoon: true);
         PlaceHorizons horizons = survey.Find(row, 0.0, threads: 2, advanced: null, CancellationToken.None);
-        LightSurvey lights = new(survey, new LightConditions(suns, earths) { FixedPlane = new Vector3D(0.6, 0.0, 0.8) }, hard.Tracer);
+        LightSurvey lights = new(survey, new LightConditions(suns, earths) { FixedPlane = new Vector3D(0.6, 0.0, 0.8) });
         PlaceLight[] together = lights.Of(row, horizons, threads: 2, advanced: null, CancellationToken.None);
         for (int place = 0; place < Count; place++)
         {
@@ -29,9 +29,9 @@ public sealed class LightSurveyTests(HardPlaces hard) : IClassFixture<HardPlaces
             Assert.InRange(Math.Abs(alone.LitSteps - together[place].LitSteps), 0, 2);
             Assert.InRange(Math.Abs(alone.EarthSteps - together[place].EarthSteps), 0, 2);
             Assert.InRange(Math.Abs(alone.WholeEarthSteps - together[place].WholeEarthSteps), 0, 2);
-            Assert.Equal(alone.DiscPart, together[place].DiscPart, 0.001);
+            Assert.Equal(alone.DiscPart, together[place].DiscPart, 0.001); // the steps above, in a mean
             Assert.Equal(alone.Tracking.Mean, together[place].Tracking.Mean, 1.0);
-            Assert.Equal(alone.Horizontal.Mean, together[place].Horizontal.Mean, 0.05);
+            Assert.Equal(alone.Horizontal.Mean, together[place].Horizontal.Mean, 0.05); // W/m2: the same of a mean
             Assert.Equal(alone.Fixed.Mean, together[place].Fixed.Mean, 1.0);
         }
     }
@@ -46,7 +46,7 @@ public sealed class LightSurveyTests(HardPlaces hard) : IClassFixture<HardPlaces
         PlaceHorizons horizons = survey.Find(place, 2.0, threads: 1, advanced: null, CancellationToken.None);
         LocalFrame frame = LocalFrame.At(horizons.Radii[0] * place[0]);
         Vector3D[] suns = [2.0 * Au * frame.DirectionOf(1.0, 0.6), Au * frame.DirectionOf(1.0, -0.6)];
-        PlaceLight light = new LightSurvey(survey, new LightConditions(suns, suns), hard.Tracer)
+        PlaceLight light = new LightSurvey(survey, new LightConditions(suns, suns))
             .Of(place, horizons, threads: 1, advanced: null, CancellationToken.None)[0];
         Assert.Equal(1361.0 / 4.0, light.Tracking.Greatest, 0.01);
         Assert.Equal(1361.0 / 8.0, light.Tracking.Mean, 0.01);

@@ -47,12 +47,13 @@ public sealed class SunDiscAgreementTests
         Vector3D[] directions = [.. pixels.Select(pixel => pixel.Hit.PointBodyFixed.Normalized())];
         HorizonSurvey survey = new(grid, tracer, directions, isMoon: false) { IsFine = isFine };
         PlaceHorizons horizons = survey.Find(directions, 0.0, threads: 2, advanced: null, CancellationToken.None);
-        LightSurvey lights = new(survey, new LightConditions([given.Sun], [given.Sun]), tracer);
+        LightSurvey lights = new(survey, new LightConditions([given.Sun], [given.Sun]));
         PlaceLight[] inMaps = lights.Of(directions, horizons, threads: 2, advanced: null, CancellationToken.None);
         SunDisc disc = new(given.Sun);
         int beside = 0;
         for (int pixel = 0; pixel < pixels.Length; pixel++)
         {
+            // m: the rays start at points of pixels
             Assert.Equal(pixels[pixel].Hit.PointBodyFixed.Length + HorizonSurvey.LeastHeight, horizons.Radii[pixel], 1e-5);
             Vector3D place = horizons.Radii[pixel] * directions[pixel];
             if (disc.PointsBodyFixed.ToArray().Count(point => !tracer.TryTrace(new Ray(place, point - place), out _))

@@ -62,7 +62,7 @@ public sealed class YearOfLightTests(HardPlaces hard, ITestOutputHelper output) 
         Vector3D[] directions = hard.Of(where, places, _random);
         HorizonSurvey survey = new(hard.Terrain, hard.Tracer, directions, isMoon: true);
         PlaceHorizons horizons = survey.Find(directions, height, threads: 2, advanced: null, CancellationToken.None);
-        PlaceLight[] lights = new LightSurvey(survey, new LightConditions(suns, suns) { IsPoint = isPoint }, hard.Tracer)
+        PlaceLight[] lights = new LightSurvey(survey, new LightConditions(suns, suns) { IsPoint = isPoint })
             .Of(directions, horizons, threads: 2, advanced: null, CancellationToken.None);
         return lights.Select((light, place) => (LocalFrame.At(horizons.Radii[place] * directions[place]), light));
     }

@@ -19,9 +19,9 @@ public class PixelSamplerTests
         {
             PixelRecord actual = RecordOf(expected);
 
-            Assert.InRange(LatitudeError(expected, actual), 0.0, 1e-12);
-            Assert.InRange(LongitudeError(expected, actual), 0.0, 1e-12);
-            Assert.InRange(DirectionError(expected, actual), 0.0, 1e-12);
+            Assert.InRange(LatitudeError(expected, actual), 0.0, TestSupport.Rounding.OfChains);
+            Assert.InRange(LongitudeError(expected, actual), 0.0, TestSupport.Rounding.OfChains);
+            Assert.InRange(DirectionError(expected, actual), 0.0, TestSupport.Rounding.OfChains);
         }
     }
 

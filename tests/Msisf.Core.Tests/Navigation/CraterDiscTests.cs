@@ -118,7 +118,7 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         }
 
         Assert.InRange(shown, 0.2 * all, 0.9 * all);
-        Assert.InRange(doubtful, 0, 0.01 * all);
+        Assert.InRange(doubtful, 0, 0.01 * all); // points and rays are a sample: they miss the narrowest edges
     }
 
     private static IEnumerable<Vector3D> PointsOf(CraterDisc disc) =>
@@ -146,9 +146,9 @@ public class CraterDiscTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         (PinholeCamera plain, _, _) = CameraCases.Make(number, ldem4.Grid, 20_000);
         CameraModel model = plain.Model;
         double wide = plain.FieldOfView * Math.Max(1.0, (double)model.Height / model.Width);
-        return number % 3 == 0 || wide > 1.2 ? plain : new PinholeCamera(plain.PositionBodyFixed, plain.MoonFromCamera, new CameraModel(
-            model.Width, model.Height, (model.FocalX, 1.2 * model.FocalX),
-            (0.2 * model.Width, 0.9 * model.Height), number % 2 * 0.07 * model.FocalX));
+        return number % 3 == 0 || wide > 1.2 ? plain : (PinholeCamera)new CameraModel(
+            model.Width, model.Height, (model.FocalX, 1.2 * model.FocalX), (0.2 * model.Width, 0.9 * model.Height),
+            number % 2 * 0.07 * model.FocalX).At(plain.State);
     }
 
     /// <summary>Craters about the places that the image shows.</summary>

@@ -103,6 +103,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
                 if (hasLens)
                 {
                     Assert.Equal(point, view.Curve[view.Curve.Count / 4]);
+                    // the lenses bend a rim less than that off an ellipse
                     Assert.InRange(view.Residual!.Value, 0.0, 0.02 * view.Diameter);
                 }
             }

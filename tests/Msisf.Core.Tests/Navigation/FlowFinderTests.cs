@@ -123,6 +123,7 @@ public class FlowFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         {
             Assert.True(frame.TryGet((pixel % Width) + 1, (pixel / Width) + 1, out SurfaceHit hit, out _));
             double depth = Vector3D.Dot(hit.PointBodyFixed - camera.PositionBodyFixed, camera.ForwardBodyFixed);
+            // flow is a difference of pixels, which have 1e-9
             Assert.Equal(depth, camera.Model.FocalX * baseline / -flow.Right[pixel], 1e-6 * depth);
             Assert.Equal(0.0, flow.Down[pixel], Rounding.OfPlaces);
             Assert.NotEqual((byte)FlowLight.ChangedByShadow, flow.Lights[pixel]);

@@ -45,9 +45,11 @@ public class LandmarkFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixtur
                 Assert.Equal(y, onTerrain.Y, 1e-9 + (1e-8 * scale));
                 Assert.Null(onTerrain.HiddenBy);
                 Assert.Equal(!tracer.IsHidden(hit.PointBodyFixed, hit.Facet, scene.Sun), onTerrain.IsLit);
-                Assert.Equal(Vector3D.AngleBetween(hit.NormalBodyFixed, scene.Sun - hit.PointBodyFixed), onTerrain.Incidence!.Value, 1e-9);
+                Assert.Equal(
+                    Vector3D.AngleBetween(hit.NormalBodyFixed, scene.Sun - hit.PointBodyFixed), onTerrain.Incidence!.Value,
+                    Rounding.OfPlaces);
                 double range = (hit.PointBodyFixed - camera.PositionBodyFixed).Length;
-                Assert.Equal(range, onTerrain.Range, 1e-7 * range);
+                Assert.Equal(range, onTerrain.Range, 1e-7 * range); // the direction in space is found again from latitude and longitude
 
                 // A point below the ground is hidden by the facet that the pixel shows, where it is seen at the same place.
                 Vector3D below = hit.PointBodyFixed + (100.0 / range * (hit.PointBodyFixed - camera.PositionBodyFixed));

@@ -46,5 +46,5 @@ public sealed class PortableMathTests
     [InlineData(1740000.0, 20.730655875398177694)]
     [InlineData(64.0, 6.0)]
     public void Log2_AnyMagnitude_IsExact(double value, double expected) =>
-        Assert.Equal(expected, PortableMath.Log2(value), 4e-15);
+        Assert.Equal(expected, PortableMath.Log2(value), 4e-15); // an ulp of 20.7
 }

@@ -29,8 +29,8 @@ public sealed class SampleWeightsTests
             rate += (ofValues[i].Rate * Seventh(Uneven[i])) + (ofRates[i].Rate * SeventhRate(Uneven[i]));
         }
 
-        Assert.Equal(Seventh(time), value, 1e-10);
-        Assert.Equal(SeventhRate(time), rate, 1e-10);
+        Assert.Equal(Seventh(time), value, 1e-10); // weights of alternating sign take digits away
+        Assert.Equal(SeventhRate(time), rate, 1e-10); // the same
     }
 
     [Theory]

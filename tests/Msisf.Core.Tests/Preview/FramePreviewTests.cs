@@ -92,8 +92,9 @@ public sealed class FramePreviewTests
 
         Assert.Equal(90.0, double.RadiansToDegrees(view.Boresight!.Value.Point.Latitude), AngleTolerance);
         Assert.Null(view.Boresight.Value.Sun!.Value.Azimuth);
+        // degrees: the Sun is not infinitely far
         Assert.Equal(0.0, double.RadiansToDegrees(view.Boresight.Value.Sun.Value.Elevation), 1e-3);
-        Assert.Equal(0.5, view.Share.Lit!.Value, 0.01);
+        Assert.Equal(0.5, view.Share.Lit!.Value, 0.01); // a sample of the pixels
     }
 
     [Fact]
@@ -142,7 +143,7 @@ public sealed class FramePreviewTests
 
         FramePreview view = FramePreview.Of(camera, Sun, FunctionGrid.HighlandsAndMare(4));
 
-        Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3);
+        Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3); // m: of 100 km, to rounding
     }
 
     /// <summary>A map of 100 km around the south pole fills the image over the pole; 200 km beside it nothing of it is seen.</summary>

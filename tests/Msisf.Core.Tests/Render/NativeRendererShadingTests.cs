@@ -114,6 +114,34 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
         Assert.InRange(facetsOwn, 1, 200);
     }
 
+    /// <summary>Without truth the image lies where the cosines of the light lay.</summary>
+    [Theory]
+    [InlineData("lambert", NormalModel.Facet, SunModel.Point)]
+    [InlineData("lambert", NormalModel.Smooth, SunModel.Point)]
+    [InlineData("lambert", NormalModel.Facet, SunModel.Disc)]
+    [InlineData("lommel-seeliger", NormalModel.Facet, SunModel.Point)]
+    [InlineData("hapke", NormalModel.Smooth, SunModel.Disc)]
+    public void Render_WithoutTruth_IsTheSameToTheBit(string name, NormalModel normals, SunModel sun)
+    {
+        IReflectance law = ReflectanceFactory.Create(name, NoParameters);
+        foreach (string scene in new[] { "oblique-20km", "limb", "wide-angle" })
+        {
+            FrameValues expected = Values(Draw(scene, law, normals, sun));
+            using (NativeFrame plain = Draw(scene, law, normals, sun, keepsTruth: false))
+            {
+                Assert.Equal(expected.RadianceFactors, plain.RadianceFactors.ToArray().Select(BitConverter.DoubleToInt64Bits));
+            }
+
+            Assert.Equal(expected, Values(Draw(scene, law, normals, sun))); // its light needs memory of its own again
+        }
+    }
+
+    private static FrameValues Values(NativeFrame drawn)
+    {
+        using NativeFrame frame = drawn;
+        return FrameValues.Of(frame);
+    }
+
     private static double RadianceFactor(IReflectance law, PhotometricAngles angles)
     {
         double cosIncidence = Math.Cos(angles.Incidence);
@@ -124,11 +152,12 @@ public sealed class NativeRendererShadingTests(RuggedTerrain rugged) : IClassFix
             : 0.0;
     }
 
-    private NativeFrame Draw(string name, IReflectance law, NormalModel normals)
+    private NativeFrame Draw(
+        string name, IReflectance law, NormalModel normals, SunModel sun = SunModel.Point, bool keepsTruth = true)
     {
         RenderScenes.RenderSceneCase scene = RenderScenes.Named(name);
         PinholeCamera camera = scene.Camera(rugged.Grid, 90, 60);
-        NativeRenderOptions options = new() { Reflectance = law, Normals = normals, KeepGroundTruth = true };
+        NativeRenderOptions options = new() { Reflectance = law, Normals = normals, Sun = sun, KeepGroundTruth = keepsTruth };
         return _renderer.Render(camera, new SceneLight(scene.Sun, IsSun: true), options, threads: 2);
     }
 }

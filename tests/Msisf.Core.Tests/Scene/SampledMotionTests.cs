@@ -25,6 +25,7 @@ public sealed class SampledMotionTests
         SampledMotion motion = new([.. Seconds.Select(State)], method, isSmooth: false);
         foreach (double seconds in Enumerable.Range(0, 50).Select(i => i / 49.0 * Seconds[^1]))
         {
+            // m: weights of alternating sign take digits away
             Assert.InRange((Position(seconds) - motion.At(seconds).PositionBodyFixed).Length, 0.0, 1e-6);
         }
     }
@@ -35,7 +36,7 @@ public sealed class SampledMotionTests
         SampledMotion motion = new([.. Seconds.Select(State)], InterpolationMethod.Linear, isSmooth: false);
         double middle = 0.5 * (Seconds[3] + Seconds[4]);
         Vector3D expected = 0.5 * (Position(Seconds[3]) + Position(Seconds[4]));
-        Assert.InRange((expected - motion.At(middle).PositionBodyFixed).Length, 0.0, 1e-6);
+        Assert.InRange((expected - motion.At(middle).PositionBodyFixed).Length, 0.0, 1e-6); // m: thousands of ulps
         Assert.True((Position(middle) - expected).Length > 1.0); // else the case says nothing
     }
 

@@ -68,8 +68,8 @@ public sealed class PlaneGeometryTests
             Assert.Equal(turn == 1 ? new Vector3D(upright.Z, upright.X, upright.Y) : new Vector3D(upright.Y, upright.Z, upright.X), vertex);
             Assert.Equal(vertex - origin, new Vector3D(x[i], y[i], z[i]));
             (double line, double sample) = turned.PixelOf(vertex);
-            Assert.InRange(line, 1.0 - 1e-3, 1.0 + 1e-3);
-            Assert.InRange(sample, 8 + i - 1e-3, 8 + i + 1e-3);
+            Assert.InRange(line, 1.0 - 1e-3, 1.0 + 1e-3); // px: vertices are rounded to the lattice
+            Assert.InRange(sample, 8 + i - 1e-3, 8 + i + 1e-3); // px: the same
         }
 
         CellRange cells = new(0, 1, 8, 24);

@@ -34,7 +34,7 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
         double[] row = new double[1440];
         ldem4.Grid.ReadRadii(0, 0, row);
 
-        Assert.Equal(row.Average(), TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, 3.0)), 1e-6);
+        Assert.Equal(row.Average(), TerrainHeight.RadiusBelow(ldem4.Grid, new Vector3D(0.0, 0.0, 3.0)), 1e-6); // m: a mean of 1,440 radii
     }
 
     [RequiresTheory(Part.Ldem4)]
@@ -64,7 +64,7 @@ public sealed class TerrainHeightTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4
         for (double offset = 0.1; offset < 1000.0; offset *= 1.37)
         {
             double radius = TerrainHeight.RadiusBelow(sphere, new Vector3D(-offset, 0.7 * offset, -1.9e6));
-            Assert.InRange(radius, 1_737_399.99, 1_737_400.0 + 1e-6);
+            Assert.InRange(radius, 1_737_399.99, 1_737_400.0 + 1e-6); // m: a facet's sagitta; above there is rounding only
         }
     }
 

@@ -21,7 +21,7 @@ public class LevelDeviationTests
     {
         LodLevels levels = LodLevels.Open(FunctionGrid.OfHeights(8, (line, sample) => (0.5 * line) + (0.25 * sample)));
 
-        Assert.Equal(Sagitta, LevelDeviation.Of(levels, Part), 0.05);
+        Assert.Equal(Sagitta, LevelDeviation.Of(levels, Part), 0.05); // m: the slope of 0.5 m a line turns the facets
     }
 
     /// <summary>
@@ -38,6 +38,7 @@ public class LevelDeviationTests
     {
         LodLevels levels = LodLevels.Open(FunctionGrid.OfHeights(8, (i, j) => (i, j) == (700 + line, 140 + sample) ? 1000.0 : 0.0));
 
+        // m: the slope of 0.5 m a line turns the facets
         Assert.Equal((1000.0 * expected) + Sagitta, LevelDeviation.Of(levels, Part), 0.05);
     }
 

@@ -88,8 +88,8 @@ public sealed class TerrainTracerTests
             double angle = random.NextDouble() * 2.0 * Math.PI;
             Vector3D up = new Vector3D(fromAxis * Math.Cos(angle), fromAxis * Math.Sin(angle), z * Radius).Normalized();
             Assert.True(tracer.TryTrace(new Ray(1.9e6 * up, -up), out SurfaceHit hit));
-            Assert.InRange(hit.PointBodyFixed.Length, Radius - sagitta - 0.01, Radius + 0.01);
-            Assert.InRange(hit.RayParameter, 1.9e6 - Radius - 0.01, 1.9e6 - Radius + sagitta + 0.01);
+            Assert.InRange(hit.PointBodyFixed.Length, Radius - sagitta - 0.01, Radius + 0.01); // m: vertices are rounded to 2^-7 m
+            Assert.InRange(hit.RayParameter, 1.9e6 - Radius - 0.01, 1.9e6 - Radius + sagitta + 0.01); // m: the same
             Assert.Equal(0.0, Vector3D.AngleBetween(hit.NormalBodyFixed, up), pixelsPerDegree == 1 ? 0.02 : 0.5);
         }
     }

@@ -124,7 +124,7 @@ public sealed class DataSetRunTests : IDisposable
         {
             double[] Place(string[] row) => [.. new[] { "x", "y", "z" }.Select(name => Number(row[Array.IndexOf(head, name)]))];
             double shift = Math.Sqrt(Place(pair[0]).Zip(Place(pair[1]), (a, b) => (a - b) * (a - b)).Sum());
-            Assert.Equal(Number(pair[0][Array.IndexOf(head, "shift")]), shift, 1e-6);
+            Assert.Equal(Number(pair[0][Array.IndexOf(head, "shift")]), shift, 1e-6); // m: the difference of two places of 2e6 m in text
             Assert.InRange(shift, 9000.0, 10000.0);
             double[][] flows = [.. pair.Select(row => Doubles(_folder[$"pairs/{row[0].PadLeft(6, '0')}.flow.npy"], 2 * 40 * 40))];
             int checkedPixels = 0;

@@ -22,7 +22,7 @@ public sealed class SpiceEphemerisTests : IDisposable
         Vector3D sun = opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0));
 
         // Thesis section 9.2: printed with 15 digits and a zero.
-        Assert.Equal("1.07495547328088E+011", sun.X.ToString("E14", CultureInfo.InvariantCulture));
+        Assert.Equal("1.07495547328088E+011", sun.X.ToString("E14", CultureInfo.InvariantCulture)); // m: the number has 15 digits
         Assert.Equal("-1.04243073487898E+011", sun.Y.ToString("E14", CultureInfo.InvariantCulture));
         Assert.Equal("4.03616430556126E+009", sun.Z.ToString("E14", CultureInfo.InvariantCulture));
         Assert.Equal("CSPICE N0067", opened.Engine.EngineName);
@@ -142,6 +142,7 @@ public sealed class SpiceEphemerisTests : IDisposable
         File.Copy(Engines.MetaKernel, meta);
         using OpenedEphemeris opened = Engines.CSpice(meta);
 
+        // m: the number has 15 digits
         Assert.Equal(1.07495547328088E+011, opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0)).X, 1e-3);
     }
 

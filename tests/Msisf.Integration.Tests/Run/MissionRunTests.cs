@@ -29,7 +29,7 @@ public sealed class MissionRunTests : IDisposable
         {
             foreach (string name in (string[])["camera_latitude_deg", "camera_longitude_deg", "boresight_latitude_deg", "off_nadir_deg"])
             {
-                Assert.Equal(a.GetProperty(name).GetDouble(), b.GetProperty(name).GetDouble(), 1e-10);
+                Assert.Equal(a.GetProperty(name).GetDouble(), b.GetProperty(name).GetDouble(), Rounding.OfSolutions);
             }
         }
 

@@ -58,6 +58,7 @@ public sealed class NavigationRunTests : IDisposable
             double[] box = [.. annotations[i].GetProperty("bbox").EnumerateArray().Select(number => number.GetDouble())];
             Assert.True(box[0] >= 0.0 && box[1] >= 0.0 && box[0] + box[2] <= Width && box[1] + box[3] <= Height);
             double[] polygon = [.. annotations[i].GetProperty("segmentation")[0].EnumerateArray().Select(number => number.GetDouble())];
+            // a polygon in place of an ellipse, cut off at the image
             Assert.Equal(annotations[i].GetProperty("area").GetDouble(), Area(polygon), 0.01 * box[2] * box[3]);
         }
 

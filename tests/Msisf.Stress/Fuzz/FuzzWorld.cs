@@ -88,8 +88,8 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>All samples are 0, and take no room on most file systems.</summary>
     private string WriteFlatModel()
     {
-        SyntheticLdemProduct product = new(FlatResolution, MoonRegion.WholeMoon, SyntheticRest.Base, SyntheticSampleFormat.Integers);
         string folder = Directory.CreateDirectory(Path.Combine(_folder.FullName, "flat")).FullName;
+        SyntheticLdemOptions product = new(FlatResolution, 1, folder) { Format = SyntheticSampleFormat.Integers };
         using (FileStream image = File.Create(Path.Combine(folder, product.ProductId + ".IMG")))
         {
             image.SetLength(product.Bytes);
@@ -97,7 +97,7 @@ internal sealed class FuzzWorld : IDisposable
 
         string label = Path.Combine(folder, product.ProductId + ".LBL");
         using StreamWriter writer = File.CreateText(label);
-        SyntheticLdemLabel.Of(product, new SyntheticLdemOptions(FlatResolution, 1, folder)).Write(writer, minimum: 0, maximum: 0);
+        SyntheticLdemLabel.Of(product).Write(writer, minimum: 0, maximum: 0);
         return label;
     }
 

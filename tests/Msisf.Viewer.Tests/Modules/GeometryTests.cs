@@ -96,8 +96,8 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
                 double[] back = await NumbersAsync("project", camera, lens, new[] { point.X, point.Y, point.Z });
 
                 Assert.InRange((new Vector3D(ray[0], ray[1], ray[2]) - expected).Length, 0.0, DirectionTolerance);
-                Assert.Equal(pixel[0], back[0], 1e-6);
-                Assert.Equal(pixel[1], back[1], 1e-6);
+                Assert.Equal(pixel[0], back[0], 1e-6); // px: there and back through a ray
+                Assert.Equal(pixel[1], back[1], 1e-6); // px: the same
             }
         }
     }
@@ -172,7 +172,7 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
             "geometry", "groundDistance", new[] { 1_737_400.0, 0.0, 0.0 }, new[] { 0.0, 0.0, 1_730_000.0 });
 
         Assert.Equal(2_729_101.537, distance.GetDouble(), 0.5);
-        Assert.Equal(Math.PI / 2.0 * 1_737_400.0, distance.GetDouble(), 1e-6);
+        Assert.Equal(Math.PI / 2.0 * 1_737_400.0, distance.GetDouble(), 1e-6); // m: thousands of ulps
     }
 
     [RequiresFact(Part.Chromium)]

@@ -71,8 +71,7 @@ public sealed record HapkeMapFile(HapkeMap Map, long FileBytes, string Sha256)
                 double value = read(bytes, DataOffset + (plane * PlaneBytes) + (i * sizeof(float)));
                 if (!(value >= least && value <= greatest))
                 {
-                    problem = string.Create(
-                        CultureInfo.InvariantCulture,
+                    problem = Invariant(
                         $"map {plane + 1} ({name}), line {(i / Samples) + 1}, sample {(i % Samples) + 1}: {value:R}; "
                             + $"{least:R} to {greatest:R} is possible");
                     return null;

@@ -42,8 +42,8 @@ public sealed record MapProperties(
         }
 
         double? Within(string name, double least, double greatest) => values.TryGetValue(name, out double value)
-            ? value >= least && value <= greatest ? value : throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture, $"{name} is {value:R}; a number from {least:R} to {greatest:R} is needed."))
+            ? value >= least && value <= greatest ? value : throw new BadInputException(Invariant(
+                $"{name} is {value:R}; a number from {least:R} to {greatest:R} is needed."))
             : null;
         return new MapProperties(
             Within("scale", 1e-12, 1e6), Within("offset", -1e6, 1e6), Within("west", -360.0, 360.0), Within("incidence", 0.0, 89.0),
@@ -60,7 +60,7 @@ public sealed record MapProperties(
     {
         double?[] values = [Scale, Offset, WestDegrees, IncidenceDegrees, EmissionDegrees, PhaseDegrees, BandNanometres];
         return string.Join(',', Names.Zip(values).Where(pair => pair.Second is not null).Select(
-            pair => string.Create(CultureInfo.InvariantCulture, $"{pair.First}={pair.Second:R}")));
+            pair => Invariant($"{pair.First}={pair.Second:R}")));
     }
 
     /// <summary>The geometry, if it is known completely and exists.</summary>

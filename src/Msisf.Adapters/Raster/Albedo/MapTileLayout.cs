@@ -90,8 +90,7 @@ internal sealed record MapTileLayout(IReadOnlyList<PlacedMapTile> Tiles, int Wid
         Func<double, double> longitude, Func<double, double> latitude)
     {
         int[,] cover = new int[rows.Values.Length - 1, columns.Values.Length - 1];
-        string Place(int row, int column) => string.Create(
-            CultureInfo.InvariantCulture,
+        string Place(int row, int column) => Invariant(
             $"latitude {latitude(rows.Values[row + 1]):0.####} to {latitude(rows.Values[row]):0.####}, "
                 + $"longitude {longitude(columns.Values[column]):0.####} to {longitude(columns.Values[column + 1]):0.####}");
         for (int i = 0; i < labels.Length; i++)

@@ -155,8 +155,7 @@ public sealed class OpenedAlbedoMap : IDisposable
         MapProperties properties = given.Or(known);
         if (properties.BandNanometres is double band && band != bandNanometres)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{path}: a map at {band:R} nm, but --band is {bandNanometres}. Give --band {band:R} or another map."));
         }
 
@@ -210,8 +209,7 @@ public sealed class OpenedAlbedoMap : IDisposable
         if (Math.Abs(reference.IncidenceDegrees - reference.EmissionDegrees) > reference.PhaseDegrees
             || reference.IncidenceDegrees + reference.EmissionDegrees < reference.PhaseDegrees)
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{_path}: no surface has incidence {reference.IncidenceDegrees:R}, emission {reference.EmissionDegrees:R} and phase angle "
                     + $"{reference.PhaseDegrees:R} degrees. Correct --albedo-map-properties."));
         }

@@ -72,8 +72,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public string? NoteOfGaps()
     {
         UndeclaredGaps gaps = _gapsOfSource.Count > 0 ? _gapsOfSource : _content.Scan().Undeclared;
-        return gaps.Count == 0 ? null : string.Create(
-            CultureInfo.InvariantCulture,
+        return gaps.Count == 0 ? null : Invariant(
             $"{ProductId}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
                 + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
     }
@@ -159,7 +158,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         LdemSet set = LdemSet.OfMap(ToLabel());
         return new KeptRaster(
             set.PlacesOf(RasterScanFile.Extension, cacheFolder), set.PlacesOf(PyramidFile.Extension, cacheFolder),
-            RasterScanFile.Fingerprint(Files, string.Create(CultureInfo.InvariantCulture, $"{_placement} {_rule} {_gapsOfSource}")));
+            RasterScanFile.Fingerprint(Files, Invariant($"{_placement} {_rule} {_gapsOfSource}")));
     }
 
     /// <summary>The file as the label of a model, for its name, fingerprint and checksum.</summary>
@@ -260,8 +259,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         return column;
     }
 
-    private BadInputException Hole(int row, int column) => new(string.Create(
-        CultureInfo.InvariantCulture,
+    private BadInputException Hole(int row, int column) => new(Invariant(
         $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, cut the file to what "
             + $"is whole, with gdal_translate -srcwin, or put a coarser model around it, with a second --ldem."));
 }

@@ -100,8 +100,7 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             ((((proj.Number("x_0") ?? 0.0) / unit) - map.Left) / map.Across) - 0.5);
         if (!(scale is >= PolarLabel.MinScale and <= PolarLabel.MaxScale) || !projection.Holds(size.Height, size.Width))
         {
-            throw new BadInputException(string.Create(
-                CultureInfo.InvariantCulture,
+            throw new BadInputException(Invariant(
                 $"{path}: pixels of {scale:R} m, or a map that reaches farther than {MoonConstants.ReferenceRadius / 1000.0:R} km from the "
                     + $"pole; {PolarLabel.MinScale:R} to {PolarLabel.MaxScale:R} m are read."));
         }

@@ -23,12 +23,6 @@ internal static class GeoTiffWarp
     /// <summary>px: width and height of an image that says where the map lies.</summary>
     private const int Rough = 64;
 
-    /// <summary>
-    /// The scales: always between four pixels, as GDAL otherwise takes the mean of more where its pixels are a little larger.
-    /// </summary>
-    private static readonly string[] Bilinear =
-        ["-ot", "Float32", "-r", "bilinear", "-wo", "XSCALE=1", "-wo", "YSCALE=1", "-et", "0", "-dstnodata", "nan"];
-
     /// <summary>Warps a map.</summary>
     /// <param name="path">The file, for messages.</param>
     /// <param name="gap">Arguments of gdalwarp that say which value means no data; empty if the file says it.</param>
@@ -39,7 +33,7 @@ internal static class GeoTiffWarp
         ProjText proj = new(map.Projection()!);
         double radius = proj.Radius!.Value;
         double metresPerDegree = double.DegreesToRadians(radius);
-        string sphere = string.Create(CultureInfo.InvariantCulture, $"+R={radius:R}");
+        string sphere = Invariant($"+R={radius:R}");
 
         // A map across the meridian at which one of them is cut is whole in the other.
         (string Projection, double Width, double Latitude)[] halves =
@@ -66,7 +60,7 @@ internal static class GeoTiffWarp
             string metres = (pixel * metresPerDegree).ToString("R", CultureInfo.InvariantCulture);
             string[] scale = isSquare ? [] : ["-tr", metres, metres];
             return map.Warped(
-                [.. Bilinear, .. gap, .. scale, "-t_srs", $"+proj=stere +lat_0={(latitude < 0.0 ? "-90" : "90")} {sphere}"]);
+                [.. gap, .. scale, "-t_srs", $"+proj=stere +lat_0={(latitude < 0.0 ? "-90" : "90")} {sphere}"]);
         }
 
         if (width > Widest)
@@ -80,7 +74,7 @@ internal static class GeoTiffWarp
         double resolution = Math.Ceiling(1.0 / pixel);
         resolution = resolution < FinestAnyNumber ? resolution : Math.Ceiling(resolution / StepOf(resolution)) * StepOf(resolution);
         string step = (metresPerDegree / resolution).ToString("R", CultureInfo.InvariantCulture);
-        return map.Warped([.. Bilinear, .. gap, "-t_srs", projection, "-tr", step, step, "-tap"]);
+        return map.Warped([.. gap, "-t_srs", projection, "-tr", step, step, "-tap"]);
     }
 
     /// <summary>The largest power of two by which a fine resolution can be made a multiple, at most a 64th finer.</summary>
@@ -89,7 +83,7 @@ internal static class GeoTiffWarp
     /// <summary>Width and middle latitude of a map in degrees; infinitely wide if GDAL can't bring it there.</summary>
     private static (string Projection, double Width, double Latitude) Extent(GdalImage map, string projection, double metresPerDegree)
     {
-        using GdalImage? extent = map.Warped([.. Bilinear, "-t_srs", projection, "-ts", $"{Rough}", $"{Rough}"]);
+        using GdalImage? extent = map.Warped(["-t_srs", projection, "-ts", $"{Rough}", $"{Rough}"]);
         return extent?.GeoTransform() is [_, double across, _, double north, _, double down]
             ? (projection, across * Rough / metresPerDegree, (north + (0.5 * Rough * down)) / metresPerDegree)
             : (projection, double.PositiveInfinity, 0.0);

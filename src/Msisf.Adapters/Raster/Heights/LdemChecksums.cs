@@ -164,7 +164,7 @@ internal sealed record RememberedChecksum(string Name, long Bytes, long WrittenT
         writer.WriteLine(FirstLine);
         foreach (RememberedChecksum one in checksums)
         {
-            writer.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{one.Sha256} {one.Bytes} {one.WrittenTicks} {one.Name}"));
+            writer.WriteLine(Invariant($"{one.Sha256} {one.Bytes} {one.WrittenTicks} {one.Name}"));
         }
     }
 

@@ -66,8 +66,7 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
     /// <exception cref="BadInputException">
     /// An image is missing (all that miss are named), unreadable, or not as long as its label says.
     /// </exception>
-    public static LdemImage Open(LdemSet set) => set.IsWholeMoon ? OpenParts(set) : throw new BadInputException(string.Create(
-        CultureInfo.InvariantCulture,
+    public static LdemImage Open(LdemSet set) => set.IsWholeMoon ? OpenParts(set) : throw new BadInputException(Invariant(
         $"{set.Location}: covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
             + $"degrees; a model of the whole Moon is needed here."));
 

@@ -127,6 +127,4 @@ internal static class LdemLabelChecks
                 $"the map's borders and MAP_RESOLUTION ({degrees:R} degrees, {pixelsPerDegree} px/deg) need {needed:R}"));
         }
     }
-
-    private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

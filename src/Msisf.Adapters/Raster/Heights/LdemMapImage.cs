@@ -49,7 +49,13 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        CheckBlock(line, 1, firstSample, radii.Length);
+        // A band may go around the Moon, which the image checks.
+        if (line < Window.FirstLine || line >= Window.EndLine
+            || (Projection is PolarStereographic && radii.Length > Samples - firstSample))
+        {
+            _image.RefuseBlock(line, 1, firstSample, radii.Length);
+        }
+
         _image.ReadRadii(line, firstSample, radii);
     }
 
@@ -58,14 +64,4 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
 
     /// <summary>Unmaps the files.</summary>
     public void Dispose() => _image.Dispose();
-
-    /// <summary>The block lies in the window; that of a band may go around the Moon, which the image checks.</summary>
-    private void CheckBlock(int firstLine, int lines, int firstSample, int samples)
-    {
-        if (firstLine < Window.FirstLine || lines > Window.EndLine - firstLine
-            || (Projection is PolarStereographic && samples > Samples - firstSample))
-        {
-            _image.RefuseBlock(firstLine, lines, firstSample, samples);
-        }
-    }
 }

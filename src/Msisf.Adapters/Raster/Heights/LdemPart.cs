@@ -117,8 +117,7 @@ internal sealed unsafe class LdemPart : IDisposable
             double value = _codec.ValueAt(Address(line, sample));
             if (!_codec.IsAllowed(value))
             {
-                return new BadInputException(string.Create(
-                    CultureInfo.InvariantCulture,
+                return new BadInputException(Invariant(
                     $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
                         + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
                         + $"The file is damaged, or the label belongs to another one: get both again."));

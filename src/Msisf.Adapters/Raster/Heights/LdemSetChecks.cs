@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Terrain;
 
@@ -36,8 +37,7 @@ internal static class LdemSetChecks
                 Span<ushort> degrees = cover.AsSpan((row * 360) + region.WestDegrees, region.EastDegrees - region.WestDegrees);
                 if (degrees.IndexOfAnyExcept(Nothing) is int taken and >= 0)
                 {
-                    throw new BadInputException(string.Create(
-                        CultureInfo.InvariantCulture,
+                    throw new BadInputException(Invariant(
                         $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: "
                             + $"both cover latitude {89 - row} to {90 - row}, "
                             + $"longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
@@ -63,8 +63,7 @@ internal static class LdemSetChecks
         MoonRegion region = new((int)label.SouthDegrees, (int)label.NorthDegrees, (int)label.WestDegrees, (int)label.EastDegrees);
         bool isWhole = (region.SouthDegrees, region.NorthDegrees, region.WestDegrees, region.EastDegrees)
             == (label.SouthDegrees, label.NorthDegrees, label.WestDegrees, label.EastDegrees);
-        return isWhole && region.IsValid ? region : throw new BadInputException(string.Create(
-            CultureInfo.InvariantCulture,
+        return isWhole && region.IsValid ? region : throw new BadInputException(Invariant(
             $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} "
                 + $"to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
     }
@@ -95,4 +94,45 @@ internal static class LdemSetChecks
     }
 
     private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);
+}
+
+/// <summary>
+/// The name of a part of a split product: the archive puts the part's borders into it, e.g. "LDEM_512_00N_45N_000_090_FLOAT".
+/// </summary>
+/// <param name="Before">What stands before the borders, e.g. "LDEM_512"; the whole name if it has none.</param>
+/// <param name="After">What stands behind them, e.g. "_FLOAT".</param>
+internal sealed partial record LdemPartName(string Before, string After, bool HasBorders)
+{
+    /// <summary>The name without borders: what the parts of one model have in common.</summary>
+    public string Model => Before + After;
+
+    /// <summary>Takes a label's PRODUCT_ID apart.</summary>
+    public static LdemPartName Of(LdemLabel label)
+    {
+        Match borders = Borders().Match(label.ProductId);
+        return borders.Success
+            ? new LdemPartName(label.ProductId[..borders.Index], label.ProductId[(borders.Index + borders.Length)..], HasBorders: true)
+            : new LdemPartName(label.ProductId, string.Empty, HasBorders: false);
+    }
+
+    /// <summary>The name of another part of the same model.</summary>
+    public string ForRegion(MoonRegion region) => HasBorders
+        ? $"{Before}_{BordersOf(region)}{After}"
+        : Invariant(
+            $"latitudes {region.SouthDegrees} to {region.NorthDegrees}, longitudes {region.WestDegrees} to {region.EastDegrees}");
+
+    /// <summary>Borders as the archive writes them: "00N_45N_000_090".</summary>
+    public static string BordersOf(MoonRegion region) => Invariant(
+        $"{Latitude(region.SouthDegrees, region)}_{Latitude(region.NorthDegrees, region)}_"
+            + $"{region.WestDegrees:000}_{region.EastLongitude:000}");
+
+    // The equator is 00N, except as the northern border of a southern region.
+    private static string Latitude(int degrees, MoonRegion region)
+    {
+        bool south = degrees < 0 || (degrees == 0 && region.NorthDegrees == 0);
+        return Invariant($"{Math.Abs(degrees):00}{(south ? 'S' : 'N')}");
+    }
+
+    [GeneratedRegex("_[0-9]{1,2}[NS]_[0-9]{1,2}[NS]_[0-9]{1,3}_[0-9]{1,3}", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant)]
+    private static partial Regex Borders();
 }

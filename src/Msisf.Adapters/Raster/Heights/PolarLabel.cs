@@ -70,8 +70,7 @@ public static class PolarLabel
         PolarStereographic projection = label.Polar!;
         if (!projection.Holds(label.Lines, label.LineSamples))
         {
-            throw map.WrongValue(Scale, string.Create(
-                CultureInfo.InvariantCulture,
+            throw map.WrongValue(Scale, Invariant(
                 $"with offsets of {projection.LineOffset:R} and {projection.SampleOffset:R} px and {label.Lines} lines of "
                     + $"{label.LineSamples} samples the map reaches farther than "
                     + $"{MoonConstants.ReferenceRadius / 1000.0:R} km from the pole"));
@@ -101,8 +100,7 @@ public static class PolarLabel
         (double side, double corner) = LatitudesOf(label);
         if (!(sign * outermost <= side + LatitudeRounding && sign * outermost >= corner - LatitudeRounding))
         {
-            throw map.WrongValue(far, string.Create(
-                CultureInfo.InvariantCulture,
+            throw map.WrongValue(far, Invariant(
                 $"CENTER_LATITUDE = {map.Required("CENTER_LATITUDE")}, {Scale} and the offsets put the map's sides at {sign * side:F2} and "
                     + $"its corners at {sign * corner:F2} degrees"));
         }
@@ -136,8 +134,8 @@ public static class PolarLabel
         double scale = isInKilometres
             ? 1000.0 * map.RequiredNumber(Scale, PdsUnits.KilometresPerPixel)
             : map.RequiredNumber(Scale, PdsUnits.MetresPerPixel);
-        return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, string.Create(
-            CultureInfo.InvariantCulture, $"{MinScale:R} to {MaxScale:R} m a pixel are needed"));
+        return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, Invariant(
+            $"{MinScale:R} to {MaxScale:R} m a pixel are needed"));
     }
 
     private static double OffsetOf(PdsObject map, string keyword)
@@ -155,8 +153,8 @@ public static class PolarLabel
         if (map.OptionalNumber(Keyword, PdsUnits.PixelsPerDegree) is { } given
             && !(Math.Abs(given - expected) <= ResolutionRounding * expected))
         {
-            throw map.WrongValue(Keyword, string.Create(
-                CultureInfo.InvariantCulture, $"{Scale} = {map.Required(Scale)} needs {expected:F3}"));
+            throw map.WrongValue(Keyword, Invariant(
+                $"{Scale} = {map.Required(Scale)} needs {expected:F3}"));
         }
     }
 }

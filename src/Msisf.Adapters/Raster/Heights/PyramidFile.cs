@@ -126,7 +126,7 @@ public sealed class PyramidFile : IDisposable
 
         if (stream.Length != layout.FileBytes)
         {
-            return (null, FormattableString.Invariant($"it has {stream.Length} bytes, {layout.FileBytes} expected"));
+            return (null, Invariant($"it has {stream.Length} bytes, {layout.FileBytes} expected"));
         }
 
         uint[] checksums = new uint[layout.BlockCount];

@@ -41,7 +41,6 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
     /// <summary>A hash of 32 bytes of all of it.</summary>
     internal byte[] Fingerprint() => SHA256.HashData(Encoding.UTF8.GetBytes(Text()));
 
-    private string Text() => string.Create(
-        CultureInfo.InvariantCulture,
+    private string Text() => Invariant(
         $"{ProductId}\n{PixelsPerDegree}\n{ImageBytes}\n{ImageWritten.UtcTicks}\n{LabelText}");
 }

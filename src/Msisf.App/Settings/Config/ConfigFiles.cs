@@ -5,26 +5,14 @@ using Msisf.App.Settings.Specs;
 namespace Msisf.App.Settings.Config;
 
 /// <summary>Finds and reads the configuration files of a call: the file of <c>--config</c> and the user's file.</summary>
-internal sealed class ConfigFiles
+internal sealed class ConfigFiles(ProgramHost host)
 {
-    private readonly ProgramHost _host;
-
-    public ConfigFiles(ProgramHost host) => _host = host;
-
     /// <summary>
     /// Path of the user's file: $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml;
     /// null if there is no such folder.
     /// </summary>
-    public static string? UserFile(ProgramHost host)
-    {
-        string? parent = host.Environment("XDG_CONFIG_HOME")
-            ?? host.Environment("APPDATA")
-            ?? (host.Environment("HOME") is { } home ? Path.Combine(home, ".config") : null);
-        return parent is null ? null : Path.Combine(parent, "msisf", "config.yaml");
-    }
-
-    /// <summary>Whether a file or folder exists at a path, readable or not.</summary>
-    public static bool IsThere(string path) => File.Exists(path) || Directory.Exists(path);
+    public static string? UserFile(ProgramHost host) =>
+        host.ConfigFolder is { } folder ? Path.Combine(folder, "config.yaml") : null;
 
     /// <summary>Reads both files.</summary>
     /// <param name="given">The user's <c>--config</c>, or null.</param>
@@ -39,7 +27,7 @@ internal sealed class ConfigFiles
             Add(values, given.Trim().Length > 0 ? given : throw new UsageException("--config is empty; a path is needed."), rank: 1);
         }
 
-        if (UserFile(_host) is { } path && IsThere(path))
+        if (UserFile(host) is { } path && Path.Exists(path))
         {
             Add(values, path, rank: 2);
         }
@@ -97,7 +85,7 @@ internal sealed class ConfigFiles
             return path; // refused where the option is read
         }
 
-        return path.StartsWith("~/", StringComparison.Ordinal) && _host.Environment("HOME") is { } home
+        return path.StartsWith("~/", StringComparison.Ordinal) && host.Environment("HOME") is { } home
             ? Path.Combine(home, path[2..])
             : Path.GetFullPath(path, Path.GetDirectoryName(Path.GetFullPath(file))!);
     }

@@ -70,7 +70,7 @@ internal static class ConfigKeys
     }
 
     private static string Hint(string key) =>
-        NearestName.Question(key.TrimStart('-'), Keys.Keys) is { Length: > 0 } question ? question : ".";
+        NearestName.Question(key.TrimStart('-'), Keys.Keys, ".");
 
     private static string? ReasonAgainst(OptionSpec[] same) => same switch
     {

@@ -19,7 +19,6 @@ internal sealed class ConfigRules
 
     /// <summary>Selects the values that apply to a call.</summary>
     /// <param name="values">Values from the configuration files.</param>
-    /// <param name="line">The command line.</param>
     public static IReadOnlyCollection<ConfigValue> Applicable(IEnumerable<ConfigValue> values, OptionValues line, CommandSpec command)
     {
         Dictionary<string, OptionSpec> options = command.Options.ToDictionary(option => option.Name, StringComparer.Ordinal);

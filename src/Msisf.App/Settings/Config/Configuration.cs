@@ -7,13 +7,11 @@ namespace Msisf.App.Settings.Config;
 internal static class Configuration
 {
     /// <summary>The options of a call together with those of the configuration files.</summary>
-    /// <param name="line">The command line.</param>
-    /// <param name="host">Provides the path of the user's file.</param>
     /// <exception cref="BadInputException">A file has an error, or the file of <c>--config</c> does not exist.</exception>
     public static OptionValues Behind(OptionValues line, CommandSpec command, ProgramHost host)
     {
         string? given = line.Text(RunOptions.Config);
-        bool hasUserFile = ConfigFiles.UserFile(host) is { } path && ConfigFiles.IsThere(path);
+        bool hasUserFile = ConfigFiles.UserFile(host) is { } path && Path.Exists(path);
         if (given is null && !(hasUserFile && command.Options.Any(ConfigKeys.Allows)))
         {
             return line; // by far the most calls: no file is looked at
@@ -25,7 +23,6 @@ internal static class Configuration
 
     /// <summary>Prints each key, its value and the source of the value (file and line, or "default"), separated by tabs.</summary>
     /// <param name="given">The user's <c>--config</c>, or null.</param>
-    /// <param name="host">Receives the printed lines, and log messages with the files that were searched.</param>
     /// <exception cref="BadInputException">As for <see cref="Behind"/>.</exception>
     public static void Show(string? given, ProgramHost host)
     {
@@ -37,7 +34,7 @@ internal static class Configuration
         }
 
         host.Log.Note(ConfigFiles.UserFile(host) is { } path
-            ? $"{path}: {(ConfigFiles.IsThere(path) ? "read" : "not there")} (the user's file)."
+            ? $"{path}: {(Path.Exists(path) ? "read" : "not there")} (the user's file)."
             : "no folder for the user's file: neither XDG_CONFIG_HOME nor HOME is set.");
         foreach (OptionSpec option in ConfigKeys.Allowed)
         {

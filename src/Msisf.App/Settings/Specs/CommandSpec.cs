@@ -13,19 +13,16 @@ internal sealed record CommandSpec(string Name, string Summary)
     /// <summary>Makes the positional argument, when it is first needed; null for none.</summary>
     public Func<ArgumentSpec>? MakeArgument { get; init; }
 
-    /// <summary>The positional argument; null for none.</summary>
     public ArgumentSpec? Argument => MakeArgument?.Invoke();
 
     /// <summary>Makes the options, in groups, when they are first needed: a call needs those of one command only.</summary>
     public Func<IReadOnlyList<OptionGroup>> MakeGroups { get; init; } = () => [];
 
-    /// <summary>The options, in groups.</summary>
     public IReadOnlyList<OptionGroup> Groups => _groups ??= MakeGroups();
 
     /// <summary>Subcommands; if there are any, one must be given, except for the program itself.</summary>
     public IReadOnlyList<CommandSpec> Commands { get; init; } = [];
 
-    /// <summary>Example calls, each with a description.</summary>
     public IReadOnlyList<(string Meaning, string Call)> Examples { get; init; } = [];
 
     public IEnumerable<OptionSpec> Options => Groups.SelectMany(group => group.Options);

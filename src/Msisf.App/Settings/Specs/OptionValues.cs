@@ -1,27 +1,18 @@
 namespace Msisf.App.Settings.Specs;
 
 /// <summary>The options of one call as text, from the command line and the configuration files. Immutable.</summary>
-internal sealed class OptionValues
+/// <param name="values">Values by long name.</param>
+/// <param name="argument">The positional argument, e.g. the folder of msis status; null if there is none.</param>
+/// <param name="arguments">The words of the positional argument; null for one word.</param>
+internal sealed class OptionValues(
+    IEnumerable<KeyValuePair<string, OptionValue>> values, string? argument = null, IReadOnlyList<string>? arguments = null)
 {
-    private readonly Dictionary<string, OptionValue> _values;
+    private readonly Dictionary<string, OptionValue> _values = new(values, StringComparer.Ordinal);
 
-    /// <summary>Collects the options.</summary>
-    /// <param name="values">Values by long name.</param>
-    /// <param name="argument">The positional argument, e.g. the folder of msis status; null if there is none.</param>
-    /// <param name="arguments">The words of the positional argument; null for one word.</param>
-    public OptionValues(
-        IEnumerable<KeyValuePair<string, OptionValue>> values, string? argument = null, IReadOnlyList<string>? arguments = null)
-    {
-        Arguments = arguments ?? (argument is null ? [] : [argument]);
-        _values = new Dictionary<string, OptionValue>(values, StringComparer.Ordinal);
-        Argument = argument;
-    }
-
-    /// <summary>The positional argument; null if there is none.</summary>
-    public string? Argument { get; }
+    public string? Argument { get; } = argument;
 
     /// <summary>The words of the positional argument.</summary>
-    public IReadOnlyList<string> Arguments { get; }
+    public IReadOnlyList<string> Arguments { get; } = arguments ?? (argument is null ? [] : [argument]);
 
     /// <summary>Whether the option is given on the command line.</summary>
     public bool IsGiven(OptionSpec option) => _values.TryGetValue(option.Name, out OptionValue? value) && value.Place is null;

@@ -8,7 +8,6 @@ internal sealed record PathSpec(string Name, OptionRole Role, PathKind Kind, str
     /// <summary>Stands between several paths of a configuration file.</summary>
     public const string Separator = "\n";
 
-    /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }
 
     /// <summary>Whether several paths may be given; a configuration file has them as a list.</summary>

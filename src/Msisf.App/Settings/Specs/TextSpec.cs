@@ -10,7 +10,6 @@ internal sealed record TextSpec(string Name, OptionRole Role, string ValueName, 
 {
     public override string ValueName { get; } = ValueName;
 
-    /// <summary>The default; null if there is none.</summary>
     public string? Default { get; init; }
 
     /// <summary>The value if the option is given without one; null if it needs one.</summary>

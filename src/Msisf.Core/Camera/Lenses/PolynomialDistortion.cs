@@ -7,28 +7,19 @@ namespace Msisf.Core.Camera.Lenses;
 /// Measured to ideal by polynomials that are added to x and to y, of the distance from the principal point or of x itself. The kernels of
 /// Kaguya's line cameras have it so.
 /// </summary>
-public sealed class PolynomialDistortion : Distortion
+/// <param name="x">What is added to x: up to four coefficients by increasing power, in mm, 1, 1/mm and 1/mm2.</param>
+/// <param name="y">What is added to y.</param>
+/// <param name="isRadial">Whether the distance from the principal point is the argument; otherwise it is x.</param>
+/// <param name="focalLength">mm.</param>
+public sealed class PolynomialDistortion(ReadOnlySpan<double> x, ReadOnlySpan<double> y, bool isRadial, double focalLength) : Distortion
 {
     private const double Middle = 1e-200;
 
-    private readonly double[] _x;
-    private readonly double[] _y;
-    private readonly bool _isRadial;
-
-    /// <summary>Takes the coefficients.</summary>
-    /// <param name="x">What is added to x: up to four coefficients by increasing power, in mm, 1, 1/mm and 1/mm2.</param>
-    /// <param name="y">What is added to y.</param>
-    /// <param name="isRadial">Whether the distance from the principal point is the argument; otherwise it is x.</param>
-    /// <param name="focalLength">mm.</param>
-    public PolynomialDistortion(ReadOnlySpan<double> x, ReadOnlySpan<double> y, bool isRadial, double focalLength)
-    {
-        _x = Normalised(x, focalLength);
-        _y = Normalised(y, focalLength);
-        _isRadial = isRadial;
-    }
+    private readonly double[] _x = Normalised(x, focalLength);
+    private readonly double[] _y = Normalised(y, focalLength);
 
     /// <inheritdoc/>
-    public override string Name => _isRadial ? "polynomial-radius" : "polynomial-x";
+    public override string Name => isRadial ? "polynomial-radius" : "polynomial-x";
 
     /// <inheritdoc/>
     public override IReadOnlyList<double> Coefficients => [.. _x, .. _y];
@@ -46,9 +37,9 @@ public sealed class PolynomialDistortion : Distortion
         (Vector512<double> x, Vector512<double> y) = points;
         Vector512<double> radius = Vector512.Sqrt((x * x) + (y * y));
         Vector512<double> perRadius = Vector512<double>.One / Vector512.Max(radius, Vector512.Create(Middle));
-        Vector512<double> argument = _isRadial ? radius : x;
-        Vector512<double> alongX = _isRadial ? x * perRadius : Vector512<double>.One;
-        Vector512<double> alongY = _isRadial ? y * perRadius : Vector512<double>.Zero;
+        Vector512<double> argument = isRadial ? radius : x;
+        Vector512<double> alongX = isRadial ? x * perRadius : Vector512<double>.One;
+        Vector512<double> alongY = isRadial ? y * perRadius : Vector512<double>.Zero;
         Vector512<double> slopeX = Slope(_x, argument);
         Vector512<double> slopeY = Slope(_y, argument);
         Vector512<double> one = Vector512<double>.One;

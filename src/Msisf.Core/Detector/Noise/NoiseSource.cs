@@ -34,17 +34,13 @@ internal readonly struct NoiseSource
     }
 
     /// <summary>Numbers that change from frame to frame.</summary>
-    /// <param name="seed">Seed of the user.</param>
     /// <param name="frame">Number of the frame: <see cref="FrameNumber"/>, or its step.</param>
     public static NoiseSource OfFrame(ulong seed, ulong frame) => new(seed, frame);
 
     /// <summary>Numbers that stay the same in all frames: the fixed pattern of a detector.</summary>
-    /// <param name="seed">Seed of the user.</param>
     public static NoiseSource OfDetector(ulong seed) => new(seed, 0);
 
     /// <summary>Two independent numbers, uniform between 0 and 1, without both ends; odd multiples of 2^-53.</summary>
-    /// <param name="kind">What they are for.</param>
-    /// <param name="index">What is counted.</param>
     public (double First, double Second) Uniforms(NoiseKind kind, uint index)
     {
         (uint w0, uint w1, uint w2, uint w3) = Philox4x32.Block(
@@ -53,9 +49,7 @@ internal readonly struct NoiseSource
     }
 
     /// <summary>One number of each pixel of a part of a row, uniform between 0 and 1, without both ends.</summary>
-    /// <param name="kind">What they are for.</param>
     /// <param name="first">Index of the first pixel.</param>
-    /// <param name="uniforms">Receives the numbers.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
     public void Fill(NoiseKind kind, uint first, Span<double> uniforms)
     {

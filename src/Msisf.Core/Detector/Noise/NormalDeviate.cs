@@ -20,8 +20,6 @@ internal static class NormalDeviate
     private const double NearTailOffset = 1.6;
 
     /// <summary>One deviate of each pixel of a part of a row.</summary>
-    /// <param name="noise">Source of the random numbers.</param>
-    /// <param name="kind">What they are for.</param>
     /// <param name="first">Index of the first pixel.</param>
     /// <param name="deviates">Receives the deviates, at most <see cref="NoiseSource.MaxRun"/>.</param>
     public static void Fill(in NoiseSource noise, NoiseKind kind, uint first, Span<double> deviates)

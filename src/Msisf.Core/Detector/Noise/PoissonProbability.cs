@@ -36,7 +36,6 @@ internal static class PoissonProbability
     }
 
     /// <summary>P(N &lt;= count).</summary>
-    /// <param name="count">The number of events.</param>
     public static double OfAtMost(double count, double probability, double mean)
     {
         double sum = 0.0;
@@ -50,7 +49,6 @@ internal static class PoissonProbability
     }
 
     /// <summary>P(N &gt; count).</summary>
-    /// <param name="count">The number of events.</param>
     public static double OfMoreThan(double count, double probability, double mean)
     {
         double sum = 0.0;

@@ -18,27 +18,24 @@ internal sealed class BrightLights
 
     private readonly int[] _numbers;
     private readonly Vector3D _origin;
-    private readonly Lanes _points;
-    private readonly Lanes _normals;
-    private readonly float[] _powers;
+    private readonly Vectors _points;
+    private readonly Vectors _normals;
 
     /// <summary>Takes some lights.</summary>
     /// <param name="numbers">Which ones.</param>
     /// <param name="points">Places of all lights, m.</param>
     /// <param name="normals">Normals of all lights.</param>
-    /// <param name="powers">Rough brightness times area of all lights.</param>
-    public BrightLights(int[] numbers, Vector3D[] points, Vector3D[] normals, double[] powers)
+    public BrightLights(int[] numbers, Vector3D[] points, Vector3D[] normals)
     {
         _numbers = numbers;
         _origin = numbers.Length == 0 ? default : points[numbers[0]];
         int padded = (numbers.Length + Vector512<float>.Count - 1) / Vector512<float>.Count * Vector512<float>.Count;
-        (_points, _normals, _powers) = (new Lanes(padded), new Lanes(padded), new float[padded]);
+        (PaddedLength, _points, _normals) = (padded, new Vectors(padded), new Vectors(padded));
         for (int i = 0; i < padded; i++)
         {
             int number = numbers[Math.Min(i, numbers.Length - 1)];
             _points.Set(i, points[number] - _origin);
             _normals.Set(i, normals[number]);
-            _powers[i] = i < numbers.Length ? (float)powers[number] : 0.0f;
         }
     }
 
@@ -48,22 +45,25 @@ internal sealed class BrightLights
     /// <summary>Number of a bright light among all.</summary>
     public int this[int index] => _numbers[index];
 
-    /// <summary>Finds what each light and those before it may give to a point of a group, roughly, if nothing hides them.</summary>
+    /// <summary>The same, with as many more as fill the last vector.</summary>
+    public int PaddedLength { get; }
+
+    /// <summary>Finds what each light may give to a point of a group, roughly, if nothing hides it.</summary>
     /// <param name="group">The group.</param>
-    /// <param name="sums">Receives the sums.</param>
+    /// <param name="powers">Brightness times area of each light; <see cref="PaddedLength"/> elements, the last ones 0.</param>
+    /// <param name="given">Receives it; <see cref="PaddedLength"/> elements.</param>
     /// <returns>The light nearest to the group's middle, and its distance, m.</returns>
-    public (int Light, double Distance) AddUp(Receivers group, double[] sums)
+    public (int Light, double Distance) Find(Receivers group, float[] powers, float[] given)
     {
         Vector512<float> least = Vector512.Create(float.PositiveInfinity);
         Vector512<int> nearest = Vector512<int>.Zero;
-        double sum = 0.0;
         for (int at = 0; at < Length; at += Vector512<float>.Count)
         {
             Sight middle = See(at, group.Middle, group.MeanNormal);
             Vector512<float> isNearer = Vector512.LessThan(middle.Square, least);
             least = Vector512.ConditionalSelect(isNearer, middle.Square, least);
             nearest = Vector512.ConditionalSelect(isNearer.AsInt32(), Vector512.Create(at) + Vector512<int>.Indices, nearest);
-            Vector512<float> given = group.Count > 1 ? Most(middle, group) : Vector512<float>.Zero;
+            Vector512<float> all = group.Count > 1 ? Most(middle, group) : Vector512<float>.Zero;
             int step = (group.Count + Asked - 1) / Asked;
             float part = 1.0f / ((group.Count + step - 1) / step);
             for (int receiver = 0; receiver < group.Count; receiver += step)
@@ -73,15 +73,11 @@ internal sealed class BrightLights
                     sight.Square, Vector512.Create((float)(group.Reaches[receiver] * group.Reaches[receiver])));
                 Vector512<float> light = Vector512.Max(sight.Emitted, Vector512<float>.Zero)
                     * Vector512.Max(sight.Received, Vector512<float>.Zero) / (sight.Square * sight.Square);
-                given += Vector512.ConditionalSelect(isFar, part * light, Vector512<float>.Zero);
+                all += Vector512.ConditionalSelect(isFar, part * light, Vector512<float>.Zero);
             }
 
-            given *= Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_powers), (nuint)at);
-            for (int lane = 0; lane < Math.Min(Vector512<float>.Count, Length - at); lane++)
-            {
-                sum += given[lane];
-                sums[at + lane] = sum;
-            }
+            all *= ArrayLanes.Load(powers, at);
+            all.StoreTo(given, at);
         }
 
         int best = 0;
@@ -111,12 +107,12 @@ internal sealed class BrightLights
     private Sight See(int at, Vector3D point, Vector3D normal)
     {
         Vector3D relative = point - _origin;
-        Vector512<float> x = Lanes.Load(_points.X, at) - Vector512.Create((float)relative.X);
-        Vector512<float> y = Lanes.Load(_points.Y, at) - Vector512.Create((float)relative.Y);
-        Vector512<float> z = Lanes.Load(_points.Z, at) - Vector512.Create((float)relative.Z);
+        Vector512<float> x = ArrayLanes.Load(_points.X, at) - Vector512.Create((float)relative.X);
+        Vector512<float> y = ArrayLanes.Load(_points.Y, at) - Vector512.Create((float)relative.Y);
+        Vector512<float> z = ArrayLanes.Load(_points.Z, at) - Vector512.Create((float)relative.Z);
         return new Sight(
             (x * x) + (y * y) + (z * z),
-            -((x * Lanes.Load(_normals.X, at)) + (y * Lanes.Load(_normals.Y, at)) + (z * Lanes.Load(_normals.Z, at))),
+            -((x * ArrayLanes.Load(_normals.X, at)) + (y * ArrayLanes.Load(_normals.Y, at)) + (z * ArrayLanes.Load(_normals.Z, at))),
             ((float)normal.X * x) + ((float)normal.Y * y) + ((float)normal.Z * z));
     }
 
@@ -127,16 +123,13 @@ internal sealed class BrightLights
     private readonly record struct Sight(Vector512<float> Square, Vector512<float> Emitted, Vector512<float> Received);
 
     /// <summary>Vectors.</summary>
-    private sealed class Lanes(int count)
+    private sealed class Vectors(int count)
     {
         public float[] X { get; } = new float[count];
 
         public float[] Y { get; } = new float[count];
 
         public float[] Z { get; } = new float[count];
-
-        public static Vector512<float> Load(float[] values, int at) =>
-            Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (nuint)at);
 
         public void Set(int at, Vector3D vector) => (X[at], Y[at], Z[at]) = ((float)vector.X, (float)vector.Y, (float)vector.Z);
     }

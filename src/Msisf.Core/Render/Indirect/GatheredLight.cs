@@ -18,6 +18,12 @@ internal sealed class GatheredLight(bool isIrradiance)
     /// <summary>Sum over the points of the square of the error, estimated from how much neighbouring samples differ.</summary>
     public double Variance { get; set; }
 
+    /// <summary>
+    /// Sum over the points of the square of the sum of the samples' magnitudes, without bias: what the samples change of a point's light is
+    /// no more than that.
+    /// </summary>
+    public double Bound { get; set; }
+
     /// <summary>rad over their facets: the highest near ground that rays of the points met.</summary>
     public double Top { get; set; }
 
@@ -26,6 +32,6 @@ internal sealed class GatheredLight(bool isIrradiance)
     {
         Array.Clear(Values);
         Array.Clear(Directions);
-        (Variance, Top) = (0.0, 0.0);
+        (Variance, Bound, Top) = (0.0, 0.0, 0.0);
     }
 }

@@ -33,8 +33,10 @@ internal sealed class GroundLights(int count)
     /// <summary>Direction to the Sun, or to one of the points of its disc, which differ from point to point.</summary>
     public Vector3D[] ToSun { get; } = new Vector3D[count];
 
-    /// <summary>Whether the Sun shines on the point.</summary>
-    public bool[] IsLit { get; } = new bool[count];
+    /// <summary>
+    /// The sunlight on the ground for which each stands over what there would be if the Sun shone on all of it as it shines on the point.
+    /// </summary>
+    public double[] FromSun { get; } = new double[count];
 
     /// <summary>Mean direction from which the ground's own light comes.</summary>
     public Vector3D[] ToGround { get; } = new Vector3D[count];
@@ -42,13 +44,11 @@ internal sealed class GroundLights(int count)
     /// <summary>That light, on a plane across <see cref="ToGround"/>.</summary>
     public double[] FromGround { get; } = new double[count];
 
-    /// <summary>Rough brightness times area, by which points are chosen; 0 for dark ones.</summary>
-    public double[] Powers { get; } = new double[count];
-
     /// <summary>The points that are not dark.</summary>
-    public BrightLights Bright { get; private set; } = new([], [], [], []);
+    public BrightLights Bright { get; private set; } = new([], [], []);
 
-    /// <summary>Finds the bright points anew, after light or powers were set.</summary>
-    public void FindBright() =>
-        Bright = new BrightLights([.. Enumerable.Range(0, count).Where(point => Powers[point] > 0.0)], Points, Normals, Powers);
+    /// <summary>Finds the bright points anew, after light was set.</summary>
+    public void FindBright() => Bright = new BrightLights(
+        [.. Enumerable.Range(0, count).Where(point => Scales[point] > 0.0 && FromSun[point] + FromGround[point] > 0.0)],
+        Points, Normals);
 }

@@ -17,6 +17,9 @@ internal static class GroundPlacing
     /// <summary>Rows and columns of the image that are looked at to find the ground that it shows.</summary>
     private const int Looks = 64;
 
+    /// <summary>Rows and columns of points at which each cell is looked at.</summary>
+    private const int LooksOfCell = 2;
+
     /// <summary>Cells within which ground is looked at by rays instead.</summary>
     private const double CellsOfReach = 8.0;
 
@@ -63,38 +66,68 @@ internal static class GroundPlacing
         double farthest = Math.Min(Math.PI, view.Angle + (2.0 * Math.Atan2(Math.Sqrt(Math.Max(0.0, (high - low) * (high + low))), low)));
         List<Cell> all = CellsOf(view.Angle, 2.0 * view.Angle / cells, farthest);
         all.Sort((one, other) => one.Order.CompareTo(other.Order));
-        (Vector3D Point, Vector3D Normal)[] found = new (Vector3D, Vector3D)[all.Count];
+        Ground?[] found = new Ground?[all.Count];
         LightFrame axes = new(view.Middle, Vector3D.UnitZ);
         WorkerTeam.Run(threads, (all.Count + Receivers.Size - 1) / Receivers.Size, (_, group) =>
         {
             for (int i = group * Receivers.Size; i < Math.Min(all.Count, (group + 1) * Receivers.Size); i++)
             {
-                Vector3D up = (all[i].Along * view.Middle) + (all[i].AcrossU * axes.AxisU) + (all[i].AcrossV * axes.AxisV);
-                Vector3D from = (high + 1.0) * up;
-                if (tree.FirstGround(from, -up, high - (0.9 * low)) is { } ground)
-                {
-                    found[i] = (from - (ground.Distance * up), ground.Normal);
-                }
+                found[i] = Look(tree, all[i], view.Middle, axes, sunBodyFixed);
             }
         }, cancellation);
 
-        int[] there = [.. Enumerable.Range(0, all.Count).Where(i => found[i].Point != default)];
+        Ground[] there = [.. found.OfType<Ground>()];
         GroundLights lights = new(there.Length) { ReachOfView = CellsOfReach * 2.0 * view.Angle / cells * high };
-        WorkerTeam.Run(threads, (there.Length + Receivers.Size - 1) / Receivers.Size, (_, group) =>
+        for (int i = 0; i < there.Length; i++)
         {
-            for (int i = group * Receivers.Size; i < Math.Min(there.Length, (group + 1) * Receivers.Size); i++)
-            {
-                (Vector3D point, Vector3D normal) = found[there[i]];
-                Cell cell = all[there[i]];
-                (lights.Points[i], lights.Normals[i]) = (point, normal);
-                lights.Areas[i] = cell.SolidAngle * point.LengthSquared * point.Length / Vector3D.Dot(normal, point);
-                lights.Reaches[i] = CellsOfReach * cell.Side * point.Length;
-                Vector3D toSun = (sunBodyFixed[cell.Number % sunBodyFixed.Length] - point).Normalized();
-                lights.ToSun[i] = toSun;
-                lights.IsLit[i] = Vector3D.Dot(normal, toSun) > 0.0 && !tree.IsBlocked(point, toSun, high);
-            }
-        }, cancellation);
+            (lights.Points[i], lights.Normals[i], lights.Areas[i]) = (there[i].Point, there[i].Normal, there[i].Area);
+            (lights.ToSun[i], lights.FromSun[i]) = (there[i].ToSun, there[i].FromSun);
+            lights.Reaches[i] = CellsOfReach * there[i].Side * there[i].Point.Length;
+        }
+
         return lights;
+    }
+
+    /// <summary>
+    /// Looks at some points of a cell and takes one of them, the more likely the more sunlight falls on it; it stands for the area and for
+    /// the sunlight of all. Null if there is no ground.
+    /// </summary>
+    private static Ground? Look(GroundTree tree, Cell cell, Vector3D middle, LightFrame axes, Vector3D[] sunBodyFixed)
+    {
+        (double low, double high) = tree.Surface.RadiusLimits;
+        SplitMix64 random = SplitMix64.For(0, purpose: 31, cell.Number, 0);
+        (Ground? taken, double area, double sunlight, int count) = (null, 0.0, 0.0, 0);
+        for (int look = 0; look < LooksOfCell * LooksOfCell; look++)
+        {
+            double height = cell.First + ((look / LooksOfCell) + random.NextUniform()) / LooksOfCell * (cell.Last - cell.First); // as areas
+            double turn = cell.Turn + (((look % LooksOfCell) + random.NextUniform()) / LooksOfCell * cell.TurnWidth);
+            (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * turn);
+            double across = 2.0 * Math.Sqrt(height * (1.0 - height));
+            Vector3D up = ((1.0 - (2.0 * height)) * middle) + (across * cosine * axes.AxisU) + (across * sine * axes.AxisV);
+            Vector3D from = (high + 1.0) * up;
+            double choice = random.NextUniform();
+            if (tree.FirstGround(from, -up, high - (0.9 * low)) is not { } ground)
+            {
+                continue;
+            }
+
+            Vector3D point = from - (ground.Distance * up);
+            Vector3D toSun = (sunBodyFixed[(cell.Number + look) % sunBodyFixed.Length] - point).Normalized();
+            double incidence = Vector3D.Dot(ground.Normal, toSun);
+            double ofPoint = cell.SolidAngle * point.LengthSquared * point.Length / Vector3D.Dot(ground.Normal, point);
+            double light = incidence > 0.0 && !tree.IsBlocked(point, toSun, high) ? ofPoint * incidence : 0.0;
+            (area, sunlight, count) = (area + ofPoint, sunlight + light, count + 1);
+            if (taken is null || choice * sunlight < light)
+            {
+                taken = new Ground(point, ground.Normal, toSun, incidence, cell.Side, 0.0, 0.0);
+            }
+        }
+
+        return taken is null ? null : taken with
+        {
+            Area = area / (LooksOfCell * LooksOfCell),
+            FromSun = sunlight > 0.0 ? sunlight / (area * taken.Incidence) : 0.0,
+        };
     }
 
     private static List<Cell> CellsOf(double view, double side, double farthest)
@@ -110,12 +143,10 @@ internal static class GroundPlacing
             int count = Math.Max(3, (int)Math.Round(2.0 * Math.PI * Math.Sin(middle) / width));
             for (int i = 0; i < count; i++)
             {
-                SplitMix64 random = SplitMix64.For(0, purpose: 31, cells.Count, 0);
-                double height = first + (random.NextUniform() * (last - first)); // areas on the sphere are in proportion to it
-                (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * (i + random.NextUniform()) / count);
-                double across = 2.0 * Math.Sqrt(height * (1.0 - height));
+                (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * (i + 0.5) / count);
+                double across = Math.Sin(middle);
                 cells.Add(new Cell(
-                    cells.Count, 1.0 - (2.0 * height), across * cosine, across * sine, 4.0 * Math.PI * (last - first) / count, width,
+                    cells.Count, first, last, (double)i / count, 1.0 / count, 4.0 * Math.PI * (last - first) / count, width,
                     Interleaved(across * cosine, across * sine, Math.Sin(Math.Min(farthest, 0.5 * Math.PI)))));
             }
 
@@ -142,12 +173,17 @@ internal static class GroundPlacing
 
     /// <summary>A cell of a ring.</summary>
     /// <param name="Number">Its number.</param>
-    /// <param name="Along">Direction of its point along the view's middle.</param>
-    /// <param name="AcrossU">Across it.</param>
-    /// <param name="AcrossV">Across it.</param>
+    /// <param name="First">Square of the sine of half the angle from the view's middle to the ring's inner edge.</param>
+    /// <param name="Last">The same to its outer edge.</param>
+    /// <param name="Turn">Where on the ring the cell begins, 0 to 1.</param>
+    /// <param name="TurnWidth">Its part of the ring.</param>
     /// <param name="SolidAngle">sr, seen from the body's centre.</param>
     /// <param name="Side">rad.</param>
     /// <param name="Order">By which cells are sorted.</param>
     private readonly record struct Cell(
-        int Number, double Along, double AcrossU, double AcrossV, double SolidAngle, double Side, uint Order);
+        int Number, double First, double Last, double Turn, double TurnWidth, double SolidAngle, double Side, uint Order);
+
+    /// <summary>The point that stands for the ground of a cell; its parts are those of <see cref="GroundLights"/>.</summary>
+    private sealed record Ground(
+        Vector3D Point, Vector3D Normal, Vector3D ToSun, double Incidence, double Side, double Area, double FromSun);
 }

@@ -4,7 +4,6 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
-using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
@@ -19,9 +18,13 @@ namespace Msisf.Core.Render.Indirect;
 /// </summary>
 internal sealed class IndirectPass(SurfaceModel surface)
 {
-    /// <summary>Cells across the view, to an error of <see cref="ErrorOfCells"/>; then their number grows with its inverse.</summary>
+    /// <summary>Cells across the view; for errors below <see cref="ErrorOfCells"/> more, with the root of its inverse.</summary>
     private const int Cells = 256;
     private const double ErrorOfCells = 0.01;
+
+    /// <summary>First points of far ground for each group, without ways to them and with.</summary>
+    private const int FirstShared = 64;
+    private const int FirstOther = 16;
 
     /// <summary>First rays of each point to near ground.</summary>
     private const int FirstNear = 16;
@@ -30,16 +33,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private const int FirstNearOfGroup = 64;
 
     /// <summary>How often groups are sampled: with more samples some turn out to be less sure than with few.</summary>
-    private const int MostRounds = 4;
-
-    /// <summary>So many times the samples that a group has need not be taken yet.</summary>
-    private const double Enough = 1.25;
-
-    /// <summary>Most samples of a point.</summary>
-    private const double Most = 65536.0;
-
-    /// <summary>How much a ray costs over a point of far ground: the root of the ratio.</summary>
-    private const double CostOfNear = 3.0;
+    private const int MostRounds = 6;
 
     /// <summary>Most rows and columns of a group of pixels.</summary>
     private const int MostEdge = 8;
@@ -61,10 +55,13 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private GroundTree? _tree;
     private GroundLights? _lights;
     private FrameCamera? _camera;
+    private SharedSight? _shared;
     private ConcurrentBag<IndirectWorker> _idle = [];
     private double[] _far = [];
+    private double[] _other = [];
     private double[] _near = [];
-    private Trial[] _trials = [];
+    private double[] _light = [];
+    private TrialGrid _trials = new(0, 0, 1);
     private int _sets;
     private int _edge;
 
@@ -106,6 +103,8 @@ internal sealed class IndirectPass(SurfaceModel surface)
         {
             bounces.Add(bounce, threads, cancellation);
         }
+
+        _shared = SharedSight.Find(image, _tree, _lights, threads, cancellation);
     }
 
     /// <summary>Adds the light to radiance factors.</summary>
@@ -128,29 +127,27 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int count = points.Width * points.Height;
         if (_far.Length < count)
         {
-            (_far, _near) = (new double[count], new double[count]);
+            (_far, _other, _near, _light) = (new double[count], new double[count], new double[count], new double[count]);
         }
 
         _far.AsSpan(0, count).Clear();
+        _other.AsSpan(0, count).Clear();
         _near.AsSpan(0, count).Clear();
         int rows = points is VisibleSurface ? _edge : 1; // of an image, squares of pixels; parts of pixels lie in no squares
         int columns = points is VisibleSurface ? _edge : PartsOfGroup;
         int strips = (points.Height + rows - 1) / rows;
         int groups = (points.Width + columns - 1) / columns;
-        _trials = new Trial[groups * strips];
+        _trials = new TrialGrid(groups, strips, options.SubsamplesPerAxis);
+        double effort = 0.0;
 
         // With several samples a pixel the errors of each may be larger, because their mean counts.
         double error = PartOfSamples * options.Indirect!.Error * options.SubsamplesPerAxis;
-        for (int number = 0; number < MostRounds; number++)
+        for (int number = 0; number < MostRounds && (number == 0 || effort > 0.0); number++)
         {
-            double perDeviation = number == 0 ? 0.0 : SamplesPerDeviation(count, error);
-            if (number > 0 && !Array.Exists(_trials, trial => MoreFar(trial, perDeviation) + MoreNear(trial, perDeviation) > 0))
-            {
-                break;
-            }
-
-            Round round = new(points, options, rows, columns, groups, ((long)MostRounds * _sets) + number, perDeviation);
+            Round round = new(points, options, rows, columns, groups, ((long)MostRounds * _sets) + number, effort);
             WorkerTeam.Run(threads, strips, (_, strip) => SampleStrip(round, strip), cancellation);
+            _trials.LookAround();
+            effort = _trials.EffortFor(error * error * SumUp(points, rows, columns));
         }
 
         WorkerTeam.Run(
@@ -158,27 +155,20 @@ internal sealed class IndirectPass(SurfaceModel surface)
         _sets++;
     }
 
-    /// <summary>
-    /// How many samples a group needs for each unit of its samples' standard deviation, so that all errors together are the asked part of
-    /// the light's rms: with such numbers they take the least work.
-    /// </summary>
-    private double SamplesPerDeviation(int points, double error)
+    /// <summary>Sums up the light of each point.</summary>
+    /// <returns>The sum of the squares.</returns>
+    private double SumUp(ISurfaceRows points, int rows, int columns)
     {
-        (double squares, double deviations) = (0.0, 0.0);
-        for (int i = 0; i < points; i++)
+        double squares = 0.0;
+        for (int i = 0; i < points.Width * points.Height; i++)
         {
-            squares += LightOf(i) * LightOf(i);
+            double part = _trials.Known(i / points.Width / rows, i % points.Width / columns).PartOfOther;
+            _light[i] = Math.Max(0.0, _far[i] + (part * _other[i])) + _near[i];
+            squares += _light[i] * _light[i];
         }
 
-        foreach (Trial trial in _trials)
-        {
-            deviations += trial.Points * (trial.Far.OfOne + (CostOfNear * trial.Near.OfOne));
-        }
-
-        return squares > 0.0 ? deviations / (error * error * squares) : 0.0;
+        return squares;
     }
-
-    private double LightOf(int point) => _far[point] + _near[point];
 
     /// <summary>Samples the points of some rows, for the first time or as often as the times before have shown to be necessary.</summary>
     private void SampleStrip(Round round, int strip)
@@ -187,47 +177,46 @@ internal sealed class IndirectPass(SurfaceModel surface)
         worker.Read(round, strip);
         for (int group = 0; group < round.Groups; group++)
         {
-            ref Trial trial = ref _trials[(strip * round.Groups) + group];
-            bool isFirst = round.SamplesPerDeviation == 0.0;
-            (int far, int near) = (MoreFar(trial, round.SamplesPerDeviation), MoreNear(trial, round.SamplesPerDeviation));
-            if ((!isFirst && far + near == 0)
-                || !worker.TryFill(round, strip, group, _camera!.PositionBodyFixed, _lights!.ReachOfView))
+            ref Trial trial = ref _trials[strip, group];
+            bool isFirst = round.Effort == 0.0;
+            (int shared, int other, int near) = _trials.Known(strip, group).Next(round.Effort);
+            if ((!isFirst && shared + other + near == 0)
+                || !worker.TryFill(round, strip, group, _camera!.PositionBodyFixed, _lights!.ReachOfView, _shared!))
             {
                 continue;
             }
 
             int count = worker.Gather.Group.Count;
-            (far, near) = isFirst ? (LightGather.FirstChoices, Math.Max(FirstNear, FirstNearOfGroup / count)) : (far, near);
-            if (far > 0)
+            if (isFirst)
             {
-                double variance = worker.FindFar(far, round.Number, _far).Variance;
-                trial = trial with { Points = count, Far = new Deviation(Math.Sqrt(far * variance / count), far) };
+                (shared, other, near) = (FirstShared, FirstOther, Math.Max(FirstNear, FirstNearOfGroup / count));
+                trial = trial with { Points = count };
+            }
+
+            if (shared > 0)
+            {
+                trial = trial with { Shared = Of(worker.FindShared(shared, round.Number, _far), shared, count) };
+            }
+
+            if (other > 0)
+            {
+                GatheredLight light = worker.FindOther(other, round.Number, _other);
+                trial = trial with { Other = Of(light, other, count), Bound = light.Bound / count };
             }
 
             if (near > 0)
             {
                 GatheredLight light = worker.FindNear(near, trial.Top, round.Number, _near);
-                trial = trial with
-                {
-                    Near = new Deviation(Math.Sqrt(near * light.Variance / count), near),
-                    Top = isFirst ? Math.Min(MostTop, (MarginOfTop * light.Top) + LeastTop) : trial.Top,
-                };
+                double top = isFirst ? Math.Min(MostTop, (MarginOfTop * light.Top) + LeastTop) : trial.Top;
+                trial = trial with { Near = Of(light, near, count), Top = top };
             }
         }
 
         _idle.Add(worker);
     }
 
-    private static int MoreFar(Trial trial, double perDeviation) => More(trial.Far, perDeviation);
-
-    private static int MoreNear(Trial trial, double perDeviation) => More(trial.Near, perDeviation / CostOfNear);
-
-    /// <summary>How many samples a group needs in place of those that it has; 0 if these are enough.</summary>
-    private static int More(Deviation found, double perDeviation)
-    {
-        double wanted = Math.Min(Math.Ceiling(found.OfOne * perDeviation), Most);
-        return wanted > Enough * found.Samples ? (int)wanted : 0;
-    }
+    private static Deviation Of(GatheredLight light, int samples, int points) =>
+        new(Math.Sqrt(samples * light.Variance / points), samples);
 
     private void AddRow(
         ISurfaceRows points, NativeRenderOptions options, int row, double weight, double[] radianceFactors, double[] indirect)
@@ -239,7 +228,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         for (int i = 0; i < scaled.Count; i++)
         {
             int at = start + scaled.Columns[i];
-            double value = weight * scaled.Factors[i] * LightOf(at);
+            double value = weight * scaled.Factors[i] * _light[at];
             radianceFactors[at] += value;
             if (indirect.Length > 0)
             {
@@ -252,16 +241,4 @@ internal sealed class IndirectPass(SurfaceModel surface)
 
     private IndirectWorker Take(NativeRenderOptions options) =>
         _idle.TryTake(out IndirectWorker? idle) ? idle : new IndirectWorker(_surface, new LightGather(_tree!, _lights!, _camera!, options));
-
-    /// <summary>What the samples of a group have shown.</summary>
-    /// <param name="Points">Number of its points.</param>
-    /// <param name="Far">Of far ground.</param>
-    /// <param name="Near">Of near ground.</param>
-    /// <param name="Top">rad: how far up near ground was found.</param>
-    private readonly record struct Trial(int Points, Deviation Far, Deviation Near, double Top);
-
-    /// <summary>How unsure light is.</summary>
-    /// <param name="OfOne">Standard deviation of one sample.</param>
-    /// <param name="Samples">How many samples each point has.</param>
-    private readonly record struct Deviation(double OfOne, int Samples);
 }

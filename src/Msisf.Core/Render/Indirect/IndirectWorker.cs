@@ -14,9 +14,9 @@ namespace Msisf.Core.Render.Indirect;
 /// <param name="Columns">Columns of a group.</param>
 /// <param name="Groups">Groups of a strip.</param>
 /// <param name="Number">Tells rounds apart.</param>
-/// <param name="SamplesPerDeviation">Samples for each unit of their standard deviation; 0 in the first round.</param>
+/// <param name="Effort">How many samples the groups take (<see cref="Trial.Next"/>); 0 in the first round.</param>
 internal sealed record Round(
-    ISurfaceRows Points, NativeRenderOptions Options, int Rows, int Columns, int Groups, long Number, double SamplesPerDeviation);
+    ISurfaceRows Points, NativeRenderOptions Options, int Rows, int Columns, int Groups, long Number, double Effort);
 
 /// <summary>Samples the groups of a strip of points; the buffers of one thread.</summary>
 /// <param name="surface">The surface.</param>
@@ -49,7 +49,10 @@ internal sealed class IndirectWorker(SurfaceModel surface, LightGather gather)
     }
 
     /// <summary>Takes the points of the next group of the strip; false if there are none.</summary>
-    public bool TryFill(Round round, int strip, int group, Vector3D camera, double reach)
+    /// <param name="camera">m, body-fixed.</param>
+    /// <param name="reach">m: nearer ground is looked at by rays.</param>
+    /// <param name="shared">What pixels of the image see that lie far apart.</param>
+    public bool TryFill(Round round, int strip, int group, Vector3D camera, double reach, SharedSight shared)
     {
         Receivers receivers = gather.Group;
         receivers.Clear();
@@ -79,31 +82,37 @@ internal sealed class IndirectWorker(SurfaceModel surface, LightGather gather)
 
         if (receivers.Count > 0)
         {
-            gather.Begin();
+            gather.Begin(shared);
         }
 
         return receivers.Count > 0;
     }
 
-    /// <summary>Finds the light of far ground on the points of the group.</summary>
-    /// <param name="choices">How many points of it count.</param>
+    /// <summary>Finds the light of far ground on the points of the group, as if they saw what the pixels around them see.</summary>
+    /// <param name="samples">How many points of the ground count.</param>
     /// <param name="round">Tells rounds apart.</param>
     /// <param name="values">Receives the light.</param>
     /// <returns>The light, with the squares of its errors.</returns>
-    public GatheredLight FindFar(int choices, long round, double[] values)
+    public GatheredLight FindShared(int samples, long round, double[] values)
     {
         _light.Clear();
-        gather.Choose(choices, round);
-        gather.AddFar(_light);
+        gather.Far.AddShared(samples, round, _light);
         return Spread(values);
     }
 
-    /// <summary>Finds the light of near ground on the points of the group; the parameters are those of <see cref="FindFar"/>.</summary>
+    /// <summary>Finds what they see otherwise; the parameters are those of <see cref="FindShared"/>.</summary>
+    public GatheredLight FindOther(int samples, long round, double[] values)
+    {
+        _light.Clear();
+        gather.Far.AddOther(samples, round, _light);
+        return Spread(values);
+    }
+
+    /// <summary>Finds the light of near ground on them; other parameters are those of <see cref="FindShared"/>.</summary>
     /// <param name="samples">How many rays each point has.</param>
     /// <param name="top">rad: how far up near ground was found; 0 if that is not known.</param>
     /// <param name="round">Tells rounds apart.</param>
     /// <param name="values">Receives the light.</param>
-    /// <returns>The light, with the squares of its errors.</returns>
     public GatheredLight FindNear(int samples, double top, long round, double[] values)
     {
         _light.Clear();

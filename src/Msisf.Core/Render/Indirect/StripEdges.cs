@@ -62,9 +62,9 @@ internal readonly struct StripEdges
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Lanes(BlockVertices vertices, int at, Vector3D origin)
         {
-            X = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.X), (nuint)at) - Vector512.Create(origin.X);
-            Y = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Y), (nuint)at) - Vector512.Create(origin.Y);
-            Z = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(vertices.Z), (nuint)at) - Vector512.Create(origin.Z);
+            X = ArrayLanes.Load(vertices.X, at) - Vector512.Create(origin.X);
+            Y = ArrayLanes.Load(vertices.Y, at) - Vector512.Create(origin.Y);
+            Z = ArrayLanes.Load(vertices.Z, at) - Vector512.Create(origin.Z);
         }
 
         public Vector512<double> X { get; }

@@ -12,7 +12,7 @@ public sealed record IndirectLight(int Bounces, double Error)
     public const int MaxBounces = 8;
 
     /// <summary>Error if none is given.</summary>
-    public const double DefaultError = 0.05;
+    public const double DefaultError = 0.01;
 
     /// <summary>Least error.</summary>
     public const double MinError = 0.001;

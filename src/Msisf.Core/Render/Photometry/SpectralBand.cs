@@ -1,3 +1,5 @@
+using Msisf.Core.Ephemeris;
+
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>
@@ -7,9 +9,6 @@ public sealed class SpectralBand
 {
     /// <summary>Roughness of all bands and places in the maps of Sato et al., degrees.</summary>
     private const double MeanSlopeDegrees = 23.6566;
-
-    /// <summary>m, by resolution B2 of the IAU (2012).</summary>
-    private const double AstronomicalUnit = 149_597_870_700.0;
 
     private SpectralBand(int nanometres, double widthNanometres, double solarIrradiance, HapkeParameters moon)
     {
@@ -62,7 +61,7 @@ public sealed class SpectralBand
     /// <param name="sunDistance">Distance from the Sun, m.</param>
     public double RadianceOfUnitFactor(double sunDistance)
     {
-        double distance = sunDistance / AstronomicalUnit;
+        double distance = sunDistance / AstronomicalConstants.AstronomicalUnit;
         return SolarIrradiance / (Math.PI * distance * distance);
     }
 
@@ -70,7 +69,7 @@ public sealed class SpectralBand
     /// <param name="sunDistance">Distance from the Sun, m.</param>
     public static double RadianceOfUnitIrradiance(double sunDistance)
     {
-        double distance = sunDistance / AstronomicalUnit;
+        double distance = sunDistance / AstronomicalConstants.AstronomicalUnit;
         return 1.0 / (Math.PI * distance * distance);
     }
 

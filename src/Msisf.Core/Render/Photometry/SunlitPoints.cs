@@ -186,12 +186,12 @@ internal sealed class SunlitPoints
             Vector512<double> differenceZ = ((Vector512.Create(light.Z) - z) * perSun) - viewZ;
             Vector512<double> haversine = Vector512.Create(0.25)
                 * ((differenceX * differenceX) + (differenceY * differenceY) + (differenceZ * differenceZ));
-            Vector512.MinNative(cosEmission, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(CosEmission), (nuint)at);
-            Vector512.MinNative(haversine, one).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(PhaseHaversine), (nuint)at);
+            Vector512.MinNative(cosEmission, one).StoreTo(CosEmission, at);
+            Vector512.MinNative(haversine, one).StoreTo(PhaseHaversine, at);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<double> Load(double[] values, int index) =>
-        Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(values), (nuint)index);
+        ArrayLanes.Load(values, index);
 }

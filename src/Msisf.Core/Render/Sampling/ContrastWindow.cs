@@ -57,11 +57,11 @@ internal sealed class ContrastWindow
         for (; column + Vector512<ushort>.Count <= width; column += Vector512<ushort>.Count)
         {
             Vector512<ushort> min = Vector512.Min(
-                Vector512.Min(Vector512.LoadUnsafe(ref _min[column]), Vector512.LoadUnsafe(ref _min[column + 1])),
-                Vector512.LoadUnsafe(ref _min[column + 2]));
+                Vector512.Min(ArrayLanes.Load(_min, column), ArrayLanes.Load(_min, column + 1)),
+                ArrayLanes.Load(_min, column + 2));
             Vector512<ushort> max = Vector512.Max(
-                Vector512.Max(Vector512.LoadUnsafe(ref _max[column]), Vector512.LoadUnsafe(ref _max[column + 1])),
-                Vector512.LoadUnsafe(ref _max[column + 2]));
+                Vector512.Max(ArrayLanes.Load(_max, column), ArrayLanes.Load(_max, column + 1)),
+                ArrayLanes.Load(_max, column + 2));
             Vector512<ushort> contrast = Vector512.ShiftRightLogical(
                 Vector512.Min(max - min, Vector512.Create((ushort)(ushort.MaxValue - Fine + 1))) + Vector512.Create((ushort)(Fine - 1)), 8);
             Vector512.Narrow(contrast, contrast).GetLower().StoreUnsafe(ref MemoryMarshal.GetReference(contrasts), (nuint)column);

@@ -58,7 +58,7 @@ internal sealed class PartPass(SurfaceModel surface)
         }
 
         frame.Lights.Run(
-            _rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true), _sunlight, _factors, frame.Threads,
+            _rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true, ForgetsLight: true), _sunlight, _factors, frame.Threads,
             frame.Cancellation);
         if (frame.Options.Indirect is not null)
         {

@@ -41,14 +41,14 @@ internal sealed class LightPass
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law, Sun and kind of normals.</param>
     /// <param name="weight">Weight of the points in the sum.</param>
-    /// <param name="sunlight">Receives the light on each point.</param>
+    /// <param name="sunlight">Receives the light on each point; without its cosines if the weight says so.</param>
     /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
     public void Run(
         ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         bool hasDisc = HasDisc(light, options);
-        sunlight.Prepare(points.Width * points.Height, hasDisc);
+        sunlight.Prepare(points.Width * points.Height, hasDisc, weight.ForgetsLight ? radianceFactors : null);
         FindLight(points, light, options, weight.Share > 0.0, sunlight, threads, cancellation);
         if (weight.Share > 0.0)
         {

@@ -3,9 +3,11 @@ namespace Msisf.Core.Render.Shading;
 /// <summary>The light of the Sun, or of the lamp, on a frame's pixels, row by row; the arrays are kept from frame to frame.</summary>
 internal sealed class PixelSunlight
 {
+    private double[] _ownCosines = [];
+
     /// <summary>
     /// Cosine of the incidence angle on the facet, for the Sun's disc the mean over its visible part; 0 or less where the facet faces away
-    /// or there is no surface.
+    /// or there is no surface. Shading overwrites them in memory that was lent.
     /// </summary>
     public double[] CosIncidence { get; private set; } = [];
 
@@ -20,11 +22,17 @@ internal sealed class PixelSunlight
 
     /// <summary>Makes room for an image.</summary>
     /// <param name="hasDisc">Whether the Sun is a disc.</param>
-    public void Prepare(int pixels, bool hasDisc)
+    /// <param name="lent">Memory for <see cref="CosIncidence"/>, which the factors then replace; null for its own.</param>
+    public void Prepare(int pixels, bool hasDisc, double[]? lent = null)
     {
-        if (CosIncidence.Length < pixels)
+        if (lent is null && _ownCosines.Length < pixels)
         {
-            CosIncidence = new double[pixels];
+            _ownCosines = new double[pixels];
+        }
+
+        CosIncidence = lent ?? _ownCosines;
+        if (Hidden.Length < pixels)
+        {
             Hidden = new byte[pixels];
         }
 

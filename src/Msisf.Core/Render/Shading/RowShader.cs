@@ -103,25 +103,28 @@ internal sealed class RowShader
         {
             int start = row * visible.Width;
             Span<double> factors = radianceFactors.AsSpan(start, visible.Width);
-            if (weight.IsFirst)
+            if (isFlat || isReflected)
             {
-                factors.Clear(); // here and not for the whole image before, because the row then stays in the processor's cache
-            }
+                double[] rented = ArrayPool<double>.Shared.Rent(factors.Length);
+                Span<double> cosines = rented.AsSpan(0, factors.Length);
+                sunlight.CosIncidence.AsSpan(start, factors.Length).CopyTo(cosines);
+                Begin(factors, weight);
+                if (isFlat)
+                {
+                    AddFlat(sunlight, start, cosines, options.Reflectance, weight.Share, factors);
+                }
+                else
+                {
+                    AddReflected(sunlight, start, cosines, _reflected.AsSpan(start, factors.Length), weight.Share, factors);
+                }
 
-            if (isFlat)
-            {
-                AddFlat(sunlight, start, options.Reflectance, weight.Share, factors);
-                return;
-            }
-
-            if (isReflected)
-            {
-                AddReflected(sunlight, start, _reflected.AsSpan(start, visible.Width), weight.Share, factors);
+                ArrayPool<double>.Shared.Return(rented);
                 return;
             }
 
             RowReflection reflection = Take();
             reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight.Share);
+            Begin(factors, weight);
             reflection.FindFactors(visible.View.Camera, light, options);
             SunlitPoints points = reflection.Points;
             for (int i = 0; i < points.Count; i++)
@@ -150,11 +153,23 @@ internal sealed class RowShader
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
+    /// <summary>
+    /// Empties a row of the image for its first sample. Not before the row is shaded: it then stays in the processor's cache, and until
+    /// then it may hold the cosines (<see cref="SampleWeight.ForgetsLight"/>).
+    /// </summary>
+    private static void Begin(Span<double> factors, SampleWeight weight)
+    {
+        if (weight.IsFirst)
+        {
+            factors.Clear();
+        }
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     private static void AddReflected(
-        PixelSunlight sunlight, int start, ReadOnlySpan<double> reflected, double weight, Span<double> factors)
+        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, ReadOnlySpan<double> reflected, double weight,
+        Span<double> factors)
     {
-        ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
         ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
         int column = 0;
         for (; column <= factors.Length - Vector512<double>.Count; column += Vector512<double>.Count)
@@ -188,9 +203,9 @@ internal sealed class RowShader
         }
     }
 
-    private static void AddFlat(PixelSunlight sunlight, int start, IReflectance law, double weight, Span<double> factors)
+    private static void AddFlat(
+        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, IReflectance law, double weight, Span<double> factors)
     {
-        ReadOnlySpan<double> cosines = sunlight.CosIncidence.AsSpan(start, factors.Length);
         if (sunlight.VisibleFractions.Length == 0 && law is LambertReflectance { Albedo: var albedo })
         {
             double[] reflected = ArrayPool<double>.Shared.Rent(factors.Length);
@@ -199,7 +214,7 @@ internal sealed class RowShader
                 reflected[column] = albedo * cosines[column];
             }
 
-            AddReflected(sunlight, start, reflected.AsSpan(0, factors.Length), weight, factors);
+            AddReflected(sunlight, start, cosines, reflected.AsSpan(0, factors.Length), weight, factors);
             ArrayPool<double>.Shared.Return(reflected);
             return;
         }
@@ -220,4 +235,7 @@ internal sealed class RowShader
 /// <summary>How a sample of each pixel counts.</summary>
 /// <param name="Share">Its part of the sum; 0 to find its light only.</param>
 /// <param name="IsFirst">Whether it is the first of the sum; what the image held before is then forgotten.</param>
-internal readonly record struct SampleWeight(double Share, bool IsFirst);
+/// <param name="ForgetsLight">
+/// Whether it is the only one and nobody reads its light after the shading: the cosines then need no memory beside that of the image.
+/// </param>
+internal readonly record struct SampleWeight(double Share, bool IsFirst, bool ForgetsLight);

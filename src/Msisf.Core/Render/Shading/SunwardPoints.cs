@@ -90,9 +90,9 @@ internal sealed class SunwardPoints : IReceiverRows
             int left = points.Count - i;
             if (facing == AllFacing && left >= SurfaceRow.Padding)
             {
-                Vector512.LoadUnsafe(ref points.X[i]).StoreUnsafe(ref toX, (nuint)count);
-                Vector512.LoadUnsafe(ref points.Y[i]).StoreUnsafe(ref toY, (nuint)count);
-                Vector512.LoadUnsafe(ref points.Z[i]).StoreUnsafe(ref toZ, (nuint)count);
+                ArrayLanes.Load(points.X, i).StoreUnsafe(ref toX, (nuint)count);
+                ArrayLanes.Load(points.Y, i).StoreUnsafe(ref toY, (nuint)count);
+                ArrayLanes.Load(points.Z, i).StoreUnsafe(ref toZ, (nuint)count);
                 Vector256.LoadUnsafe(ref points.Columns[i]).StoreUnsafe(ref toColumns, (nuint)count);
                 count += SurfaceRow.Padding;
                 continue;

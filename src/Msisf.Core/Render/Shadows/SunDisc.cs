@@ -1,4 +1,5 @@
 using System.Numerics;
+using Msisf.Core.Ephemeris;
 
 namespace Msisf.Core.Render.Shadows;
 
@@ -12,8 +13,7 @@ namespace Msisf.Core.Render.Shadows;
 /// </remarks>
 internal sealed class SunDisc
 {
-    /// <summary>Nominal solar radius, m, exact by definition (IAU 2015 Resolution B3; A. Prsa et al., Astron. J. 152 (2016) 41).</summary>
-    public const double SunRadius = 695_700e3;
+    private const double SunRadius = AstronomicalConstants.SunRadius;
 
     /// <summary>Number of points of the disc, and of bits in a mask of them.</summary>
     public const int Points = 64;

@@ -1,3 +1,4 @@
+using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Visibility;
@@ -11,13 +12,14 @@ internal sealed class BandWorker
     private readonly List<VisibleBlock> _touching = [];
     private double[] _sampleColumns = [];
     private double[] _sampleRows = [];
+    private int _facets; // of the last band
 
     /// <summary>Draws all blocks that touch a band and returns how much work that was.</summary>
     public VisibilityCounts Draw(SurfaceModel surface, ImageView view, IReadOnlyList<VisibleBlock> blocks, Band band)
     {
         long read = 0;
         long sieved = 0;
-        Begin(view);
+        Begin(view, band);
         foreach (VisibleBlock visible in blocks)
         {
             if (visible.Rows.First * view.PerAxis > band.LastRow || visible.Rows.End * view.PerAxis <= band.FirstRow)
@@ -30,7 +32,8 @@ internal sealed class BandWorker
             sieved += DrawBlock<PixelCentres>(view, band);
         }
 
-        return new VisibilityCounts(0, read, sieved, band.Records.Count);
+        _facets = band.Records.Count;
+        return new VisibilityCounts(0, read, sieved, _facets);
     }
 
     /// <summary>Draws all blocks that touch a band of an image with a lens, each tile by tile.</summary>
@@ -55,7 +58,7 @@ internal sealed class BandWorker
         IReadOnlyList<LensTile> tiles = lens.TilesOf(index, cell);
         band.Place(tiles, lens, ref _sampleColumns, ref _sampleRows);
         ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
-        Begin(view);
+        Begin(view, band);
         long sieved = 0;
         foreach (VisibleBlock visible in _touching)
         {
@@ -71,11 +74,13 @@ internal sealed class BandWorker
             }
         }
 
-        return new VisibilityCounts(0, _touching.Count, sieved, band.Records.Count);
+        _facets = band.Records.Count;
+        return new VisibilityCounts(0, _touching.Count, sieved, _facets);
     }
 
-    private void Begin(ImageView view)
+    private void Begin(ImageView view, Band band)
     {
+        band.Records.Expect(RecentUse.WithReserve(_facets));
         _sieve.Begin(view);
         _crossing.Begin(view);
     }

@@ -73,8 +73,8 @@ internal static class CellFill
                 if (!TSamples.IsPixelCentre)
                 {
                     int sample = start + column;
-                    samples = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(band.SampleColumns), (nuint)sample);
-                    Vector512<double> rows = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(band.SampleRows), (nuint)sample);
+                    samples = ArrayLanes.Load(band.SampleColumns, sample);
+                    Vector512<double> rows = ArrayLanes.Load(band.SampleRows, sample);
                     downNorthWest = Vector512.Create(northWest.Y) - rows;
                     downNorthEast = Vector512.Create(northEast.Y) - rows;
                     downSouthWest = Vector512.Create(southWest.Y) - rows;

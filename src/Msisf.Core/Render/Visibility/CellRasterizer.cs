@@ -101,7 +101,7 @@ internal sealed class CellRasterizer
         uint rows = lanes & ~wide;
         if (rows != 0)
         {
-            Vector512.Create(Band.NotRecorded).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_numbers));
+            Vector512.Create(Band.NotRecorded).StoreTo(_numbers, 0);
             bool isOverfull = (rows & Bits(Vector512.GreaterThan(lastColumn - firstColumn, Vector512<double>.One))) != 0;
             ShearedBounds box = isOverfull ? ShearedBounds.Along(cells, band.Margin) : ShearedBounds.Upright(left, right);
             for (Vector512<double> row = firstRow; rows != 0;)
@@ -150,8 +150,8 @@ internal sealed class CellRasterizer
             if (!TSamples.IsPixelCentre)
             {
                 GatherSamples(PixelsOf(row, column, band), active, band);
-                sample = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sampleColumns));
-                Vector512<double> sampleRow = Vector512.LoadUnsafe(ref MemoryMarshal.GetArrayDataReference(_sampleRows));
+                sample = ArrayLanes.Load(_sampleColumns, 0);
+                Vector512<double> sampleRow = ArrayLanes.Load(_sampleRows, 0);
                 downNorthWest = cells.Y(0) - sampleRow;
                 downNorthEast = cells.Y(FacetCorners.NorthEast) - sampleRow;
                 downSouthWest = cells.Y(FacetCorners.SouthWest) - sampleRow;
@@ -179,10 +179,10 @@ internal sealed class CellRasterizer
                 Vector512<double> weighted = (ofNorthWest * cells.InverseDepth(0))
                     + (ofSouthEast * cells.InverseDepth(FacetCorners.SouthEast))
                     + (ofThird * atThird);
-                (weighted / (ofNorthWest + ofSouthEast + ofThird)).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_inverseDepths));
+                (weighted / (ofNorthWest + ofSouthEast + ofThird)).StoreTo(_inverseDepths, 0);
                 if (TSamples.IsPixelCentre)
                 {
-                    PixelsOf(row, column, band).StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_pixels));
+                    PixelsOf(row, column, band).StoreTo(_pixels, 0);
                 }
 
                 Commit(block, index, hits, Bits(inSouthWest), band);
@@ -202,7 +202,7 @@ internal sealed class CellRasterizer
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void GatherSamples(Vector512<double> pixels, uint active, Band band)
     {
-        pixels.StoreUnsafe(ref MemoryMarshal.GetArrayDataReference(_pixels));
+        pixels.StoreTo(_pixels, 0);
         ref double columns = ref MemoryMarshal.GetArrayDataReference(band.SampleColumns);
         ref double rows = ref MemoryMarshal.GetArrayDataReference(band.SampleRows);
         ref double ofPixels = ref MemoryMarshal.GetArrayDataReference(_pixels);

@@ -13,7 +13,7 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
     private const int FirstCapacity = 1024;
 
     private readonly RecentUse _use = new();
-    private FacetRecord[] _records = new FacetRecord[FirstCapacity];
+    private FacetRecord[] _records = [];
 
     public int Count { get; private set; }
 
@@ -40,6 +40,18 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
         }
     }
 
+    /// <summary>
+    /// Says how many facets the first band may have; later ones find the room of those before. A buffer that only doubles leaves as much
+    /// memory behind as it has at last.
+    /// </summary>
+    public void Expect(int facets)
+    {
+        if (_records.Length == 0)
+        {
+            MakeRoom(facets);
+        }
+    }
+
     /// <summary>Records a facet and returns its number.</summary>
     /// <param name="index">Index in the block of the north-western vertex of the facet's cell.</param>
     /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
@@ -47,12 +59,19 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
     {
         if (Count == _records.Length)
         {
-            ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)Count;
-            Array.Resize(ref _records, 2 * Count);
+            MakeRoom(Math.Max(FirstCapacity, 2 * Count));
         }
 
         block.Record(index, half, out _records[Count++]);
         recorded?.Invoke(block, index, half);
         return Count - 1;
+    }
+
+    private void MakeRoom(int facets)
+    {
+        ReplacedBytes += Unsafe.SizeOf<FacetRecord>() * (long)_records.Length;
+        FacetRecord[] larger = GC.AllocateUninitializedArray<FacetRecord>(facets);
+        AsSpan().CopyTo(larger);
+        _records = larger;
     }
 }

@@ -142,7 +142,7 @@ internal sealed class LensSamples
     {
         if (last - first >= Vector512<double>.Count - 1)
         {
-            return Vector512.LoadUnsafe(ref values[first]);
+            return ArrayLanes.Load(values, first);
         }
 
         Vector512<double> read = Vector512.Create(values[last]);

@@ -133,8 +133,8 @@ internal sealed class NearPlaneCells
                 else
                 {
                     int sample = band.IndexOf(column, row);
-                    Vector512<double> sampleColumns = Vector512.LoadUnsafe(ref band.SampleColumns[sample]);
-                    Vector512<double> sampleRows = Vector512.LoadUnsafe(ref band.SampleRows[sample]);
+                    Vector512<double> sampleColumns = ArrayLanes.Load(band.SampleColumns, sample);
+                    Vector512<double> sampleRows = ArrayLanes.Load(band.SampleRows, sample);
                     outside = edges.Outside(sampleColumns, sampleRows);
                     inverseDepth = atFirst + (perColumn * sampleColumns) + (perRow * sampleRows);
                 }

@@ -152,8 +152,8 @@ internal sealed class ProjectedBlock
                 bottom = Vector512.MaxNative(bottom, y);
             }
 
-            top.StoreUnsafe(ref _tops[line * Vector512<double>.Count]);
-            bottom.StoreUnsafe(ref _bottoms[line * Vector512<double>.Count]);
+            top.StoreTo(_tops, line * Vector512<double>.Count);
+            bottom.StoreTo(_bottoms, line * Vector512<double>.Count);
         }
 
         IsInFront = Vector512.GreaterThanAll(min, noDepth) && Vector512.LessThanOrEqualAll(worst, limit);
@@ -173,9 +173,9 @@ internal sealed class ProjectedBlock
     {
         int north = line * Vector512<double>.Count;
         int south = north + Vector512<double>.Count;
-        Vector512<double> top = Vector512.MinNative(Vector512.LoadUnsafe(ref _tops[north]), Vector512.LoadUnsafe(ref _tops[south]));
+        Vector512<double> top = Vector512.MinNative(ArrayLanes.Load(_tops, north), ArrayLanes.Load(_tops, south));
         Vector512<double> bottom = Vector512.MaxNative(
-            Vector512.LoadUnsafe(ref _bottoms[north]), Vector512.LoadUnsafe(ref _bottoms[south]));
+            ArrayLanes.Load(_bottoms, north), ArrayLanes.Load(_bottoms, south));
         return Vector512.LessThanOrEqualAny(top, Vector512.Create(lastRow))
             && Vector512.GreaterThanOrEqualAny(bottom, Vector512.Create(firstRow));
     }

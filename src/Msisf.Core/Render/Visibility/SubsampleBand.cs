@@ -132,10 +132,10 @@ internal sealed class SubsampleBand
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
                 {
                     LanePoints ideal = model.ToIdeal(
-                        Vector512.LoadUnsafe(ref SamplePattern.Right[sample]) + Vector512.Create(column + 1.0),
-                        Vector512.LoadUnsafe(ref SamplePattern.Down[sample]) + Vector512.Create(row + 1.0));
-                    ideal.X.StoreUnsafe(ref Right[start + sample]);
-                    ideal.Y.StoreUnsafe(ref Down[start + sample]);
+                        ArrayLanes.Load(SamplePattern.Right, sample) + Vector512.Create(column + 1.0),
+                        ArrayLanes.Load(SamplePattern.Down, sample) + Vector512.Create(row + 1.0));
+                    ideal.X.StoreTo(Right, start + sample);
+                    ideal.Y.StoreTo(Down, start + sample);
                     for (int lane = 0; lane < SamplePattern.Lanes; lane++)
                     {
                         box = box.With(ideal.X[lane], ideal.Y[lane]);
@@ -191,9 +191,9 @@ internal sealed class SubsampleBand
     {
         for (int sample = start; sample < end; sample += SamplePattern.Lanes)
         {
-            (Vector512.LoadUnsafe(ref SamplePattern.Right[sample - start]) + Vector512.Create((double)column))
-                .StoreUnsafe(ref Columns[sample]);
-            (Vector512.LoadUnsafe(ref SamplePattern.Down[sample - start]) + Vector512.Create((double)row)).StoreUnsafe(ref Rows[sample]);
+            (ArrayLanes.Load(SamplePattern.Right, sample - start) + Vector512.Create((double)column))
+                .StoreTo(Columns, sample);
+            (ArrayLanes.Load(SamplePattern.Down, sample - start) + Vector512.Create((double)row)).StoreTo(Rows, sample);
         }
     }
 

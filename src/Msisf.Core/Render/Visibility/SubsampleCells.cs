@@ -229,10 +229,10 @@ internal sealed class SubsampleCells
                 int start = band.Starts[band.IndexOf(column, row)];
                 for (int sample = start; sample < start + (band.VectorsOf(column, row) * Lanes); sample += Lanes)
                 {
-                    Vector512<double> x = Vector512.LoadUnsafe(ref band.Columns[sample]);
-                    Vector512<double> y = Vector512.LoadUnsafe(ref band.Rows[sample]);
+                    Vector512<double> x = ArrayLanes.Load(band.Columns, sample);
+                    Vector512<double> y = ArrayLanes.Load(band.Rows, sample);
                     Vector512<double> inverseDepth = Vector512.Create(atFirst) + (perColumn * x) + (perRow * y);
-                    Vector512<double> before = Vector512.LoadUnsafe(ref band.InverseDepths[sample]);
+                    Vector512<double> before = ArrayLanes.Load(band.InverseDepths, sample);
                     Vector512<double> wins = Vector512.LessThanOrEqual(edges.Outside(x, y), Vector512<double>.Zero)
                         & Vector512.GreaterThan(inverseDepth, before);
                     if (wins == Vector512<double>.Zero)
@@ -241,7 +241,7 @@ internal sealed class SubsampleCells
                     }
 
                     number = number == Band.NotRecorded ? band.Records.Add(block, index, half) : number;
-                    Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref band.InverseDepths[sample]);
+                    Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(band.InverseDepths, sample);
                     CellWinners.Store(Vector256.Create(number), wins, ref band.Facets[sample]);
                 }
             }

@@ -61,9 +61,9 @@ internal sealed class WindowSides
             for (int sample = 0; sample < vertices.Samples; sample += Vector512<double>.Count)
             {
                 int at = (line * BlockVertices.Stride) + sample;
-                Vector512<double> x = Vector512.LoadUnsafe(ref vertices.X[at]);
-                Vector512<double> y = Vector512.LoadUnsafe(ref vertices.Y[at]);
-                Vector512<double> z = Vector512.LoadUnsafe(ref vertices.Z[at]);
+                Vector512<double> x = ArrayLanes.Load(vertices.X, at);
+                Vector512<double> y = ArrayLanes.Load(vertices.Y, at);
+                Vector512<double> z = ArrayLanes.Load(vertices.Z, at);
                 Vector512<double> inside = ((x * normalX) + (y * normalY) + (z * normalZ)) - atCamera;
                 Vector512<double> limit = rounding * (Vector512<double>.One + Vector512.Abs(x) + Vector512.Abs(y) + Vector512.Abs(z));
                 bits |= (ulong)Vector512.LessThan(inside, limit).ExtractMostSignificantBits() << sample;

@@ -92,7 +92,7 @@ public sealed class SiteMapTests : IDisposable
         string mars = Even("mars.tif", "3396190", "50");
         using (Opened maps = Open(Moon(0.1), $"{site},factor=0.004"))
         {
-            Assert.Equal(0.2, At(maps.Sites[1].Map, -87.6677, 46.145), 1e-6);
+            Assert.Equal(0.2, At(maps.Sites[1].Map, -87.6677, 46.145), 1e-6); // floats of 50 times a factor
         }
 
         Assert.Contains("its values along the border are 0 or below", Refused(Moon(0.1), dark));

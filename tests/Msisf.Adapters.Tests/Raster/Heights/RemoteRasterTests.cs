@@ -22,7 +22,7 @@ public sealed class RemoteRasterTests : IDisposable
         grid.ReadRadii(TestRaster.Lines - 1, 0, radii);
         for (int sample = 0; sample < radii.Length; sample++)
         {
-            Assert.Equal(1_737_400.0 + TestRaster.HeightAt(TestRaster.Lines - 1, sample), radii[sample], 1e-4);
+            Assert.Equal(1_737_400.0 + TestRaster.HeightAt(TestRaster.Lines - 1, sample), radii[sample], 1e-4); // m: heights are floats
         }
 
         using GdalStream stream = new(server.Path());

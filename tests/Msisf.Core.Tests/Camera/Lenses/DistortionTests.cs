@@ -88,6 +88,7 @@ public sealed class DistortionTests
         }
 
         static void AssertSlope(Vector512<double> after, Vector512<double> before, Vector512<double> slope) =>
+            // rounding over the step of the difference, and its square
             Assert.Equal((after[0] - before[0]) / (2.0 * Step), slope[0], 1e-8);
     }
 

@@ -61,6 +61,7 @@ public class AkimovReflectanceTests
 
     [Fact]
     public void RadianceFactor_TowardsTheTerminator_GoesToZero() =>
+        // some times the cosine of incidence
         Assert.InRange(new AkimovReflectance(1.0).RadianceFactor(1e-9, Math.Sin(1.0), Math.Pow(Math.Sin(0.5), 2)), 0.0, 1e-8);
 
     [Fact]

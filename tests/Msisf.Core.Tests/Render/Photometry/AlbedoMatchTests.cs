@@ -49,7 +49,7 @@ public sealed class AlbedoMatchTests
         AlbedoMap site = SyntheticMaps.Of(800, 200, cap, (_, y) => y < 100 ? 200 : 4000);
         AlbedoMap moon = SyntheticMaps.Of(720, (_, _) => 600);
 
-        Assert.Equal(3.0, AlbedoMatch.Of(site, [moon])!.Value.Factor, 1e-3);
+        Assert.Equal(3.0, AlbedoMatch.Of(site, [moon])!.Value.Factor, 1e-3); // codes of 200 and 600 are whole numbers
     }
 
     [Theory]

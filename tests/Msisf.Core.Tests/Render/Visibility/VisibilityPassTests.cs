@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
@@ -122,6 +123,19 @@ public sealed class VisibilityPassTests
         Assert.Equal(64 * 64, Enumerable.Range(0, 64 * 64).Count(pixel => seen.TryGet((pixel % 64) + 1, (pixel / 64) + 1, out _)));
         Assert.InRange(seen.Counts.CellsSieved, 84 * 84, 20 * 1024);
         Assert.InRange(read, 84 * 84, 2 * 70 * 33 * 33); // 20 km either way of unread relief make it 70 blocks at most
+    }
+
+    /// <summary>Buffers that only doubled left 1.47 times the memory of the facets behind.</summary>
+    [Fact]
+    public void Run_FirstFrame_LeavesLittleMemoryBehind()
+    {
+        PinholeCamera camera = RenderScenes.Named("disc-1e9").Camera(Grid, 600, 600);
+
+        VisibleSurface seen = new VisibilityPass(new SurfaceModel(Grid)).Run(camera, 1, CancellationToken.None);
+
+        long recorded = seen.Counts.FacetsDrawn * Unsafe.SizeOf<FacetRecord>();
+        Assert.True(seen.ReplacedBytes < recorded / 4, $"{recorded} {seen.ReplacedBytes}");
+        Assert.True(recorded > 1_000_000, $"{recorded} {seen.ReplacedBytes}");
     }
 
     [Fact]

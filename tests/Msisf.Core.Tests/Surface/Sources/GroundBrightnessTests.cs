@@ -49,6 +49,7 @@ public sealed class GroundBrightnessTests
                 expected += weight * ValueAt(level, (int)row + down, (int)column + right);
             }
 
+            // values are floats, of about 7
             Assert.Equal(7.0 * expected, Scaled(face, line, sample, 1_735_000.0 + (random.NextDouble() * 5e3), 7.0), 2e-6);
         }
     }

@@ -66,6 +66,7 @@ public sealed class RefinedTerrainTests
             Assert.Equal(expected is not null, isHit);
             if (isHit)
             {
+                // m: two ways to meet a facet, which may be grazed
                 Assert.InRange((expected!.Value.Point - hit.PointBodyFixed).Length, 0.0, 1e-6);
                 bool isLit = Vector3D.Dot(hit.NormalBodyFixed, scene.Sun - hit.PointBodyFixed) > 0.0
                     && !scene.Facets.Value.IsShadowed(hit.Facet, hit.PointBodyFixed, scene.Sun);

@@ -1,0 +1,74 @@
+namespace Msisf.Core.Render.Indirect;
+
+/// <summary>What the samples of a group of points have shown.</summary>
+/// <param name="Points">Number of its points.</param>
+/// <param name="Shared">Of far ground as pixels around see it.</param>
+/// <param name="Other">Of what the points see otherwise.</param>
+/// <param name="Bound">Square of the light that they see otherwise, at most, on one point.</param>
+/// <param name="Near">Of near ground.</param>
+/// <param name="Top">rad: how far up near ground was found.</param>
+internal readonly record struct Trial(int Points, Deviation Shared, Deviation Other, double Bound, Deviation Near, double Top)
+{
+    /// <summary>What one sample costs, over a way to far ground from each point: without a way, and with a ray to near ground.</summary>
+    private const double CostOfShared = 0.15;
+    private const double CostOfNear = 6.0;
+
+    /// <summary>So many times the samples that a group has need not be taken yet.</summary>
+    private const double Enough = 1.25;
+
+    /// <summary>So many times the samples that a group has are not taken at once: few samples tell badly how many are needed.</summary>
+    private const int MostGrowth = 10;
+
+    /// <summary>Most samples of a point.</summary>
+    private const double Most = 65536.0;
+
+    /// <summary>How much of <see cref="Other"/> counts, so that the error is least: its own, and what is left out.</summary>
+    public double PartOfOther => Bound > 0.0 ? Bound / (Bound + Other.Error) : 0.0;
+
+    /// <summary>Square of the error of a point's light.</summary>
+    public double Error => Shared.Error + (PartOfOther * Other.Error) + Near.Error;
+
+    /// <summary>The error of the group with the samples that it is to have.</summary>
+    /// <param name="effort">As <see cref="Next"/>.</param>
+    public double ErrorWith(double effort) => (this with
+    {
+        Shared = Shared.With(WantedOfShared(effort)),
+        Other = Other.With(WantedOfOther(effort)),
+        Near = Near.With(WantedOfNear(effort)),
+    }).Error;
+
+    /// <summary>
+    /// How many samples are to be taken next in place of those that the group has; 0 if these are enough. If all groups have the same
+    /// effort, they have the least error for their work.
+    /// </summary>
+    /// <param name="effort">Samples for each unit of their standard deviation, if they cost 1.</param>
+    public (int Shared, int Other, int Near) Next(double effort) => (
+        Math.Min(WantedOfShared(effort), MostGrowth * Shared.Samples),
+        Math.Min(WantedOfOther(effort), MostGrowth * Other.Samples),
+        Math.Min(WantedOfNear(effort), MostGrowth * Near.Samples));
+
+    private int WantedOfShared(double effort) => Wanted(Shared, effort / Math.Sqrt(CostOfShared), 0.0);
+
+    private int WantedOfOther(double effort) => Bound > 0.0 ? Wanted(Other, effort, Other.OfOne * Other.OfOne / Bound) : 0;
+
+    private int WantedOfNear(double effort) => Wanted(Near, effort / Math.Sqrt(CostOfNear), 0.0);
+
+    /// <summary>How many samples a group is to have; 0 if those that it has are enough.</summary>
+    private static int Wanted(Deviation found, double effort, double less)
+    {
+        double wanted = Math.Min(Math.Ceiling((found.OfOne * effort) - less), Most);
+        return wanted > Enough * found.Samples ? (int)wanted : 0;
+    }
+}
+
+/// <summary>How unsure light is.</summary>
+/// <param name="OfOne">Standard deviation of one sample.</param>
+/// <param name="Samples">How many samples each point has.</param>
+internal readonly record struct Deviation(double OfOne, int Samples)
+{
+    /// <summary>Square of the error.</summary>
+    public double Error => Samples > 0 ? OfOne * OfOne / Samples : 0.0;
+
+    /// <summary>The same with other samples, if there are any.</summary>
+    public Deviation With(int samples) => samples > 0 ? this with { Samples = samples } : this;
+}
