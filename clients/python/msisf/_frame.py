@@ -132,7 +132,7 @@ class Frame(View):
 #: Options of a request that say where a body is, and how a camera is mounted on it.
 _OF_BODY = frozenset(
     ("fixed-state position states trajectory trajectory-positions trajectory-attitudes orbit-frame time epoch kepler-set state-vectors "
-     "attitude attitude-frame attitude-transition look-at off-nadir up roll normalize jitter name quaternion offset").split())  # fmt: skip
+     "attitude attitude-frame attitude-transition look-at off-nadir up roll normalize motion jitter name quaternion offset").split())  # fmt: skip
 
 _NUMBERS = ("latitude", "longitude", "diameter", "minorDiameter", "angle", "height", "h", "v", "semiMajor", "semiMinor", "turn", "inside",
             "hidden", "lit", "incidence", "emission", "residual")  # fmt: skip
