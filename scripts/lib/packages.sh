@@ -9,7 +9,7 @@ part_is_here() {
         cairo) library_is_here libcairo ;;
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
-        gdal) python_package_is_here osgeo ;;
+        gdal) have gdalinfo && python_package_is_here osgeo ;;
         gdal-library) library_is_here libgdal ;;
         matplotlib) python_package_is_here matplotlib ;;
         numpy) python_package_is_here numpy ;;
@@ -58,12 +58,13 @@ package_of() {
         apt-cairo) echo libcairo2 ;;
         apt-cfitsio) echo libcfitsio10 ;;
         apt-astropy) echo python3-astropy python3-numpy ;;
-        apt-gdal) echo python3-gdal ;;
+        apt-gdal) echo gdal-bin python3-gdal ;;
+        dnf-gdal) echo gdal python3-gdal ;;
         apt-gdal-library) echo python3-gdal ;; # the library alone has its version in its name
         dnf-gdal-library) echo gdal-libs ;;
         *-gdal-library) echo gdal ;;
         apt-matplotlib) echo python3-matplotlib ;;
-        dnf-astropy | dnf-gdal | dnf-matplotlib) echo "python3-$2" ;;
+        dnf-astropy | dnf-matplotlib) echo "python3-$2" ;;
         pacman-astropy | pacman-matplotlib) echo "python-$2" ;;
         brew-astropy) echo astropy ;;
         brew-matplotlib) echo python-matplotlib ;;

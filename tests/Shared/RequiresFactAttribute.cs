@@ -65,7 +65,7 @@ internal static class MissingParts
         Part.CFitsio => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcfitsio.so.10", out _),
         Part.Fitsverify => TestParts.Program("fitsverify") is not null,
         Part.Astropy => TestParts.PythonPackage("astropy") is not null,
-        Part.Gdal => TestParts.PythonPackage("osgeo") is not null,
+        Part.Gdal => TestParts.Program("gdal_translate") is not null && TestParts.PythonPackage("osgeo") is not null,
         Part.GdalLibrary => Enumerable.Range(26, 20).Any(
             version => System.Runtime.InteropServices.NativeLibrary.TryLoad($"libgdal.so.{version}", out _)),
         Part.Slurm => TestParts.Program("sbatch") is not null,
