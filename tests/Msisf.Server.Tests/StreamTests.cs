@@ -205,9 +205,14 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
         const int images = 20;
         int[] counts = new int[4];
         int[]? whenFirstEnded = null;
-        await Task.WhenAll(Enumerable.Range(0, counts.Length).Select(client => Task.Run(async () =>
+        ClientWebSocket[] sockets = new ClientWebSocket[counts.Length];
+        for (int client = 0; client < sockets.Length; client++) // all before the first image
         {
-            using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 128, "height": 128}}""");
+            sockets[client] = await OpenAsync("""{"frame": {"width": 128, "height": 128}}""");
+        }
+
+        await Task.WhenAll(sockets.Select((socket, client) => Task.Run(async () =>
+        {
             for (int i = 0; i < images; i++)
             {
                 await SendAsync(socket, State);
@@ -217,6 +222,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
 
             Interlocked.CompareExchange(ref whenFirstEnded, [.. counts], null);
         })));
+        Array.ForEach(sockets, socket => socket.Dispose());
 
         Assert.All(whenFirstEnded!, count => Assert.True(count >= images / 2, $"{string.Join(", ", whenFirstEnded!)} of {images}"));
     }
