@@ -12,7 +12,7 @@ namespace Msisf.Core.Render.Indirect;
 internal static class GroundPlacing
 {
     /// <summary>Side of a cell around the view over its distance from the view.</summary>
-    private const double Growth = 0.04;
+    private const double Growth = 0.03;
 
     /// <summary>Rows and columns of the image that are looked at to find the ground that it shows.</summary>
     private const int Looks = 64;
@@ -21,7 +21,7 @@ internal static class GroundPlacing
     private const int LooksOfCell = 2;
 
     /// <summary>Cells within which ground is looked at by rays instead.</summary>
-    private const double CellsOfReach = 8.0;
+    private const double CellsOfReach = 16.0;
 
     /// <summary>Least angle of a view, rad: a single pixel.</summary>
     private const double LeastAngle = 1e-7;

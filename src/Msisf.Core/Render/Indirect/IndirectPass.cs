@@ -30,7 +30,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private const int FirstNear = 16;
 
     /// <summary>First rays of a group to near ground, if it has few points.</summary>
-    private const int FirstNearOfGroup = 64;
+    private const int FirstNearOfGroup = 512;
 
     /// <summary>How often groups are sampled: with more samples some turn out to be less sure than with few.</summary>
     private const int MostRounds = 6;

@@ -144,7 +144,7 @@ public sealed class FarLightTests
         double field = 2.0 * Math.Atan(Side * Pixel * 0.5 * 1_737_400.0 / 762_600.0);
         PinholeCamera camera = new(2_500_000.0 * Up, CameraCases.Attitude(-Up, Vector3D.UnitZ), field, Side, Side);
         Vector3D sun = 1.5e11 * (Up + (3.0 * Vector3D.Cross(Vector3D.UnitZ, Up))).Normalized();
-        GroundLights lights = GroundPlacing.Place(tree, (Up, 0.5 * Side * Pixel), [sun], 96, 2, default);
+        GroundLights lights = GroundPlacing.Place(tree, (Up, 0.5 * Side * Pixel), [sun], 192, 2, default);
         new GroundBounces(tree, lights, camera, options).Start(2, default);
         return (new TerrainTracer(terrain), tree, lights, camera);
     }

@@ -16,11 +16,6 @@ namespace Msisf.Core.Tests.Render.Indirect;
 /// <summary>The light that ground throws on ground, against what is known of it in closed form.</summary>
 public sealed class IndirectLightTests
 {
-    private const double Radius = 1_737_400.0;
-
-    /// <summary>m over the plane: of the camera that sees bowls.</summary>
-    private const double Height = 20_000.0;
-
     /// <summary>Depth over diameter, albedo, the Sun's elevation in degrees, bounces.</summary>
     public static TheoryData<double, double, double, int> Bowls => TestLength.IsLong
         ? new()
@@ -38,8 +33,8 @@ public sealed class IndirectLightTests
     public void Render_ShadowInBowl_HasTheLightOfTheClosedForm(double depth, double albedo, double elevation, int bounces)
     {
         double error = TestLength.IsLong ? 0.0025 : 0.01;
-        NativeRenderOptions options = Options(albedo) with { Indirect = new IndirectLight(bounces, error) };
-        using NativeFrame frame = Draw(PlaneGrid.Bowl(depth, TestLength.Of(500, 2000)), elevation, TestLength.Of(12, 24), options);
+        NativeRenderOptions options = PlaneView.Options(albedo) with { Indirect = new IndirectLight(bounces, error) };
+        using NativeFrame frame = PlaneView.Draw(PlaneGrid.Bowl(depth, TestLength.Of(500, 2000)), elevation, TestLength.Of(12, 24), options);
 
         double view = 1.0 / (1.0 + (1.0 / (4.0 * depth * depth)));
         double series = Enumerable.Range(0, bounces).Sum(bounce => Math.Pow(albedo * view, bounce));
@@ -60,8 +55,8 @@ public sealed class IndirectLightTests
     {
         const double Albedo = 0.4;
         const double Elevation = 20.0;
-        NativeRenderOptions options = Options(Albedo) with { Indirect = new IndirectLight(1, 0.01) };
-        using NativeFrame frame = Draw(PlaneGrid.Bowl(0.2, TestLength.Of(500, 2000)), Elevation, TestLength.Of(24, 64), options);
+        NativeRenderOptions options = PlaneView.Options(Albedo) with { Indirect = new IndirectLight(1, 0.01) };
+        using NativeFrame frame = PlaneView.Draw(PlaneGrid.Bowl(0.2, TestLength.Of(500, 2000)), Elevation, TestLength.Of(24, 64), options);
 
         (double power, double area) = (0.0, 0.0);
         foreach ((int pixel, SurfaceHit hit, _) in InBowl(frame, 0.99))
@@ -84,16 +79,16 @@ public sealed class IndirectLightTests
     {
         const double Depth = 0.2;
         MapExtent extent = new(-Math.PI, Math.PI / 2.0, 2.0 * Math.PI, double.DegreesToRadians(0.1));
-        NativeRenderOptions options = Options(0.3) with
+        NativeRenderOptions options = PlaneView.Options(0.3) with
         {
             Albedo = SyntheticMaps.Of(180, 20, extent, (column, row) => 1500 + (row * 150) + (column is > 60 and < 120 ? 0 : 2000)),
         };
         PlaneGrid bowl = PlaneGrid.Bowl(Depth, 300);
-        using NativeFrame frame = Draw(bowl, 10.0, 16, options with { Indirect = new IndirectLight(1, 0.01) });
-        using NativeFrame fine = Draw(bowl, 10.0, 300, options);
-        using NativeFrame fromAbove = Draw(bowl, 89.9, 16, options);
+        using NativeFrame frame = PlaneView.Draw(bowl, 10.0, 16, options with { Indirect = new IndirectLight(1, 0.01) });
+        using NativeFrame fine = PlaneView.Draw(bowl, 10.0, 300, options);
+        using NativeFrame fromAbove = PlaneView.Draw(bowl, 89.9, 16, options);
 
-        double pitch = PlaneGrid.Diameter / Height / fine.Camera.Width;
+        double pitch = PlaneGrid.Diameter / PlaneView.Height / fine.Camera.Width;
         double sum = 0.0;
         foreach ((int pixel, SurfaceHit hit, _) in InBowl(fine, 1.0))
         {
@@ -118,7 +113,7 @@ public sealed class IndirectLightTests
         Assert.InRange(Math.Sqrt(ratios.Average(ratio => (ratio - 1.0) * (ratio - 1.0))), 0.0, 0.03);
     }
 
-    /// <summary>The contour formula of J. H. Lambert for a rectangle of even brightness.</summary>
+    /// <summary>A rectangle of even brightness.</summary>
     [Fact]
     public void Render_ShadowedSlopeOverLitPlane_HasTheLightOfTheClosedForm()
     {
@@ -128,10 +123,10 @@ public sealed class IndirectLightTests
         double elevation = double.DegreesToRadians(44.5); // behind a slope of 45 degrees
         PlaneGrid grid = new(10.0, 201, (_, y) => Math.Clamp(y, 0.0, Crest));
         PinholeCamera camera = new(
-            new Vector3D(0.0, 0.0, Radius + 20_000.0), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY), 0.035, 24, 24);
+            new Vector3D(0.0, 0.0, PlaneView.Radius + 20_000.0), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY), 0.035, 24, 24);
         SceneLight sun = new(
-            new Vector3D(0.0, 1.5e11 * Math.Cos(elevation), Radius + (1.5e11 * Math.Sin(elevation))), IsSun: true);
-        NativeRenderOptions options = Options(Albedo) with { Indirect = new IndirectLight(1, TestLength.IsLong ? 0.0025 : 0.01) };
+            new Vector3D(0.0, 1.5e11 * Math.Cos(elevation), PlaneView.Radius + (1.5e11 * Math.Sin(elevation))), IsSun: true);
+        NativeRenderOptions options = PlaneView.Options(Albedo) with { Indirect = new IndirectLight(1, TestLength.IsLong ? 0.0025 : 0.01) };
         using NativeFrame frame = new NativeRenderer(grid).Render(camera, sun, options, threads: 2);
 
         double shadow = Crest - (Crest / Math.Tan(elevation)); // how far the slope darkens the plane
@@ -139,14 +134,10 @@ public sealed class IndirectLightTests
         List<double> ratios = [];
         foreach ((int pixel, SurfaceHit hit, _) in InBowl(frame, 1.0))
         {
-            Vector3D point = hit.PointBodyFixed - (Radius * Vector3D.UnitZ);
+            Vector3D point = hit.PointBodyFixed - (PlaneView.Radius * Vector3D.UnitZ);
             if (point.Y is > 40.0 and < 380.0)
             {
-                double seen = Math.Abs(Enumerable.Range(0, 4).Sum(corner =>
-                {
-                    (Vector3D one, Vector3D next) = (lit[corner] - point, lit[(corner + 1) % 4] - point);
-                    return Vector3D.AngleBetween(one, next) * Vector3D.Dot(Vector3D.Cross(one, next).Normalized(), hit.NormalBodyFixed);
-                })) / (2.0 * Math.PI);
+                double seen = PlaneView.PartOf([.. lit.Select(corner => corner - point)], hit.NormalBodyFixed);
                 ratios.Add(frame.IndirectFactors[pixel] / (Albedo * Albedo * Math.Sin(elevation) * seen));
             }
         }
@@ -160,7 +151,7 @@ public sealed class IndirectLightTests
     [Fact]
     public void Render_OtherThreads_HasTheSameBits()
     {
-        NativeRenderOptions options = Options(0.3) with
+        NativeRenderOptions options = PlaneView.Options(0.3) with
         {
             Indirect = new IndirectLight(2, 0.05),
             Sun = SunModel.Disc,
@@ -169,8 +160,8 @@ public sealed class IndirectLightTests
         };
         PolarFunctionGrid strip = new(
             new PolarStereographic(false, 30.0, 45.0, 4.0), 91, 9, (line, sample) => 100.0 * Math.Sin(line) * Math.Cos(sample));
-        using NativeFrame one = Draw(strip, 20.0, 24, options, threads: 1);
-        using NativeFrame three = Draw(strip, 20.0, 24, options, threads: 3);
+        using NativeFrame one = PlaneView.Draw(strip, 20.0, 24, options, threads: 1);
+        using NativeFrame three = PlaneView.Draw(strip, 20.0, 24, options, threads: 3);
 
         Assert.InRange(one.IndirectFactors.ToArray().Count(light => light > 0.0), 60, 576);
         Assert.Equal(one.RadianceFactors, three.RadianceFactors);
@@ -185,13 +176,13 @@ public sealed class IndirectLightTests
     public void Render_WithIndirect_AddsItsLayer(int perAxis, bool isAdaptive)
     {
         PlaneGrid bowl = PlaneGrid.Bowl(0.2, 60);
-        NativeRenderOptions alone = Options(0.3) with
+        NativeRenderOptions alone = PlaneView.Options(0.3) with
         {
             SubsamplesPerAxis = perAxis,
             Adaptive = isAdaptive ? new AdaptiveSampling(2.0, new GreyScale(1.0, GreyTransfer.Linear)) : null,
         };
-        using NativeFrame without = Draw(bowl, 10.0, 8, alone);
-        using NativeFrame with = Draw(bowl, 10.0, 8, alone with { Indirect = new IndirectLight(1, 0.2) });
+        using NativeFrame without = PlaneView.Draw(bowl, 10.0, 8, alone);
+        using NativeFrame with = PlaneView.Draw(bowl, 10.0, 8, alone with { Indirect = new IndirectLight(1, 0.2) });
 
         Assert.True(without.IndirectFactors.IsEmpty);
         double added = Enumerable.Range(0, 64).Sum(pixel => with.RadianceFactors[pixel] - without.RadianceFactors[pixel]);
@@ -201,36 +192,13 @@ public sealed class IndirectLightTests
         Assert.All(Enumerable.Range(0, 64), pixel => Assert.InRange(with.IndirectFactors[pixel], 0.0, 0.3 * 0.3 * 0.3));
     }
 
-    private static NativeRenderOptions Options(double albedo) =>
-        new() { Reflectance = new LambertReflectance(albedo), KeepGroundTruth = true };
-
-    /// <summary>Draws the bowl from above.</summary>
-    private static NativeFrame Draw(ITerrainGrid grid, double elevation, int side, NativeRenderOptions options, int threads = 2)
-    {
-        (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(elevation));
-        PinholeCamera camera = new(
-            new Vector3D(0.0, 0.0, Radius + Height), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitY),
-            2.0 * Math.Atan(0.5 * PlaneGrid.Diameter / Height), side, side);
-        SceneLight sun = new(new Vector3D(1.5e11 * cosine, 0.0, Radius + (1.5e11 * sine)), IsSun: true);
-        return new NativeRenderer(grid).Render(camera, sun, options, threads);
-    }
-
     /// <summary>The pixels in the bowl's shadow, but for those beside its rim, where facets are no longer a sphere.</summary>
     private static List<int> InShadow(NativeFrame frame) =>
         [.. InBowl(frame, 0.96).Where(one => one.Light.State == IlluminationState.Shadow).Select(one => one.Pixel)];
 
-    /// <summary>The pixels that see ground around the pole.</summary>
+    /// <summary>The pixels that see the bowl.</summary>
+    /// <param name="frame">The image.</param>
     /// <param name="part">Up to this part of the bowl's radius.</param>
-    private static IEnumerable<(int Pixel, SurfaceHit Hit, PixelIllumination Light)> InBowl(NativeFrame frame, double part)
-    {
-        for (int pixel = 0; pixel < frame.Camera.Width * frame.Camera.Height; pixel++)
-        {
-            (int x, int y) = ((pixel % frame.Camera.Width) + 1, (pixel / frame.Camera.Width) + 1);
-            if (frame.TryGet(x, y, out SurfaceHit hit, out PixelIllumination light)
-                && double.Hypot(hit.PointBodyFixed.X, hit.PointBodyFixed.Y) < part * PlaneGrid.Diameter / 2.0)
-            {
-                yield return (pixel, hit, light);
-            }
-        }
-    }
+    private static IEnumerable<(int Pixel, SurfaceHit Hit, PixelIllumination Light)> InBowl(NativeFrame frame, double part) =>
+        PlaneView.Within(frame, part * PlaneGrid.Diameter / 2.0);
 }
