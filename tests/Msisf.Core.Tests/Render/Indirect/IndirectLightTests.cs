@@ -34,7 +34,8 @@ public sealed class IndirectLightTests
     {
         double error = TestLength.IsLong ? 0.0025 : 0.01;
         NativeRenderOptions options = PlaneView.Options(albedo) with { Indirect = new IndirectLight(bounces, error) };
-        using NativeFrame frame = PlaneView.Draw(PlaneGrid.Bowl(depth, TestLength.Of(500, 2000)), elevation, TestLength.Of(12, 24), options);
+        PlaneGrid bowl = PlaneGrid.Bowl(depth, TestLength.Of(500, 2000));
+        using NativeFrame frame = PlaneView.Draw(bowl, elevation, TestLength.Of(12, 24), options);
 
         double view = 1.0 / (1.0 + (1.0 / (4.0 * depth * depth)));
         double series = Enumerable.Range(0, bounces).Sum(bounce => Math.Pow(albedo * view, bounce));
@@ -56,7 +57,8 @@ public sealed class IndirectLightTests
         const double Albedo = 0.4;
         const double Elevation = 20.0;
         NativeRenderOptions options = PlaneView.Options(Albedo) with { Indirect = new IndirectLight(1, 0.01) };
-        using NativeFrame frame = PlaneView.Draw(PlaneGrid.Bowl(0.2, TestLength.Of(500, 2000)), Elevation, TestLength.Of(24, 64), options);
+        PlaneGrid bowl = PlaneGrid.Bowl(0.2, TestLength.Of(500, 2000));
+        using NativeFrame frame = PlaneView.Draw(bowl, Elevation, TestLength.Of(24, 64), options);
 
         (double power, double area) = (0.0, 0.0);
         foreach ((int pixel, SurfaceHit hit, _) in InBowl(frame, 0.99))
