@@ -20,22 +20,21 @@ internal readonly record struct Trial(int Points, Deviation Shared, Deviation Ot
     private const int MostGrowth = 10;
 
     /// <summary>Most samples of a point.</summary>
-    private const double Most = 65536.0;
+    private const int Most = 65536;
 
     /// <summary>How much of <see cref="Other"/> counts, so that the error is least: its own, and what is left out.</summary>
-    public double PartOfOther => Bound > 0.0 ? Bound / (Bound + Other.Error) : 0.0;
+    public double PartOfOther => PartOf(Other.ErrorWith(0.0));
 
-    /// <summary>Square of the error of a point's light.</summary>
-    public double Error => Shared.Error + (PartOfOther * Other.Error) + Near.Error;
-
-    /// <summary>The error of the group with the samples that it is to have.</summary>
-    /// <param name="effort">As <see cref="Next"/>.</param>
-    public double ErrorWith(double effort) => (this with
+    /// <summary>
+    /// Square of the error of a point's light with the samples that the group is to have, or more than it may have: what few groups can't
+    /// reach is not asked of the others.
+    /// </summary>
+    /// <param name="effort">As <see cref="Next"/>; 0 for the samples that it has.</param>
+    public double ErrorWith(double effort)
     {
-        Shared = Shared.With(WantedOfShared(effort)),
-        Other = Other.With(WantedOfOther(effort)),
-        Near = Near.With(WantedOfNear(effort)),
-    }).Error;
+        double other = Other.ErrorWith(WantedOfOther(effort));
+        return Shared.ErrorWith(WantedOfShared(effort)) + (PartOf(other) * other) + Near.ErrorWith(WantedOfNear(effort));
+    }
 
     /// <summary>
     /// How many samples are to be taken next in place of those that the group has; 0 if these are enough. If all groups have the same
@@ -43,21 +42,28 @@ internal readonly record struct Trial(int Points, Deviation Shared, Deviation Ot
     /// </summary>
     /// <param name="effort">Samples for each unit of their standard deviation, if they cost 1.</param>
     public (int Shared, int Other, int Near) Next(double effort) => (
-        Math.Min(WantedOfShared(effort), MostGrowth * Shared.Samples),
-        Math.Min(WantedOfOther(effort), MostGrowth * Other.Samples),
-        Math.Min(WantedOfNear(effort), MostGrowth * Near.Samples));
+        Limited(WantedOfShared(effort), Shared), Limited(WantedOfOther(effort), Other), Limited(WantedOfNear(effort), Near));
 
-    private int WantedOfShared(double effort) => Wanted(Shared, effort / Math.Sqrt(CostOfShared), 0.0);
+    private double PartOf(double errorOfOther) => Bound > 0.0 ? Bound / (Bound + errorOfOther) : 0.0;
 
-    private int WantedOfOther(double effort) => Bound > 0.0 ? Wanted(Other, effort, Other.OfOne * Other.OfOne / Bound) : 0;
+    private double WantedOfShared(double effort) => Wanted(Shared, effort / Math.Sqrt(CostOfShared), 0.0);
 
-    private int WantedOfNear(double effort) => Wanted(Near, effort / Math.Sqrt(CostOfNear), 0.0);
+    private double WantedOfOther(double effort) => Bound > 0.0 ? Wanted(Other, effort, Other.OfOne * Other.OfOne / Bound) : 0.0;
+
+    private double WantedOfNear(double effort) => Wanted(Near, effort / Math.Sqrt(CostOfNear), 0.0);
 
     /// <summary>How many samples a group is to have; 0 if those that it has are enough.</summary>
-    private static int Wanted(Deviation found, double effort, double less)
+    private static double Wanted(Deviation found, double effort, double less)
     {
-        double wanted = Math.Min(Math.Ceiling((found.OfOne * effort) - less), Most);
-        return wanted > Enough * found.Samples ? (int)wanted : 0;
+        double wanted = Math.Ceiling((found.OfOne * effort) - less);
+        return wanted > Enough * found.Samples ? wanted : 0.0;
+    }
+
+    /// <summary>How many of them it gets next; 0 if it has the most.</summary>
+    private static int Limited(double wanted, Deviation found)
+    {
+        double most = Math.Min(Most, (double)MostGrowth * found.Samples);
+        return found.Samples < Most ? (int)Math.Min(wanted, most) : 0;
     }
 }
 
@@ -66,9 +72,6 @@ internal readonly record struct Trial(int Points, Deviation Shared, Deviation Ot
 /// <param name="Samples">How many samples each point has.</param>
 internal readonly record struct Deviation(double OfOne, int Samples)
 {
-    /// <summary>Square of the error.</summary>
-    public double Error => Samples > 0 ? OfOne * OfOne / Samples : 0.0;
-
-    /// <summary>The same with other samples, if there are any.</summary>
-    public Deviation With(int samples) => samples > 0 ? this with { Samples = samples } : this;
+    /// <summary>Square of the error with other samples; 0 for those that there are.</summary>
+    public double ErrorWith(double samples) => Samples > 0 ? OfOne * OfOne / (samples > 0.0 ? samples : Samples) : 0.0;
 }
