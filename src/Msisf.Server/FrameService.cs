@@ -11,8 +11,11 @@ using Msisf.Core.Time;
 namespace Msisf.Server;
 
 /// <summary>Reads the frames of requests and does their work in the queue. Thread-safe.</summary>
-internal sealed class FrameService : IDisposable
+internal sealed class FrameService : IAsyncDisposable
 {
+    /// <summary>How long stopped work may take to notice that it is stopped.</summary>
+    public static readonly TimeSpan TimeToStop = TimeSpan.FromSeconds(1);
+
     /// <summary>Samples of the largest image that does not wait for larger ones.</summary>
     private const int SmallSamples = 1024 * 1024;
 
@@ -134,15 +137,15 @@ internal sealed class FrameService : IDisposable
         return settings.Width * acrossPixel * settings.Height * acrossPixel > SmallSamples;
     }
 
-    /// <summary>Waits for the end of all work.</summary>
-    /// <returns>Whether it has ended in time.</returns>
-    public Task<bool> EndsWithinAsync(TimeSpan limit) => _queue.EndsWithinAsync(limit);
-
-    public void Dispose()
+    /// <summary>Closes all models, but not under work that does not end: it would read memory that is gone.</summary>
+    public async ValueTask DisposeAsync()
     {
-        Sessions.Dispose();
-        Names.Dispose();
-        Metrics.Dispose();
-        _queue.Dispose();
+        if (await _queue.EndsWithinAsync(TimeToStop).ConfigureAwait(false))
+        {
+            Sessions.Dispose();
+            Names.Dispose();
+            Metrics.Dispose();
+            _queue.Dispose();
+        }
     }
 }

@@ -33,9 +33,6 @@ internal sealed class HttpServer : IAsyncDisposable
     /// <summary>A server that ends with its client lets frames end that are all but finished.</summary>
     private static readonly TimeSpan TimeWithoutClient = TimeSpan.FromMilliseconds(200);
 
-    /// <summary>How long stopped work may take to notice that it is stopped.</summary>
-    private static readonly TimeSpan TimeToStop = TimeSpan.FromSeconds(1);
-
     private readonly WebApplication _web;
     private readonly FrameService _frames;
     private readonly ServeSettings _settings;
@@ -101,7 +98,7 @@ internal sealed class HttpServer : IAsyncDisposable
         using CancellationTokenSource drop = new();
         using EndOfServer end = new(drop.Cancel);
         await end.WaitAsync(input).ConfigureAwait(false);
-        drop.CancelAfter(_settings.EndsWithInput ? TimeWithoutClient : _settings.TimeLimit + TimeToStop);
+        drop.CancelAfter(_settings.EndsWithInput ? TimeWithoutClient : _settings.TimeLimit + FrameService.TimeToStop);
         await _web.StopAsync(drop.Token).ConfigureAwait(false);
     }
 
@@ -110,10 +107,7 @@ internal sealed class HttpServer : IAsyncDisposable
         await _web.DisposeAsync().ConfigureAwait(false);
         _refused?.Dispose();
         _socket?.Dispose();
-        if (await _frames.EndsWithinAsync(TimeToStop).ConfigureAwait(false))
-        {
-            _frames.Dispose(); // not under work that does not end: it would read memory that is gone
-        }
+        await _frames.DisposeAsync().ConfigureAwait(false);
     }
 
     private static void Configure(KestrelServerOptions options, ServeSettings settings, SocketFile? socket)

@@ -43,14 +43,14 @@ internal sealed class PointsEndpoints(FrameService frames)
     public async Task GroundAsync(HttpContext context)
     {
         double[] heights = await AnswersAsync(
-            context, "points", Place, (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
+            context, Place, (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Heights = heights }).ConfigureAwait(false);
     }
 
     public async Task PointsAsync(HttpContext context)
     {
         PixelReading[] pixels = await AnswersAsync(
-            context, "points", [.. Place, "height"],
+            context, [.. Place, "height"],
             (truth, point) => truth.Of(point[0], point[1], point.Length > 2 ? point[2] : null)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Pixels = pixels }).ConfigureAwait(false);
     }
@@ -88,9 +88,9 @@ internal sealed class PointsEndpoints(FrameService frames)
         await JsonBody.SendAsync(context.Response, month).ConfigureAwait(false);
     }
 
-    private async Task<T[]> AnswersAsync<T>(HttpContext context, string name, string[] fields, Func<FrameTruth, double[], T> answer)
+    private async Task<T[]> AnswersAsync<T>(HttpContext context, string[] fields, Func<FrameTruth, double[], T> answer)
     {
-        PointsRequest request = await ReadAsync(context, name, fields).ConfigureAwait(false);
+        PointsRequest request = await ReadAsync(context, "points", fields).ConfigureAwait(false);
         return await frames.RunAsync(
             request.Frame,
             (session, _, end) =>

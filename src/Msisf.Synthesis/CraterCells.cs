@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;

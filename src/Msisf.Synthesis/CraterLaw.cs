@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Synthesis;
 
 /// <summary>How many craters there are: the density of highlands in equilibrium, and a lower one on the maria.</summary>

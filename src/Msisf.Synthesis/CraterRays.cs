@@ -1,5 +1,4 @@
 using System.Runtime.Intrinsics;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;
 

@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;

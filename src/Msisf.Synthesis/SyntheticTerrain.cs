@@ -1,5 +1,4 @@
 using Msisf.Core;
-using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Synthesis;

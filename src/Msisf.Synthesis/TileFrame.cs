@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Synthesis;
 
 /// <summary>
@@ -75,7 +73,4 @@ internal sealed class TileFrame
 
     /// <summary>Latitude of a line of the block; beyond 90 on a mirror line.</summary>
     public double LatitudeDegrees(int line) => 90.0 - ((FirstLine + line + 0.5) / PixelsPerDegree);
-
-    /// <summary>Longitude of a column of the block; may be out of [0, 360).</summary>
-    public double LongitudeDegrees(int column) => (FirstSample + column + 0.5) / PixelsPerDegree;
 }

@@ -33,7 +33,8 @@ public sealed class MareMaskTests
             Mask.FillLine(frame, line, fractions);
             for (int column = 0; column < frame.Samples; column++)
             {
-                double longitude = frame.LongitudeDegrees(column) + (frame.LongitudeDegrees(column) < 0.0 ? 360.0 : 0.0);
+                double longitude = (frame.FirstSample + column + 0.5) / frame.PixelsPerDegree;
+                longitude += longitude < 0.0 ? 360.0 : 0.0;
                 // a line is computed in floats, a place in doubles
                 Assert.Equal(Mask.At(frame.LatitudeDegrees(line), longitude), fractions[column], 1e-5);
             }

@@ -49,8 +49,8 @@ public sealed class InstrumentKernel
                     + AxesCure);
         }
 
-        (double X, double Y) samples = Gradient("ITRANSS", AxesCure);
-        (double X, double Y) lines = Gradient("ITRANSL", AxesCure);
+        (double X, double Y) samples = Gradient("ITRANSS");
+        (double X, double Y) lines = Gradient("ITRANSL");
         Vector3D down = new Vector3D(lines.X, lines.Y, 0.0).Normalized();
         Vector3D right = Vector3D.Cross(down, Vector3D.UnitZ);
         if (Lines() == 1)
@@ -107,8 +107,8 @@ public sealed class InstrumentKernel
     /// <summary>px a mm: samples along right and down, lines along down.</summary>
     private (double AcrossRight, double AcrossDown, double Along) Transformed(bool isLine)
     {
-        (double X, double Y) samples = Gradient("ITRANSS", AxesCure);
-        (double X, double Y) lines = Gradient("ITRANSL", AxesCure);
+        (double X, double Y) samples = Gradient("ITRANSS");
+        (double X, double Y) lines = Gradient("ITRANSL");
         InstrumentAxes axes = Axes();
         return (
             (samples.X * axes.Right.X) + (samples.Y * axes.Right.Y),
@@ -154,18 +154,19 @@ public sealed class InstrumentKernel
 
     private int Lines() => Whole("PIXEL_LINES");
 
-    private (double X, double Y) Gradient(string item, string cure)
+    private (double X, double Y) Gradient(string item)
     {
         if (Find(item) is null)
         {
             throw new BadInputException(Invariant(
-                $"No kernel has INS{_number}_{item} of {_name}, which says how its image lies; ISIS's addendum to the IK has it. ") + cure);
+                $"No kernel has INS{_number}_{item} of {_name}, which says how its image lies; ISIS's addendum to the IK has it. "
+                    + $"{AxesCure}"));
         }
 
         double[] numbers = Numbers(item, 3);
         return numbers[1] != 0.0 || numbers[2] != 0.0
             ? (numbers[1], numbers[2])
-            : throw new BadInputException($"{Source(item)}: {item} of {_name} has no direction. {cure}");
+            : throw new BadInputException($"{Source(item)}: {item} of {_name} has no direction. {AxesCure}");
     }
 
     private double Number(string item) => Numbers(item, 1)[0];

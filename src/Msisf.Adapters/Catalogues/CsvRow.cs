@@ -75,7 +75,7 @@ internal readonly record struct CsvRow(string FileName, IReadOnlyList<string> He
 
     /// <summary>The error of a number.</summary>
     /// <inheritdoc cref="Number"/>
-    public BadInputException Wrong(int place, double least, double greatest, string more = "") => new(Invariant(
+    public BadInputException Wrong(int place, double least, double greatest, string more) => new(Invariant(
         $"{FileName}, line {Line}, column '{Header[place]}': a number from {least:R} to {greatest:R} is needed{more}. "
             + $"Correct or remove the line."));
 }

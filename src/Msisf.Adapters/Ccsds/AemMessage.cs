@@ -12,8 +12,6 @@ namespace Msisf.Adapters.Ccsds;
 internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, bool isRounded)
     : CcsdsMessage(place, scale)
 {
-    private const int DefaultDegree = 7;
-
     private static readonly string[] OfBlock =
     [
         "COMMENT", "OBJECT_NAME", "OBJECT_ID", "CENTER_NAME", "REF_FRAME_A", "REF_FRAME_B", "ATTITUDE_DIR", "TIME_SYSTEM", "START_TIME",
@@ -76,7 +74,7 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             TurnsToFrame = isKnownA == IsFromBToA(),
             IsBodyB = isKnownA,
         };
-        Interpolation said = ReadInterpolation(DefaultDegree) ?? default;
+        Interpolation said = ReadInterpolation() ?? default;
         if (said.Method == InterpolationMethod.Hermite && !_columns.HasRates)
         {
             Place.Note($"{said} needs rates, which {_columns.Type} has not; LAGRANGE of that degree is used.");

@@ -67,7 +67,7 @@ public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoo
     /// <param name="fileName">Its name, for messages.</param>
     /// <param name="isRounded">Whether quaternions may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">The first thing that is wrong, by file and line.</exception>
-    public IReadOnlyList<AttitudeBlock> ReadAem(Stream stream, string fileName, bool isRounded = false)
+    public IReadOnlyList<AttitudeBlock> ReadAem(Stream stream, string fileName, bool isRounded)
     {
         AemMessage message = new(new CcsdsPlace(fileName), scale, moonMeFromMoonPa, isRounded);
         Read(stream, message);

@@ -8,6 +8,9 @@ namespace Msisf.Adapters.Ccsds;
 /// <param name="scale">Turns times into TDB.</param>
 internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
 {
+    /// <summary>Of an interpolation for which the file gives none.</summary>
+    protected const int DefaultDegree = 7;
+
     private static readonly string[] HeaderKeywords = ["CREATION_DATE", "ORIGINATOR", "MESSAGE_ID", "CLASSIFICATION"];
 
     private static readonly (string Word, InterpolationMethod Method)[] Methods =
@@ -147,7 +150,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     }
 
     /// <summary>How states between samples are found; null where the file does not say it.</summary>
-    protected Interpolation? ReadInterpolation(int defaultDegree)
+    protected Interpolation? ReadInterpolation()
     {
         string key = Metadata.Find("INTERPOLATION") is null ? "INTERPOLATION_METHOD" : "INTERPOLATION";
         if (Metadata.Find(key) is not { } word)
@@ -167,16 +170,16 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
             throw Metadata.Error(key, "LINEAR, LAGRANGE and HERMITE are known.");
         }
 
-        return new Interpolation(found.Method, found.Method == InterpolationMethod.Linear ? 1 : ReadDegree(defaultDegree));
+        return new Interpolation(found.Method, found.Method == InterpolationMethod.Linear ? 1 : ReadDegree());
     }
 
-    private int ReadDegree(int defaultDegree)
+    private int ReadDegree()
     {
         const int Highest = SampleWeights.MaxSamples - 1;
         if (Metadata.Find("INTERPOLATION_DEGREE") is not { } text)
         {
-            place.Note(Invariant($"INTERPOLATION_DEGREE is missing; {defaultDegree} is used."));
-            return defaultDegree;
+            place.Note(Invariant($"INTERPOLATION_DEGREE is missing; {DefaultDegree} is used."));
+            return DefaultDegree;
         }
 
         return int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int degree) && degree is >= 1 and <= Highest

@@ -11,7 +11,6 @@ namespace Msisf.Adapters.Ccsds;
 internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa) : CcsdsMessage(place, scale)
 {
     private const double MetresPerKilometre = 1000.0;
-    private const int DefaultDegree = 7;
 
     private static readonly string[] Names = ["X", "Y", "Z", "X_DOT", "Y_DOT", "Z_DOT", "X_DDOT", "Y_DDOT", "Z_DDOT"];
 
@@ -98,7 +97,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
 
         RequireOneObject();
 
-        _said = ReadInterpolation(DefaultDegree);
+        _said = ReadInterpolation();
         if (_said is { Method: InterpolationMethod.Hermite } said && said.Degree % 2 == 0)
         {
             Place.Note(Invariant($"{said} needs an odd degree; {said.Degree + 1} is used."));

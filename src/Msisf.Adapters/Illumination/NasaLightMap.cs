@@ -27,9 +27,6 @@ public sealed class NasaLightMap
     /// <summary>Whether it tells where it is permanently shadowed; if not, the mean visible part of the Sun.</summary>
     public bool IsOfShadow => Product.StartsWith(ShadowName, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>m: width of a pixel.</summary>
-    public double MetresPerPixel => _projection.MetresPerPixel;
-
     private const string ShadowName = "LPSR_";
 
     private const string LightName = "AVGVISIB_";

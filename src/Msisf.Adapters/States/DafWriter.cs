@@ -11,7 +11,9 @@ internal static class DafWriter
     private const int RecordWords = RecordBytes / sizeof(double);
     private const int CommentBytes = 1000; // of a record
     private const int Integers = 6;
-    private const int NameBytes = 40;
+
+    /// <summary>Of file and segment; the standard allows 40 characters.</summary>
+    private const string Name = "msis states";
 
     /// <summary>What NAIF's programs look for to find damage by transfers of text.</summary>
     private static readonly byte[] TransferMark =
@@ -20,14 +22,13 @@ internal static class DafWriter
     /// <summary>Writes the file.</summary>
     /// <param name="stream">Gets it.</param>
     /// <param name="idWord">"DAF/SPK" or "DAF/CK".</param>
-    /// <param name="name">Name of file and segment, at most 40 characters of ASCII.</param>
     /// <param name="comments">Lines of the comment area, ASCII.</param>
     /// <param name="first">The first double of the summary.</param>
     /// <param name="last">The second one.</param>
     /// <param name="integers">The summary's first four integers; the addresses are put behind them.</param>
     /// <param name="data">The segment.</param>
     public static void Write(
-        Stream stream, string idWord, string name, IReadOnlyList<string> comments, double first, double last, int[] integers,
+        Stream stream, string idWord, IReadOnlyList<string> comments, double first, double last, int[] integers,
         IReadOnlyList<double> data)
     {
         byte[] comment = Encoding.ASCII.GetBytes(string.Join('\0', comments) + "\0\u0004");
@@ -35,7 +36,7 @@ internal static class DafWriter
         int summaryRecord = 2 + commentRecords;
         int firstAddress = ((summaryRecord + 1) * RecordWords) + 1; // behind the records of summaries and names
         int lastAddress = firstAddress + data.Count - 1;
-        stream.Write(FileRecord(idWord, name, summaryRecord, lastAddress + 1));
+        stream.Write(FileRecord(idWord, summaryRecord, lastAddress + 1));
         Span<byte> record = stackalloc byte[RecordBytes];
         for (int i = 0; i < commentRecords; i++)
         {
@@ -47,18 +48,18 @@ internal static class DafWriter
         stream.Write(SummaryRecord(first, last, [.. integers, firstAddress, lastAddress]));
         byte[] names = new byte[RecordBytes];
         names.AsSpan().Fill((byte)' ');
-        Encoding.ASCII.GetBytes(name.PadRight(NameBytes).AsSpan(0, NameBytes), names);
+        Encoding.ASCII.GetBytes(Name, names);
         stream.Write(names);
         WriteData(stream, data);
     }
 
-    private static byte[] FileRecord(string idWord, string name, int summaryRecord, int free)
+    private static byte[] FileRecord(string idWord, int summaryRecord, int free)
     {
         byte[] record = new byte[RecordBytes];
         Encoding.ASCII.GetBytes(idWord.PadRight(8), record);
         BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(8), 2);
         BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(12), Integers);
-        Encoding.ASCII.GetBytes(name.PadRight(60), record.AsSpan(16));
+        Encoding.ASCII.GetBytes(Name.PadRight(60), record.AsSpan(16));
         BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(76), summaryRecord);
         BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(80), summaryRecord);
         BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(84), free);

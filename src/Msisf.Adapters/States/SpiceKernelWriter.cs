@@ -52,7 +52,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         double[] epochs = [.. all.Select(state => state.TdbSeconds)];
         data.AddRange([.. epochs, .. Directory(epochs), Math.Min(WindowSize, all.Length) - 1.0, all.Length]);
         DafWriter.Write(
-            stream, "DAF/SPK", "msis states", Comments("J2000, about the Moon (301); km, km/s; TDB"), epochs[0], epochs[^1],
+            stream, "DAF/SPK", Comments("J2000, about the Moon (301); km, km/s; TDB"), epochs[0], epochs[^1],
             [Spacecraft, Moon, J2000, SpkType], data);
     }
 
@@ -69,7 +69,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         List<double> data = [.. turns.SelectMany(q => (double[])[q.W, q.X, q.Y, q.Z])];
         data.AddRange([.. ticks, .. Directory(ticks), ticks[0], 1.0, ticks.Count]); // one interval, that begins with the first record
         DafWriter.Write(
-            stream, "DAF/CK", "msis states",
+            stream, "DAF/CK",
             Comments($"J2000 to {CameraName}; quaternions scalar first, as SPICE has them (M2Q); no angular velocities"),
             ticks[0], ticks[^1], [Instrument, J2000, CkType, 0], data);
     }

@@ -10,7 +10,6 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
 using Msisf.Core.Navigation;
 using Msisf.Core.Surface.Sources;
-using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;

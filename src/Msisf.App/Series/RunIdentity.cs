@@ -17,9 +17,6 @@ namespace Msisf.App.Series;
 /// <param name="Record">The same settings as a record of the manifest, with checksums of the inputs.</param>
 internal sealed record RunIdentity(string Version, string Arguments, SettingsRecord Record)
 {
-    /// <summary>Further files that the frames depend on, for the metadata.</summary>
-    public IReadOnlyList<InputFile> Inputs { get; private init; } = [];
-
     /// <summary>Length of a key, hexadecimal digits: half of a SHA-256 hash.</summary>
     private const int KeyLength = 32;
 
@@ -27,10 +24,10 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
     /// <param name="engine">Name and version of the ephemeris engine; null if the Sun is ignored.</param>
     /// <param name="kernels">The kernels, in load order.</param>
     /// <param name="povRay">Version of POV-Ray; null if POV-Ray is not used.</param>
-    /// <param name="inputs">Further files that the frames depend on; null for none.</param>
+    /// <param name="inputs">Further files that the frames depend on.</param>
     public static RunIdentity Of(
         string version, string arguments, LdemFingerprint model, string? engine, IReadOnlyList<InputFile> kernels,
-        string? povRay, IReadOnlyList<InputFile>? inputs = null)
+        string? povRay, IReadOnlyList<InputFile> inputs)
     {
         using MemoryStream stream = new();
         using (Utf8JsonWriter json = new(stream))
@@ -55,7 +52,7 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
 
             json.WriteEndArray();
             json.WriteString("povray", povRay);
-            if (inputs is { Count: > 0 })
+            if (inputs.Count > 0)
             {
                 Write(json, inputs);
             }
@@ -63,10 +60,7 @@ internal sealed record RunIdentity(string Version, string Arguments, SettingsRec
             json.WriteEndObject();
         }
 
-        return new RunIdentity(version, arguments, new SettingsRecord(KeyOf(stream.ToArray()), Encoding.UTF8.GetString(stream.ToArray())))
-        {
-            Inputs = inputs ?? [],
-        };
+        return new RunIdentity(version, arguments, new SettingsRecord(KeyOf(stream.ToArray()), Encoding.UTF8.GetString(stream.ToArray())));
     }
 
     private static void Write(Utf8JsonWriter json, IReadOnlyList<InputFile> inputs)

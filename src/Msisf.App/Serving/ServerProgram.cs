@@ -22,7 +22,7 @@ internal static class ServerProgram
         OptionValues values, ProgramHost host, CancellationToken cancellation, Action<string>? onAddress = null)
     {
         ServeSettings settings = ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
-        ChildProgram program = new(Find(host), ServeArguments.ToWords(values, CommandTable.Serve));
+        ChildProgram program = new(Find(host), ServeArguments.ToWords(values));
         using CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         if (settings.EndsWithInput)
         {

@@ -122,8 +122,8 @@ internal static class NamedPaths
 /// </summary>
 internal static class ServeArguments
 {
-    public static IReadOnlyList<string> ToWords(OptionValues values, CommandSpec command) =>
-        [.. command.Options.SelectMany(option => Words(option, values))];
+    public static IReadOnlyList<string> ToWords(OptionValues values) =>
+        [.. CommandTable.Serve.Options.SelectMany(option => Words(option, values))];
 
     private static IEnumerable<string> Words(OptionSpec option, OptionValues values)
     {

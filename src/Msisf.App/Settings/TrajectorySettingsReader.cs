@@ -36,20 +36,18 @@ internal sealed class TrajectorySettingsReader
             .. MissionOptions.Ways,
         ];
 
-    /// <param name="batchFile">
-    /// The option that names the batch file, which has another name in msis patterns; null for the option of a run.
-    /// </param>
     /// <exception cref="MsisfException">
     /// No way or several ways are given, an option is missing or not allowed, or a value is wrong.
     /// </exception>
-    public static TrajectorySettings Read(OptionValues values, PathSpec? batchFile = null)
+    public static TrajectorySettings Read(OptionValues values)
     {
-        TrajectorySettingsReader reader = new(values, batchFile ?? CameraOptions.BatchFile);
+        TrajectorySettingsReader reader = new(values, CameraOptions.BatchFile);
         return reader.ReadIfGiven()
             ?? throw new UsageException($"nothing says where the camera is. Give exactly one of {reader.Ways.Names()}.");
     }
 
     /// <summary>Reads and checks the options; null if none of the ways is given.</summary>
+    /// <param name="batchFile">The option that names the batch file, which has another name in msis patterns.</param>
     /// <inheritdoc cref="Read"/>
     public static TrajectorySettings? ReadIfGiven(OptionValues values, PathSpec batchFile) =>
         new TrajectorySettingsReader(values, batchFile).ReadIfGiven();

@@ -39,7 +39,7 @@ internal static class ViewOptions
     /// <exception cref="Core.Errors.UsageException">Two paths have one name.</exception>
     public static OptionValues OfServer(OptionValues values)
     {
-        List<string> words = [.. ServeArguments.ToWords(values, CommandTable.Serve)];
+        List<string> words = [.. ServeArguments.ToWords(values)];
         if (!values.IsGiven(ServeOptions.Listen))
         {
             words.Add($"{ServeOptions.Listen.Name}=127.0.0.1:0");

@@ -38,7 +38,7 @@ internal sealed class TwinPage(TwinResult result)
         {
             TwinPicture picture = new(result.Drawn, Samples);
             writer.Write(Figure(
-                picture.Element(result.Drawn, 0.0, TwinPicture.Quantile(result.Drawn, 0.995), isTwoSided: false, "The twin"), "The twin"));
+                picture.Element(result.Drawn, 0.0, TwinPicture.WhiteOf(result.Drawn), isTwoSided: false, "The twin"), "The twin"));
         }
 
         writer.Write("</body></html>\n");
@@ -82,7 +82,7 @@ internal sealed class TwinPage(TwinResult result)
         float[] twin = Of(found.Real, (real, drawn) => factor * drawn);
         float[] difference = Of(found.Real, (real, drawn) => real - (factor * drawn));
         float[] ratio = Of(found.Real, (real, drawn) => real / (factor * drawn));
-        double white = TwinPicture.Quantile(found.Real, 0.995);
+        double white = TwinPicture.WhiteOf(found.Real);
         TwinPicture picture = new(found.Real, Samples);
         if (picture.LiesOnSide)
         {

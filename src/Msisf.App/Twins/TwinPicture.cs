@@ -63,12 +63,12 @@ internal sealed class TwinPicture
                 + $"{Convert.ToBase64String(png.ToArray())}\">");
     }
 
-    /// <summary>The number below which a part of the numbers lies; 1 if there are none.</summary>
-    public static double Quantile(float[] pixels, double part)
+    /// <summary>What is drawn white: the number below which 99.5 % of the numbers lie; 1 if there are none.</summary>
+    public static double WhiteOf(float[] pixels)
     {
         float[] sorted = [.. pixels.Where(float.IsFinite)];
         Array.Sort(sorted);
-        return sorted.Length == 0 ? 1.0 : sorted[(int)(part * (sorted.Length - 1))];
+        return sorted.Length == 0 ? 1.0 : sorted[(int)(0.995 * (sorted.Length - 1))];
     }
 
     private double MeanOf(float[] pixels, int x, int y)

@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Illumination;
@@ -35,8 +34,8 @@ internal sealed class HorizonBand
         foreach (Vector3D direction in isMoon ? directions : [])
         {
             LocalFrame frame = LocalFrame.At(direction);
-            Add(frame, degrees, 0.0, 180.0, SunLatitude);
-            Add(frame, degrees, 0.0, EarthLongitude, EarthLatitude);
+            Add(frame, degrees, 180.0, SunLatitude);
+            Add(frame, degrees, EarthLongitude, EarthLatitude);
         }
 
         TopDegrees = Math.Min(HighestDegrees, degrees.Max() + StepDegrees);
@@ -49,9 +48,9 @@ internal sealed class HorizonBand
     /// <summary>For each group of columns the tangent of the elevation above which nothing needs to be known.</summary>
     public float[] Tops { get; }
 
-    private static void Add(LocalFrame frame, double[] degrees, double longitude, double halfLongitude, double halfLatitude)
+    private static void Add(LocalFrame frame, double[] degrees, double halfLongitude, double halfLatitude)
     {
-        for (double east = longitude - halfLongitude; east <= longitude + halfLongitude; east += StepDegrees)
+        for (double east = -halfLongitude; east <= halfLongitude; east += StepDegrees)
         {
             for (double north = -halfLatitude; north <= halfLatitude; north += StepDegrees)
             {

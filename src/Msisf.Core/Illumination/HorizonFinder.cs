@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Illumination;

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Illumination;
 
 /// <summary>A vertex of the terrain as it is seen from a place.</summary>

@@ -1,7 +1,4 @@
-using System.Globalization;
 using Msisf.Core.Camera;
-using Msisf.Core.Errors;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;

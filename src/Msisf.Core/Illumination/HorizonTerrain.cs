@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Illumination;

@@ -2,7 +2,6 @@ using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Illumination;
 

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Illumination;
 
 /// <summary>Where a body stands at each step of an interval, as seen from the centre of the ground's body. Immutable.</summary>

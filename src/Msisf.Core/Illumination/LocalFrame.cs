@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Illumination;
 
 /// <summary>A place with its own east, north and up, all unit vectors in MOON_ME; <c>default</c> means nothing.</summary>

@@ -15,7 +15,7 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <param name="source">The model: its name and limits are the level's.</param>
     /// <param name="halvings">How many times the model's resolution is halved.</param>
     /// <param name="keepsGaps">Whether it has no data where the model has none; without it such a place is an error.</param>
-    protected BlockedGrid(ITerrainGrid source, int halvings, bool keepsGaps = false)
+    protected BlockedGrid(ITerrainGrid source, int halvings, bool keepsGaps)
     {
         (_source, _halvings) = (source, halvings);
         MayHaveGaps = keepsGaps && source.MayHaveGaps;
@@ -64,7 +64,7 @@ public abstract class BlockedGrid : ITerrainGrid
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        Layout.CheckRange(line, 1, firstSample, radii.Length);
+        Layout.CheckRange(line, firstSample, radii.Length);
         int row = Layout.RowOf(line);
         GridWindow window = Layout.Window;
         while (radii.Length > 0)
@@ -92,7 +92,7 @@ public abstract class BlockedGrid : ITerrainGrid
             return;
         }
 
-        Layout.CheckRange(line, 1, firstSample, isGap.Length);
+        Layout.CheckRange(line, firstSample, isGap.Length);
         for (int i = 0; i < isGap.Length; i++)
         {
             int sample = firstSample + i < Layout.Window.EndSample ? firstSample + i : firstSample + i - Layout.Window.Samples;

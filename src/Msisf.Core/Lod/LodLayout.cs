@@ -70,17 +70,15 @@ public readonly record struct LodLayout(GridWindow Window, bool IsRing)
     /// <summary>Index of a sample among the samples of its block.</summary>
     public static int IndexInBlock(int line, int sample) => ((line & (Side - 1)) << SideShift) | (sample & (Side - 1));
 
-    /// <summary>Refuses a block of samples that the level does not have.</summary>
+    /// <summary>Refuses samples of a line that the level does not have.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
-    public void CheckRange(int firstLine, int lines, int firstSample, int samples)
+    public void CheckRange(int line, int firstSample, int samples)
     {
         int most = IsRing ? Window.Samples : Window.EndSample - firstSample;
-        if (firstLine < Window.FirstLine || lines < 1 || lines > Window.EndLine - firstLine || firstSample < Window.FirstSample
+        if (line < Window.FirstLine || line >= Window.EndLine || firstSample < Window.FirstSample
             || firstSample >= Window.EndSample || samples < 1 || samples > most)
         {
-            throw new ArgumentOutOfRangeException(
-                nameof(firstLine),
-                $"{Window} has no block of {lines} lines from {firstLine}, {samples} samples from {firstSample}.");
+            throw new ArgumentOutOfRangeException(nameof(line), $"{Window} has no {samples} samples from {firstSample} in line {line}.");
         }
     }
 }

@@ -13,9 +13,6 @@ public sealed class CraterCatalogue(IReadOnlyList<Crater> craters)
     /// <summary>In the order of the catalogue.</summary>
     public IReadOnlyList<Crater> Craters { get; } = craters;
 
-    /// <summary>m: of the largest.</summary>
-    public double MaxRadius { get; } = craters.Count == 0 ? 0.0 : 0.5 * craters.Max(crater => crater.Diameter);
-
     /// <summary>From the Moon's centre to the centres of the craters, length 1, body-fixed.</summary>
     internal ReadOnlySpan<Vector3D> Directions => _directions;
 

@@ -26,11 +26,6 @@ internal readonly record struct CellBlock(int Row, int Column)
 
     public static int ColumnsOf(FacetMesh mesh) => (mesh.Cells.Samples + Size - 1) / Size;
 
-    /// <summary>The block of a closed mesh that contains a cell.</summary>
-    /// <param name="line">Line of the cell, -1 to the mesh's lines - 1.</param>
-    /// <param name="sample">Sample of the cell, 0 to the mesh's samples - 1.</param>
-    public static CellBlock Containing(int line, int sample) => new((line + 1) / Size, sample / Size);
-
     public CellRange Cells(FacetMesh mesh) => new(
         mesh.Cells.FirstLine + (Row * Size),
         Math.Min(mesh.Cells.FirstLine + ((Row + 1) * Size), mesh.Cells.EndLine),

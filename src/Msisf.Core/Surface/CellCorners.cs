@@ -11,12 +11,4 @@ internal readonly record struct CellCorners(Vector3D NorthWest, Vector3D NorthEa
     public (Vector3D A, Vector3D B, Vector3D C) Facet(FacetHalf half) => half == FacetHalf.SouthWest
         ? (NorthWest, SouthWest, SouthEast)
         : (NorthWest, SouthEast, NorthEast);
-
-    /// <summary>Outward normal of a facet; its length grows with the facet's area and is zero if it has no area.</summary>
-    /// <remarks>The corners are multiples of 2^-7 m and the edges are short, so the products are exact.</remarks>
-    public Vector3D NormalOf(FacetHalf half)
-    {
-        (Vector3D a, Vector3D b, Vector3D c) = Facet(half);
-        return Vector3D.Cross(b - a, c - a);
-    }
 }

@@ -21,8 +21,6 @@ internal sealed class BasiliskServer : IAsyncDisposable
 
     private const string ImageRequest = "REQUEST_IMAGE";
 
-    private static readonly TimeSpan TimeToStop = TimeSpan.FromSeconds(1);
-
     private readonly RouterSocket _socket = new();
     private readonly NetMQQueue<NetMQMessage> _answers = new();
     private readonly NetMQPoller _poller;
@@ -86,11 +84,7 @@ internal sealed class BasiliskServer : IAsyncDisposable
         _answers.Dispose();
         NetMQConfig.Cleanup(block: false);
         _settings.Dispose();
-        if (await _frames.EndsWithinAsync(TimeToStop).ConfigureAwait(false))
-        {
-            _frames.Dispose(); // not under work that does not end: it would read memory that is gone
-        }
-
+        await _frames.DisposeAsync().ConfigureAwait(false);
         _end.Dispose();
     }
 

@@ -62,7 +62,7 @@ public class TerrainBenchmark
     [Benchmark]
     public double BlockOfVertices()
     {
-        _vertices.Load(_surface, CellBlock.Containing(line: 360, sample: 180), _scene.State.PositionBodyFixed);
+        _vertices.Load(_surface, new CellBlock(361 / CellBlock.Size, 180 / CellBlock.Size), _scene.State.PositionBodyFixed);
         return _vertices.X[0];
     }
 

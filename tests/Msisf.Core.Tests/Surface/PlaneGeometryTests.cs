@@ -193,6 +193,6 @@ public sealed class PlaneGeometryTests
     private static double Slope(CellCorners corners, FacetHalf half)
     {
         (Vector3D a, Vector3D b, Vector3D c) = corners.Facet(half);
-        return Math.Tan(Vector3D.AngleBetween(corners.NormalOf(half), a + b + c));
+        return Math.Tan(Vector3D.AngleBetween(Vector3D.Cross(b - a, c - a), a + b + c));
     }
 }

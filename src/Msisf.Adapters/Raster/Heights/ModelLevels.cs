@@ -23,13 +23,9 @@ public sealed class ModelLevels : IDisposable
 
     /// <summary>Opens the levels; no sample is read.</summary>
     /// <param name="cacheFolder">The user's cache folder of this program; null if there is none.</param>
-    /// <param name="cacheBytes">Memory for computed blocks.</param>
     /// <param name="samplesBetweenReleases">Samples of the model that are read before their memory is given back.</param>
     public static ModelLevels Open(
-        LdemImage image,
-        string? cacheFolder,
-        long cacheBytes = LodLevels.DefaultCacheBytes,
-        int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
+        LdemImage image, string? cacheFolder, int samplesBetweenReleases = LodLevels.DefaultSamplesBetweenReleases)
     {
         string? warning = null;
         PyramidFile? file = PlacesOf(image.Set, cacheFolder).Read(path =>
@@ -40,7 +36,8 @@ public sealed class ModelLevels : IDisposable
                 : $"{path}: {problem}; it is not used. Make it again with 'msis ldem pyramid', or delete it.";
             return opened;
         });
-        LodLevels levels = LodLevels.Open(image, file?.Levels.Cast<IGlobalGrid>().ToArray(), cacheBytes, samplesBetweenReleases);
+        LodLevels levels = LodLevels.Open(
+            image, file?.Levels.Cast<IGlobalGrid>().ToArray(), LodLevels.DefaultCacheBytes, samplesBetweenReleases);
         return new ModelLevels(levels, file, file is null ? warning : null);
     }
 

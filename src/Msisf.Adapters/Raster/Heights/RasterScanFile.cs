@@ -1,6 +1,5 @@
 using System.Security.Cryptography;
 using System.Text;
-using Msisf.Adapters.IO;
 
 namespace Msisf.Adapters.Raster.Heights;
 

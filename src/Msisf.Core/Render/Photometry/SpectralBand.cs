@@ -10,29 +10,29 @@ public sealed class SpectralBand
     /// <summary>Roughness of all bands and places in the maps of Sato et al., degrees.</summary>
     private const double MeanSlopeDegrees = 23.6566;
 
-    private SpectralBand(int nanometres, double widthNanometres, double solarIrradiance, HapkeParameters moon)
+    private SpectralBand(int nanometres, double solarIrradiance, HapkeParameters moon)
     {
         Nanometres = nanometres;
-        WidthNanometres = widthNanometres;
         SolarIrradiance = solarIrradiance;
         Moon = moon;
     }
 
     /// <summary>The bands, shortest wavelength first.</summary>
     /// <remarks>
-    /// Widths: BandBin of the reduced maps of Sato et al. in the test data of USGS ISIS. Irradiance: mean of ASTM E490-00a over the width,
-    /// tests/reference/solar_irradiance.py. Parameters at 643 nm: medians of the maps within 30 degrees of the equator; of the other bands:
-    /// medians of the 22 means over 32 degrees between 32 S and 32 N in the reduced maps, tests/reference/hapke_bands.py.
+    /// Irradiance: mean of ASTM E490-00a over a band's width, tests/reference/solar_irradiance.py. The widths are 32, 15, 36, 20, 20, 23,
+    /// 39 nm: BandBin of the reduced maps of Sato et al. in the test data of USGS ISIS. Parameters at 643 nm: medians of the maps within 30
+    /// degrees of the equator; of the other bands: medians of the 22 means over 32 degrees between 32 S and 32 N in the reduced maps,
+    /// tests/reference/hapke_bands.py.
     /// </remarks>
     public static IReadOnlyList<SpectralBand> All { get; } =
     [
-        new(321, 32.0, 0.7699, Parameters(0.16400, 0.23631, 0.33817, 2.44359, 0.07698)),
-        new(360, 15.0, 0.9912, Parameters(0.19772, 0.23860, 0.31590, 2.32759, 0.07177)),
-        new(415, 36.0, 1.6488, Parameters(0.23426, 0.24261, 0.27421, 2.07817, 0.07678)),
-        new(566, 20.0, 1.8373, Parameters(0.33328, 0.23722, 0.32937, 1.75108, 0.07535)),
-        new(604, 20.0, 1.7530, Parameters(0.36128, 0.23446, 0.35796, 1.72722, 0.07130)),
-        new(643, 23.0, 1.6200, Parameters(0.3854, 0.2375, 0.3253, 1.686, 0.0672)),
-        new(689, 39.0, 1.4565, Parameters(0.41639, 0.23707, 0.33158, 1.63756, 0.07218)),
+        new(321, 0.7699, Parameters(0.16400, 0.23631, 0.33817, 2.44359, 0.07698)),
+        new(360, 0.9912, Parameters(0.19772, 0.23860, 0.31590, 2.32759, 0.07177)),
+        new(415, 1.6488, Parameters(0.23426, 0.24261, 0.27421, 2.07817, 0.07678)),
+        new(566, 1.8373, Parameters(0.33328, 0.23722, 0.32937, 1.75108, 0.07535)),
+        new(604, 1.7530, Parameters(0.36128, 0.23446, 0.35796, 1.72722, 0.07130)),
+        new(643, 1.6200, Parameters(0.3854, 0.2375, 0.3253, 1.686, 0.0672)),
+        new(689, 1.4565, Parameters(0.41639, 0.23707, 0.33158, 1.63756, 0.07218)),
     ];
 
     /// <summary>The band of 643 nm, at which the Moon's parameters were published as medians.</summary>
@@ -40,9 +40,6 @@ public sealed class SpectralBand
 
     /// <summary>Central wavelength, nm.</summary>
     public int Nanometres { get; }
-
-    /// <summary>Full width at half maximum, nm.</summary>
-    public double WidthNanometres { get; }
 
     /// <summary>Mean solar irradiance in the band at 1 au, W m^-2 nm^-1.</summary>
     public double SolarIrradiance { get; }

@@ -110,15 +110,6 @@ internal sealed class SunwardPoints : IReceiverRows
         return count;
     }
 
-    /// <summary>Cosine of the incidence angle at one point, as a plain formula; <see cref="FindCosines"/> gives the same bits.</summary>
-    internal static double CosIncidence(Vector3D normal, Vector3D pointBodyFixed, Vector3D sunBodyFixed)
-    {
-        Vector3D toSun = sunBodyFixed - pointBodyFixed;
-
-        // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-        return Math.Min(Vector3D.Dot(normal, toSun) / Math.Sqrt(toSun.LengthSquared), 1.0);
-    }
-
     private Scratch Take() => _idle.TryTake(out Scratch? idle) ? idle : new Scratch();
 
     private void Scatter(int row, Scratch scratch)

@@ -8,8 +8,7 @@ namespace Msisf.Core.Surface.Sources;
 /// <param name="Slope">
 /// Tangents: how much more steeply the model rises from its border inwards than the ground of the coarser ones.
 /// </param>
-/// <param name="SlopeMetres">m from the border over which the slope is taken.</param>
-public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Height, MisfitNumbers Slope, double SlopeMetres)
+public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Height, MisfitNumbers Slope)
 {
     /// <summary>m: how far into the coarser model the difference is carried, or the model itself is bent.</summary>
     public double BlendedMetres { get; init; }
@@ -36,8 +35,7 @@ public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Heigh
             }
         }
 
-        return new BorderMisfit(
-            model.ProductId, heights.Numbers, slopes.Numbers, inwards * model.Projection.Resolution.MetresPerPixel);
+        return new BorderMisfit(model.ProductId, heights.Numbers, slopes.Numbers);
     }
 
     /// <summary>A place with data, so many samples from an outermost one away from where there is none; null if there is no such.</summary>

@@ -31,7 +31,7 @@ internal sealed class SeamBuilder
     /// <param name="more">Corners of further facets, three of each, whose vertices may belong to further parts; null for none.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public static SeamPatch Join(
-        IReadOnlyList<GridPatch> parts, ISeamStore? store = null, bool isDelaunay = false, IReadOnlyList<SeamVertex>? more = null)
+        IReadOnlyList<GridPatch> parts, ISeamStore? store, bool isDelaunay = false, IReadOnlyList<SeamVertex>? more = null)
     {
         SeamBuilder builder = new(parts);
         for (int part = 0; part < parts.Count; part++)

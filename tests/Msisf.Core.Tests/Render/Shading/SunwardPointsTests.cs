@@ -44,7 +44,10 @@ public sealed class SunwardPointsTests
             for (int column = 0; column < Side; column++)
             {
                 bool isSurface = visible.TryGet(column + 1, row + 1, out SurfaceHit hit);
-                double cosine = isSurface ? SunwardPoints.CosIncidence(hit.NormalBodyFixed, hit.PointBodyFixed, given.Sun) : -1.0;
+                Vector3D toSun = given.Sun - hit.PointBodyFixed;
+                double cosine = isSurface
+                    ? Math.Min(Vector3D.Dot(hit.NormalBodyFixed, toSun) / Math.Sqrt(toSun.LengthSquared), 1.0)
+                    : -1.0;
                 Assert.Equal(cosine, cosines[(row * Side) + column]);
                 Assert.Equal(cosine > minCosine, found.TryGetValue(column, out Vector3D point));
                 Assert.True(cosine <= minCosine || point == hit.PointBodyFixed, $"{column}, {row}");

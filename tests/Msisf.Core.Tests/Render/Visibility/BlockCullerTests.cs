@@ -34,7 +34,7 @@ public sealed class BlockCullerTests
             {
                 Vector3D toMiddle = places[i].Middle - position;
                 if (Vector3D.Dot(places[i].Normal, toMiddle) < 0.0
-                    && !found.Contains(CellBlock.Containing(facets[i].Line, facets[i].Sample)))
+                    && !found.Contains(new CellBlock((facets[i].Line + 1) / CellBlock.Size, facets[i].Sample / CellBlock.Size)))
                 {
                     leftOut++;
                     if (IsInImage(camera, toMiddle) && !IsBehindSphere(position, places[i].Middle, grid.RadiusLimits.Min))
