@@ -48,6 +48,7 @@ namespace Msisf.Architecture.Tests
         [InlineData("Msisf.MySql")]
         [InlineData("Msisf.App")]
         [InlineData("msis")]
+        [InlineData("msis-server")]
         public void Namespaces_DoNotUseEachOther_InACircle(string assembly)
         {
             IReadOnlyList<string> cycles = new NamespaceGraph(Assembly.Load(assembly).GetTypes()).Cycles();

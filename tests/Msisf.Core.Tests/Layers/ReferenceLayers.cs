@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.TestSupport;
+using Xunit;
 
 namespace Msisf.Core.Tests.Layers;
 
@@ -13,11 +14,15 @@ internal sealed record ReferenceLayers(string Scene, PinholeCamera Camera, int X
     /// <summary>The layers whose values the line holds, in this order; a vector has three.</summary>
     public static readonly string[] Names = ["depth", "range", "position", "height", "incidence", "emission", "phase", "pixel-scale"];
 
-    public static ReferenceLayers[] Read() =>
-        [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "layers.tsv"))
+    public static ReferenceLayers[] Read()
+    {
+        ReferenceLayers[] all = [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "layers.tsv"))
             .Where(line => line[0] != '#')
             .Select(line => line.Split('\t'))
             .Select(Parse)];
+        Assert.NotEmpty(all);
+        return all;
+    }
 
     private static ReferenceLayers Parse(string[] fields)
     {

@@ -61,11 +61,13 @@ public class PhotometricAnglesTests
     /// Lines of tests/golden/photometric_angles.tsv: point, normal, camera, light; then the angles that
     /// tests/reference/photometric_angles.py found.
     /// </summary>
-    private static double[][] Read(string scene) =>
-    [
-        .. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "photometric_angles.tsv"))
+    private static double[][] Read(string scene)
+    {
+        double[][] lines = [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "photometric_angles.tsv"))
             .Select(line => line.Split('\t'))
             .Where(fields => fields[0] == scene)
-            .Select(fields => fields.Skip(1).Select(field => double.Parse(field, CultureInfo.InvariantCulture)).ToArray()),
-    ];
+            .Select(fields => fields.Skip(1).Select(field => double.Parse(field, CultureInfo.InvariantCulture)).ToArray())];
+        Assert.NotEmpty(lines);
+        return lines;
+    }
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
 using Msisf.TestSupport;
+using Xunit;
 
 namespace Msisf.Core.Tests.Metadata;
 
@@ -17,11 +18,16 @@ internal sealed record ReferencePixel(
     double CosEmission,
     double Sine)
 {
-    public static ReferencePixel[] Read(string scene) =>
-        [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "illumination.tsv"))
+    /// <summary>The lines of a scene; at least one.</summary>
+    public static ReferencePixel[] Read(string scene)
+    {
+        ReferencePixel[] pixels = [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "illumination.tsv"))
             .Select(line => line.Split('\t'))
             .Where(fields => fields[0] == scene)
             .Select(Parse)];
+        Assert.NotEmpty(pixels);
+        return pixels;
+    }
 
     /// <summary>The smaller way round between two angles, degrees.</summary>
     public static double Apart(double a, double b) => Math.Abs(Math.IEEERemainder(a - b, 360.0));

@@ -3,18 +3,21 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.TestSupport;
+using Xunit;
 
 namespace Msisf.Core.Tests.Orbit;
 
 /// <summary>The tables of tests/golden/orbit, which tests/golden/README.md describes: rows of doubles under a header.</summary>
 internal static class ReferenceTable
 {
-    public static double[][] Rows(string fileName) =>
-    [
-        .. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "orbit", fileName))
+    public static double[][] Rows(string fileName)
+    {
+        double[][] rows = [.. File.ReadLines(Path.Combine(TestParts.RepositoryRoot, "tests", "golden", "orbit", fileName))
             .Skip(1)
-            .Select(line => line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray()),
-    ];
+            .Select(line => line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray())];
+        Assert.NotEmpty(rows);
+        return rows;
+    }
 
     public static KeplerElements Elements(double[] row) => new(row[0], row[1], row[2], row[3], row[4], row[5]);
 

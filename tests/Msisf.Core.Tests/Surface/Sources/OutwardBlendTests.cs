@@ -87,6 +87,7 @@ public sealed class OutwardBlendTests
             return new OutlineDifference(Radius * direction, (80.0 * Math.Sin(3.0 * angle)) + (20.0 * random.NextDouble()), 182.0);
         })];
         OutlineField field = new(differences, Cell);
+        int compared = 0;
         for (int number = 0; number < 300; number++)
         {
             double angle = 2.0 * Math.PI * random.NextDouble();
@@ -109,7 +110,10 @@ public sealed class OutwardBlendTests
 
             double t = Math.Min(1.0, distance / Math.Max(2.0 * Cell, 1.5 * Math.Abs(heights) / weights / MaxSlope));
             Assert.InRange(field.At(direction) - (heights / weights * (1.0 - t) * (1.0 - t) * (1.0 + (2.0 * t))), -1.0, 1.0);
+            compared++;
         }
+
+        Assert.InRange(compared, 150, 300);
     }
 
     /// <summary>A site across the border of a map: all three meet without a step, and the site has its own heights.</summary>
