@@ -21,6 +21,6 @@ internal sealed class SphereScene : ISceneGeometry
     public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => Sun;
 
     /// <summary>Turns once in a day of 27.3: fast enough to show which time is meant.</summary>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>
+    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) =>
         RotationMatrix.FrameAboutZ(2.0 * Math.PI * time.Days / 27.3) * RotationMatrix.FrameAboutX(0.4);
 }

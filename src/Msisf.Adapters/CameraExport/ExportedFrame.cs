@@ -41,7 +41,7 @@ public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJuli
 
     /// <summary>The same at another time.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    internal RotationMatrix BodyFromJ2000At(double tdbSeconds) => Ephemeris!.MoonMeFromJ2000(tdbSeconds);
+    internal RotationMatrix BodyFromJ2000At(double tdbSeconds) => Ephemeris!.BodyFromJ2000(tdbSeconds);
 
     /// <summary>Turns OpenCV's camera axes (x right, y down, z forward) into the body's frame.</summary>
     internal UnitQuaternion BodyFromOpenCv => StateTables.OpenCv(State);

@@ -43,7 +43,7 @@ public sealed class KernelAttitude : IAttitudeSource
         }
 
         RotationMatrix moonFromInstrument =
-            point.MoonMeFromJ2000 * _opened.Frames.FrameFromJ2000(_frame, point.TdbSeconds).Transposed;
+            point.BodyFromJ2000 * _opened.Frames.FrameFromJ2000(_frame, point.TdbSeconds).Transposed;
         return UnitQuaternion.FromMatrix(moonFromInstrument) * _instrumentFromCamera;
     }
 }

@@ -39,11 +39,11 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
         Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>
+    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) =>
         Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
+    public RotationMatrix BodyFromJ2000(double tdbSeconds) =>
         Ask((kernels, _) => _cspice.FrameFromJ2000(kernels, _body.Frame, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
 
     /// <inheritdoc/>

@@ -26,17 +26,18 @@ internal sealed class BatchFrame
             ModifiedJulianDate epoch = conventions.Epoch
                 ?? throw new BadInputException(
                     "frame moon-me-epoch needs the epoch whose axes are held still: --epoch, or epoch= beside it.");
-            _j2000FromFrame = scene.MoonMeFromJ2000(epoch).Transposed;
+            _j2000FromFrame = scene.BodyFromJ2000(epoch).Transposed;
         }
     }
 
     /// <summary>Whether positions and attitudes are those of MOON_ME at their time.</summary>
-    public bool IsMoonMe => _frame == OrbitFrame.MoonMe;
+    public bool IsBodyFixed => _frame == OrbitFrame.MoonMe;
 
     /// <summary>A position in MOON_ME.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="position">m, in the frame of the file.</param>
-    public Vector3D PositionBodyFixed(ModifiedJulianDate time, Vector3D position) => IsMoonMe ? position : MoonFromFrame(time) * position;
+    public Vector3D PositionBodyFixed(ModifiedJulianDate time, Vector3D position) =>
+        IsBodyFixed ? position : MoonFromFrame(time) * position;
 
     /// <summary>The attitude of a quaternion.</summary>
     /// <param name="time">UTC.</param>
@@ -59,8 +60,8 @@ internal sealed class BatchFrame
     public UnitQuaternion MoonFromCamera(ModifiedJulianDate time, UnitQuaternion given)
     {
         UnitQuaternion frameFromCamera = _attitude.FrameFromCamera(given);
-        return IsMoonMe ? frameFromCamera : UnitQuaternion.FromMatrix(MoonFromFrame(time)) * frameFromCamera;
+        return IsBodyFixed ? frameFromCamera : UnitQuaternion.FromMatrix(MoonFromFrame(time)) * frameFromCamera;
     }
 
-    private RotationMatrix MoonFromFrame(ModifiedJulianDate time) => _scene.MoonMeFromJ2000(time) * _j2000FromFrame;
+    private RotationMatrix MoonFromFrame(ModifiedJulianDate time) => _scene.BodyFromJ2000(time) * _j2000FromFrame;
 }

@@ -59,7 +59,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
     {
         ModifiedJulianDate time = new(numbers[0]);
         int count = SpacecraftState.NumberNames.Count;
-        if (numbers.Length > count && !frame.IsMoonMe)
+        if (numbers.Length > count && !frame.IsBodyFixed)
         {
             throw new BadInputException(
                 $"{string.Join(", ", CameraMotion.NumberNames)} are those over the turning Moon, in frame moon-me only. Remove them, or "

@@ -24,7 +24,7 @@ public readonly record struct InertialState(
         SpacecraftState[] sorted = [.. states.OrderBy(state => state.Time.Days)];
         SampleTimes times = new();
         Vector3D[] positions = new Vector3D[sorted.Length];
-        RotationMatrix[] j2000FromMoonMe = new RotationMatrix[sorted.Length];
+        RotationMatrix[] j2000FromBody = new RotationMatrix[sorted.Length];
         for (int i = 0; i < sorted.Length; i++)
         {
             double seconds = ephemeris.TimeScale.FromUtc(sorted[i].Time);
@@ -36,8 +36,8 @@ public readonly record struct InertialState(
             }
 
             times.Add(seconds);
-            j2000FromMoonMe[i] = ephemeris.MoonMeFromJ2000(seconds).Transposed;
-            positions[i] = j2000FromMoonMe[i] * sorted[i].PositionBodyFixed;
+            j2000FromBody[i] = ephemeris.BodyFromJ2000(seconds).Transposed;
+            positions[i] = j2000FromBody[i] * sorted[i].PositionBodyFixed;
         }
 
         return [.. sorted.Select((state, i) => new InertialState(
@@ -47,7 +47,7 @@ public readonly record struct InertialState(
                     new StateVector(state.PositionBodyFixed, motion.VelocityBodyFixed), RotationMatrix.Identity, times[i],
                     ephemeris).Velocity
                 : Velocity(times, positions, i)),
-            UnitQuaternion.FromMatrix(j2000FromMoonMe[i]) * state.MoonFromCamera))];
+            UnitQuaternion.FromMatrix(j2000FromBody[i]) * state.MoonFromCamera))];
     }
 
     /// <summary>The derivative of the polynomial through the neighbours' positions; 0 for one state alone.</summary>

@@ -44,7 +44,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
     public string WritePoints(IReadOnlyList<PointResult> results, LightConditions conditions)
     {
         int steps = Math.Clamp(StepsOfAllPaths / results.Count, LeastSteps, MostSteps);
-        Vector3D[][] paths = [[.. conditions.SunBodyFixed.Take(steps)], [.. conditions.EarthMoonMe.Take(steps)]];
+        Vector3D[][] paths = [[.. conditions.SunBodyFixed.Take(steps)], [.. conditions.EarthBodyFixed.Take(steps)]];
         return Write("points.html", "Light of points", results.Select(result => string.Create(
             CultureInfo.InvariantCulture,
             $"<h2>{Text(result.Point.Name ?? result.Point.Identity)}, {result.Height:R} m over the ground</h2>\n"

@@ -77,7 +77,7 @@ internal sealed class IlluminationRun
     private Vector3D SunAt(ModifiedJulianDate time) => _engine.SunPositionBodyFixed(time, _aberration);
 
     private Vector3D EarthAt(ModifiedJulianDate time) =>
-        _engine.MoonMeFromJ2000(time) * _engine.StateOf(EarthNumber, _engine.TimeScale.FromUtc(time)).Position;
+        _engine.BodyFromJ2000(time) * _engine.StateOf(EarthNumber, _engine.TimeScale.FromUtc(time)).Position;
 
     private void Tell()
     {

@@ -22,7 +22,7 @@ internal sealed class RunGeometry(
 
     public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => ephemeris().SunPositionBodyFixed(time, aberration);
 
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => ephemeris().MoonMeFromJ2000(time);
+    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => ephemeris().BodyFromJ2000(time);
 }
 
 /// <summary>Where the Sun is at the times of images. Not for several threads, as CSPICE is not.</summary>

@@ -147,7 +147,7 @@ public sealed class SampledAttitude(
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
     {
         AttitudeBlock block = blocks[_times.Find(point.TdbSeconds)];
-        RotationMatrix moonFromFrame = block.MoonMeFromFrame ?? point.MoonMeFromJ2000;
+        RotationMatrix moonFromFrame = block.MoonMeFromFrame ?? point.BodyFromJ2000;
         return UnitQuaternion.FromMatrix(moonFromFrame) * block.Samples.At(point.TdbSeconds) * bodyFromCamera;
     }
 }

@@ -28,7 +28,7 @@ public sealed class FramedAttitude : IAttitudeSource
         }
 
         (_attitude, _frame, _epoch, _ephemeris) = (attitude, frame, epoch, ephemeris);
-        _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch ? ephemeris!.MoonMeFromJ2000(epoch).Transposed : RotationMatrix.Identity;
+        _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch ? ephemeris!.BodyFromJ2000(epoch).Transposed : RotationMatrix.Identity;
     }
 
     /// <inheritdoc/>
@@ -54,7 +54,7 @@ public sealed class FramedAttitude : IAttitudeSource
         {
             AttitudeFrame.MoonMe => frameFromCamera,
             AttitudeFrame.Lvlh => UnitQuaternion.FromMatrix(MoonFromLvlh(positionBodyFixed, orbitNormalBodyFixed(time))) * frameFromCamera,
-            _ => UnitQuaternion.FromMatrix(_ephemeris!.MoonMeFromJ2000(time) * _j2000FromFrame) * frameFromCamera,
+            _ => UnitQuaternion.FromMatrix(_ephemeris!.BodyFromJ2000(time) * _j2000FromFrame) * frameFromCamera,
         };
     }
 

@@ -20,13 +20,13 @@ public interface IAttitudeSource
 /// <param name="TdbSeconds">TDB seconds past J2000.</param>
 /// <param name="Time">The same time, UTC; rounded to 0.6 microseconds.</param>
 /// <param name="StateJ2000">Position (m) and velocity (m/s) relative to the body's centre, J2000.</param>
-/// <param name="MoonMeFromJ2000">How the Moon is turned at the time.</param>
+/// <param name="BodyFromJ2000">How the Moon is turned at the time.</param>
 public readonly record struct TrajectoryPoint(
-    double TdbSeconds, ModifiedJulianDate Time, StateVector StateJ2000, RotationMatrix MoonMeFromJ2000)
+    double TdbSeconds, ModifiedJulianDate Time, StateVector StateJ2000, RotationMatrix BodyFromJ2000)
 {
     /// <summary>m, body-fixed.</summary>
-    public Vector3D PositionBodyFixed => MoonMeFromJ2000 * StateJ2000.Position;
+    public Vector3D PositionBodyFixed => BodyFromJ2000 * StateJ2000.Position;
 
     /// <summary>Direction of the orbit's angular momentum, body-fixed, any length.</summary>
-    public Vector3D OrbitNormalBodyFixed => MoonMeFromJ2000 * Vector3D.Cross(StateJ2000.Position, StateJ2000.Velocity);
+    public Vector3D OrbitNormalBodyFixed => BodyFromJ2000 * Vector3D.Cross(StateJ2000.Position, StateJ2000.Velocity);
 }

@@ -19,10 +19,10 @@ public interface ISceneGeometry
     /// <returns>m, body-fixed.</returns>
     Vector3D SunPositionBodyFixed(ModifiedJulianDate time);
 
-    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
     /// <param name="time">UTC.</param>
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time);
+    RotationMatrix BodyFromJ2000(ModifiedJulianDate time);
 }
 
 /// <summary>A scene whose Sun is where the user says, so that what looks at the Sun looks at the one that gives the light.</summary>
@@ -40,7 +40,7 @@ public sealed class SceneWithSun(ISceneGeometry scene, Vector3D sunPositionBodyF
     public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => sunPositionBodyFixed;
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => scene.MoonMeFromJ2000(time);
+    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => scene.BodyFromJ2000(time);
 
     /// <summary>The scene with this Sun; the scene itself if there is none.</summary>
     public static ISceneGeometry Of(ISceneGeometry scene, Vector3D? sunPositionBodyFixed) =>

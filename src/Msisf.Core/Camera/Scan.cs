@@ -15,8 +15,7 @@ public enum ScanKind
 
 /// <summary>
 /// An image by many exposures at equal intervals, each with a state of its own (docs/scanning-cameras.md). The image's time is the middle
-/// of
-/// the first exposure. Immutable.
+/// of the first exposure. Immutable.
 /// </summary>
 /// <param name="Kind">What an exposure adds to the image.</param>
 /// <param name="Count">Number of exposures: lines, framelets or rows; at least 1.</param>

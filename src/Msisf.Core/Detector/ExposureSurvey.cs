@@ -8,7 +8,8 @@ namespace Msisf.Core.Detector;
 /// <remarks>
 /// A pixel's electrons are r t + s + d t: light r and dark current d grow with the exposure time t, smear s does not. Only lit pixels
 /// count. They are sorted by r into bins, each with its mean s. For a time t the expected number of saturated pixels is the sum of their
-/// probabilities to be saturated, with the noise that the detector has; the time is found by bisection.
+/// probabilities to be saturated, with the noise that the detector has; the time is found by halving: without noise they jump,
+/// so that there is no root for MathNet to find.
 /// </remarks>
 /// <param name="settings">The detector with which the frames are exposed.</param>
 /// <param name="isNoiseChosen">Whether frames have a <see cref="Scene.NoiseSeed"/>, and so noise whatever the detector's seed.</param>

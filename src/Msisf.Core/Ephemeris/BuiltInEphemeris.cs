@@ -59,10 +59,10 @@ public sealed class BuiltInEphemeris(
     }
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
+    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
 
     /// <inheritdoc/>
-    public RotationMatrix MoonMeFromJ2000(double tdbSeconds) =>
+    public RotationMatrix BodyFromJ2000(double tdbSeconds) =>
         orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(scale.ToUtc(tdbSeconds));
 
     /// <inheritdoc/>

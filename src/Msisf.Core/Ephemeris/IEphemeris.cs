@@ -20,18 +20,18 @@ public interface IEphemeris
     /// </exception>
     Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None);
 
-    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time);
+    RotationMatrix BodyFromJ2000(ModifiedJulianDate time);
 
     /// <summary>Turns UTC into TDB, the time that kernels and trajectories count.</summary>
     TdbScale TimeScale { get; }
 
-    /// <summary>The rotation that turns J2000 components into MOON_ME components.</summary>
+    /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix MoonMeFromJ2000(double tdbSeconds);
+    RotationMatrix BodyFromJ2000(double tdbSeconds);
 
     /// <summary>Where another body is, light time left out.</summary>
     /// <param name="naifNumber">NAIF's number of the body, e.g. 399 for the Earth.</param>

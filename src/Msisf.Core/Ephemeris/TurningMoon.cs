@@ -12,12 +12,12 @@ public static class TurningMoon
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public static StateVector ToJ2000(StateVector state, RotationMatrix moonMeFromFrame, double tdbSeconds, IEphemeris ephemeris)
     {
-        RotationMatrix j2000FromFrame = J2000FromMoonMe(tdbSeconds) * moonMeFromFrame;
-        Vector3D later = J2000FromMoonMe(tdbSeconds + HalfStep) * moonMeFromFrame * state.Position;
-        Vector3D earlier = J2000FromMoonMe(tdbSeconds - HalfStep) * moonMeFromFrame * state.Position;
+        RotationMatrix j2000FromFrame = J2000FromBody(tdbSeconds) * moonMeFromFrame;
+        Vector3D later = J2000FromBody(tdbSeconds + HalfStep) * moonMeFromFrame * state.Position;
+        Vector3D earlier = J2000FromBody(tdbSeconds - HalfStep) * moonMeFromFrame * state.Position;
         return new StateVector(
             j2000FromFrame * state.Position, (j2000FromFrame * state.Velocity) + ((later - earlier) / (2.0 * HalfStep)));
 
-        RotationMatrix J2000FromMoonMe(double seconds) => ephemeris.MoonMeFromJ2000(seconds).Transposed;
+        RotationMatrix J2000FromBody(double seconds) => ephemeris.BodyFromJ2000(seconds).Transposed;
     }
 }

@@ -21,7 +21,7 @@ public sealed class LightSurvey
         (_horizons, _conditions) = (horizons, conditions);
         double radius = conditions.IsPoint ? 0.0 : AstronomicalConstants.SunRadius;
         _sun = new LightTimes(conditions.SunBodyFixed, radius);
-        _earth = new LightTimes(conditions.EarthMoonMe, AstronomicalConstants.EarthRadius);
+        _earth = new LightTimes(conditions.EarthBodyFixed, AstronomicalConstants.EarthRadius);
         _exact = new ExactLight(conditions.SunBodyFixed, radius);
     }
 
@@ -101,8 +101,8 @@ public sealed class LightSurvey
 
 /// <summary>What light is asked for.</summary>
 /// <param name="SunBodyFixed">The Sun at each step, m, body-fixed.</param>
-/// <param name="EarthMoonMe">The Earth at each step, m, body-fixed.</param>
-public sealed record LightConditions(IReadOnlyList<Vector3D> SunBodyFixed, IReadOnlyList<Vector3D> EarthMoonMe)
+/// <param name="EarthBodyFixed">The Earth at each step, m, body-fixed.</param>
+public sealed record LightConditions(IReadOnlyList<Vector3D> SunBodyFixed, IReadOnlyList<Vector3D> EarthBodyFixed)
 {
     /// <summary>Whether the Sun is a point.</summary>
     public bool IsPoint { get; init; }

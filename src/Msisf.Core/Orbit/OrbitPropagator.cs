@@ -30,7 +30,7 @@ public sealed class OrbitPropagator
         _frame = frame;
         _ephemeris = ephemeris;
         _j2000FromOrbit = frame == OrbitFrame.MoonMeEpoch
-            ? ephemeris!.MoonMeFromJ2000(epoch).Transposed
+            ? ephemeris!.BodyFromJ2000(epoch).Transposed
             : RotationMatrix.Identity;
     }
 
@@ -44,21 +44,21 @@ public sealed class OrbitPropagator
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
     /// <exception cref="BadInputException">The orbit is so small that it can't be followed up to the time.</exception>
-    public Vector3D PositionBodyFixed(ModifiedJulianDate time) => ToMoonMe(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
+    public Vector3D PositionBodyFixed(ModifiedJulianDate time) => ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
 
     /// <summary>Position some seconds after a time, which a date alone holds to 0.6 microseconds only: 1 mm of a low orbit.</summary>
     /// <inheritdoc cref="PositionBodyFixed(ModifiedJulianDate)"/>
     public Vector3D PositionBodyFixed(ModifiedJulianDate time, double seconds) =>
-        ToMoonMe(_orbit.PositionAt(time.SecondsSince(_epoch) + seconds), time.After(seconds));
+        ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch) + seconds), time.After(seconds));
 
     /// <summary>Direction of the orbit's angular momentum, length 1, MOON_ME of the time.</summary>
     /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
-    public Vector3D NormalBodyFixed(ModifiedJulianDate time) => ToMoonMe(_orbit.Normal, time);
+    public Vector3D NormalBodyFixed(ModifiedJulianDate time) => ToBodyFixed(_orbit.Normal, time);
 
-    private Vector3D ToMoonMe(Vector3D vectorOrbit, ModifiedJulianDate time) => _frame == OrbitFrame.MoonMe
+    private Vector3D ToBodyFixed(Vector3D vectorOrbit, ModifiedJulianDate time) => _frame == OrbitFrame.MoonMe
         ? vectorOrbit
-        : _ephemeris!.MoonMeFromJ2000(time) * (_j2000FromOrbit * vectorOrbit);
+        : _ephemeris!.BodyFromJ2000(time) * (_j2000FromOrbit * vectorOrbit);
 }
 
 /// <summary>

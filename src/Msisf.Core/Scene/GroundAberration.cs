@@ -35,8 +35,8 @@ public static class GroundAberration
             Distance(point.PositionBodyFixed, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
         StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds);
         Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds - seconds).Position - center.Position;
-        RotationMatrix moonThen = ephemeris.MoonMeFromJ2000(point.TdbSeconds - seconds);
-        UnitQuaternion j2000FromCamera = UnitQuaternion.FromMatrix(point.MoonMeFromJ2000.Transposed) * moonFromCamera;
+        RotationMatrix moonThen = ephemeris.BodyFromJ2000(point.TdbSeconds - seconds);
+        UnitQuaternion j2000FromCamera = UnitQuaternion.FromMatrix(point.BodyFromJ2000.Transposed) * moonFromCamera;
         if (aberration == Aberration.LightTimeAndStellar)
         {
             // The sine of the angle is that of CSPICE's STELAB; the camera looks along a direction in which light seems to come.

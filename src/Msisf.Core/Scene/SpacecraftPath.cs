@@ -26,7 +26,7 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
     public CameraState At(double tdbSeconds)
     {
         TrajectoryPoint point = new(
-            tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), trajectory.StateJ2000(tdbSeconds), ephemeris.MoonMeFromJ2000(tdbSeconds));
+            tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), trajectory.StateJ2000(tdbSeconds), ephemeris.BodyFromJ2000(tdbSeconds));
         (Vector3D position, UnitQuaternion moonFromCamera) = GroundAberration.Pose(
             point, attitude.MoonFromCamera(point), OfGround, ephemeris, GroundRadius);
         return new CameraState(position, moonFromCamera);

@@ -125,7 +125,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         UnitQuaternion moonFromInertial = VizGeometry.MoonFromInertial(moon);
         if (settings.MoonAttitude == MoonAttitude.Spice)
         {
-            RotationMatrix spice = frames.Sessions.Ephemeris.Of(RequestedOf(camera).Settings).Engine().MoonMeFromJ2000(time);
+            RotationMatrix spice = frames.Sessions.Ephemeris.Of(RequestedOf(camera).Settings).Engine().BodyFromJ2000(time);
             moonFromInertial = VizGeometry.Checked(moonFromInertial, UnitQuaternion.FromMatrix(spice), time);
         }
         else if (moonFromInertial == UnitQuaternion.Identity)

@@ -63,11 +63,11 @@ public sealed class BuiltInKernelsTests : IDisposable
     }
 
     [Fact]
-    public void MoonMeFromJ2000_ShippedKernels_IsCSpices()
+    public void BodyFromJ2000_ShippedKernels_IsCSpices()
     {
         using BuiltInKernels kernels = new(KernelList.Expand([Path.Combine(TestParts.Kernels, "msisf.tm")]));
 
-        RotationMatrix rotation = kernels.Ephemeris.MoonMeFromJ2000(new ModifiedJulianDate(55289.0));
+        RotationMatrix rotation = kernels.Ephemeris.BodyFromJ2000(new ModifiedJulianDate(55289.0));
 
         Assert.Equal(
             0.0, (rotation.Row0 - new Vector3D(0.5411226728469083, 0.7793513872318866, 0.3159076892871575)).Length, Rounding.OfUnits);
@@ -168,7 +168,7 @@ public sealed class BuiltInKernelsTests : IDisposable
             kernels.Ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(51544.5)));
 
         Assert.Contains("body 10 is given by SPK type 20", failure.Message, StringComparison.Ordinal);
-        Assert.True(kernels.Ephemeris.MoonMeFromJ2000(new ModifiedJulianDate(51544.5)).Row0.IsFinite);
+        Assert.True(kernels.Ephemeris.BodyFromJ2000(new ModifiedJulianDate(51544.5)).Row0.IsFinite);
     }
 
     [Theory]

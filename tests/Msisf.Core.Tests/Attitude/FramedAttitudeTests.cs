@@ -94,10 +94,10 @@ public class FramedAttitudeTests
         public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) =>
+        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) =>
             RotationMatrix.FrameAboutZ(Math.PI / 2.0 * (1.0 + time.Days - 55289.0));
 
-        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(double tdbSeconds) => throw new NotSupportedException();
 
         public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
     }

@@ -36,28 +36,28 @@ public class BuiltInEphemerisTests
     }
 
     [Fact]
-    public void MoonMeFromJ2000_QuarterTurnAboutZ_TakesXToMinusY()
+    public void BodyFromJ2000_QuarterTurnAboutZ_TakesXToMinusY()
     {
         // Frame axes turned by +90 degrees about z: the source's x axis is the target's -y.
-        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, Math.PI / 2.0)).MoonMeFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, Math.PI / 2.0)).BodyFromJ2000(Time);
 
         Assert.Equal(0.0, ((rotation * Vector3D.UnitX) + Vector3D.UnitY).Length, Rounding.OfUnits);
     }
 
     [Fact]
-    public void MoonMeFromJ2000_ThreeAngles_FirstIsAppliedFirst()
+    public void BodyFromJ2000_ThreeAngles_FirstIsAppliedFirst()
     {
         // Node 90 degrees, inclination 90 degrees, no spin: z of J2000 is +y of the frame, x of J2000 is +z.
-        RotationMatrix rotation = Make([], angles: new(Math.PI / 2.0, Math.PI / 2.0, 0.0)).MoonMeFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(Math.PI / 2.0, Math.PI / 2.0, 0.0)).BodyFromJ2000(Time);
 
         Assert.Equal(0.0, ((rotation * Vector3D.UnitZ) - Vector3D.UnitY).Length, Rounding.OfUnits);
         Assert.Equal(0.0, ((rotation * Vector3D.UnitX) - Vector3D.UnitZ).Length, Rounding.OfUnits);
     }
 
     [Fact]
-    public void MoonMeFromJ2000_ManyTurns_IsTheTurnsRest()
+    public void BodyFromJ2000_ManyTurns_IsTheTurnsRest()
     {
-        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, (200.0 * Math.PI) + 1.0)).MoonMeFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, (200.0 * Math.PI) + 1.0)).BodyFromJ2000(Time);
 
         Assert.Equal(Math.Cos(1.0), rotation.Row0.X, 2e-13); // the angle is of 1e3 rad and has that ulp
         Assert.Equal(Math.Sin(1.0), rotation.Row0.Y, 2e-13); // the same

@@ -90,9 +90,9 @@ public class OrbitPropagatorTests
         public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));
+        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));
 
-        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(double tdbSeconds) => throw new NotSupportedException();
 
         public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
     }

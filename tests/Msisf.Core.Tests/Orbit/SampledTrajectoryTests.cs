@@ -167,9 +167,9 @@ public sealed class SampledTrajectoryTests
         public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(1e-5 * tdbSeconds);
+        public RotationMatrix BodyFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(1e-5 * tdbSeconds);
 
         public StateVector StateOf(int naifNumber, double tdbSeconds) => naifNumber == 399
             ? new StateVector(new Vector3D(4e8, tdbSeconds, 0.0), new Vector3D(0.0, 1.0, 0.0))

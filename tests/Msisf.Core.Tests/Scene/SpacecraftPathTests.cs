@@ -68,9 +68,9 @@ public sealed class SpacecraftPathTests
         public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
 
-        public RotationMatrix MoonMeFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(Math.PI / 2.0 * tdbSeconds / 1000.0);
+        public RotationMatrix BodyFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(Math.PI / 2.0 * tdbSeconds / 1000.0);
 
         public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
     }

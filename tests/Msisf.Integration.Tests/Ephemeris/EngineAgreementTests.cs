@@ -89,7 +89,7 @@ public sealed class EngineAgreementTests
                 Assert.InRange((actual.Velocity - expected.Velocity).Length, 0.0, Rounding.OfTurns * expected.Velocity.Length);
             }
 
-            AssertClose(cspice.Engine.MoonMeFromJ2000(tdb), builtIn.Engine.MoonMeFromJ2000(tdb));
+            AssertClose(cspice.Engine.BodyFromJ2000(tdb), builtIn.Engine.BodyFromJ2000(tdb));
         }
     }
 
@@ -109,6 +109,6 @@ public sealed class EngineAgreementTests
             Assert.InRange((builtIn.SunPositionBodyFixed(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
         }
 
-        AssertClose(cspice.MoonMeFromJ2000(time), builtIn.MoonMeFromJ2000(time));
+        AssertClose(cspice.BodyFromJ2000(time), builtIn.BodyFromJ2000(time));
     }
 }

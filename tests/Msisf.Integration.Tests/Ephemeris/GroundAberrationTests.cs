@@ -49,7 +49,7 @@ public sealed class GroundAberrationTests
         const double Time = 3.02e8;
         StateVector state = trajectory.StateJ2000(Time);
         StateVector center = engine.StateOf(0, Time);
-        RotationMatrix moonMe = engine.MoonMeFromJ2000(Time);
+        RotationMatrix moonMe = engine.BodyFromJ2000(Time);
         TrajectoryPoint point = new(Time, engine.TimeScale.ToUtc(Time), state, moonMe);
         Vector3D apparent = moonMe.Transposed * (new Slanting().MoonFromCamera(point) * -Vector3D.UnitX);
         Vector3D velocity = (state.Velocity - center.Velocity) / C;
@@ -63,7 +63,7 @@ public sealed class GroundAberrationTests
             double along = -Vector3D.Dot(fromMoonThen, direction);
             double miss = (fromMoonThen + (along * direction)).Length;
             distance = along - Math.Sqrt((Radius * Radius) - (miss * miss));
-            hit = engine.MoonMeFromJ2000(sent) * (fromMoonThen + (distance * direction));
+            hit = engine.BodyFromJ2000(sent) * (fromMoonThen + (distance * direction));
         }
 
         return hit;

@@ -72,7 +72,7 @@ public sealed class LroNacImageTests
         foreach ((double time, int index) in Numbers(sun.GetProperty("ephemeris_times")).Select((time, index) => (time, index)))
         {
             ModifiedJulianDate utc = opened.Engine.TimeScale.ToUtc(time);
-            Vector3D actual = opened.Engine.MoonMeFromJ2000(utc).Transposed
+            Vector3D actual = opened.Engine.BodyFromJ2000(utc).Transposed
                 * opened.Engine.SunPositionBodyFixed(utc, Aberration.LightTimeAndStellar);
             AssertClose(1000.0 * Vector(sun.GetProperty("positions")[index]), actual);
         }
@@ -102,7 +102,7 @@ public sealed class LroNacImageTests
         double[] times = Numbers(pointing.GetProperty("ephemeris_times"));
         for (int line = 0; line < times.Length; line += 25)
         {
-            RotationMatrix moonFromJ2000 = opened.Engine.MoonMeFromJ2000(times[line]);
+            RotationMatrix moonFromJ2000 = opened.Engine.BodyFromJ2000(times[line]);
             StateVector state = trajectory.StateJ2000(times[line]);
             TrajectoryPoint point = new(times[line], opened.Engine.TimeScale.ToUtc(times[line]), state, moonFromJ2000);
             FrameCamera camera = model.At(new CameraState(point.PositionBodyFixed, attitude.MoonFromCamera(point)));

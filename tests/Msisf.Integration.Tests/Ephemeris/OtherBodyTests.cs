@@ -46,8 +46,8 @@ public sealed class OtherBodyTests
             Vector3D expected = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd), aberration);
             Vector3D found = builtIn.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd), aberration);
             Assert.Equal(0.0, (found - expected).Length / expected.Length, Agreement);
-            RotationMatrix turned = cspice.Engine.MoonMeFromJ2000(new ModifiedJulianDate(mjd));
-            Assert.Equal(0.0, (turned.Row0 - builtIn.Engine.MoonMeFromJ2000(new ModifiedJulianDate(mjd)).Row0).Length, Agreement);
+            RotationMatrix turned = cspice.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd));
+            Assert.Equal(0.0, (turned.Row0 - builtIn.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd)).Row0).Length, Agreement);
         }
     }
 

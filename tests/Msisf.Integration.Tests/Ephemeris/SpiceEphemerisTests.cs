@@ -57,7 +57,7 @@ public sealed class SpiceEphemerisTests : IDisposable
         using OpenedEphemeris opened = Engines.CSpice();
 
         SpiceException sun = Assert.Throws<SpiceException>(() => opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd)));
-        SpiceException frame = Assert.Throws<SpiceException>(() => opened.Engine.MoonMeFromJ2000(new ModifiedJulianDate(mjd)));
+        SpiceException frame = Assert.Throws<SpiceException>(() => opened.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd)));
 
         Assert.All([sun, frame], failure =>
         {

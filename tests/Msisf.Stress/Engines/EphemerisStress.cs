@@ -79,8 +79,8 @@ public sealed class EphemerisStress : IStressTest
 
     private static double FrameDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time)
     {
-        RotationMatrix expected = cspice.MoonMeFromJ2000(time);
-        RotationMatrix found = builtIn.MoonMeFromJ2000(time);
+        RotationMatrix expected = cspice.BodyFromJ2000(time);
+        RotationMatrix found = builtIn.BodyFromJ2000(time);
         return Math.Max(
             (found.Row0 - expected.Row0).Length,
             Math.Max((found.Row1 - expected.Row1).Length, (found.Row2 - expected.Row2).Length));

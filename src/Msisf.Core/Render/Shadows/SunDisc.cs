@@ -31,7 +31,7 @@ internal sealed class SunDisc
     /// </summary>
     private static readonly double[] Turns = [0.5, 0.75, 0.0, 0.75];
 
-    private readonly Vector3D[] _pointsMoonMe;
+    private readonly Vector3D[] _pointsBodyFixed;
 
     /// <summary>Places the points for a position of the Sun.</summary>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
@@ -57,7 +57,7 @@ internal sealed class SunDisc
             points.AddRange(Enumerable.Range(0, count).Select(i => ((i + offset) / count, radius * Math.Sqrt(part))));
         }
 
-        _pointsMoonMe = [.. points.OrderBy(point => point.Turn).Select(point =>
+        _pointsBodyFixed = [.. points.OrderBy(point => point.Turn).Select(point =>
         {
             (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * point.Turn);
             return sunBodyFixed + (point.FromCentre * ((cosine * axes.AxisU) + (sine * axes.AxisV)));
@@ -71,7 +71,7 @@ internal sealed class SunDisc
     public double Slope { get; }
 
     /// <summary>The points, m, body-fixed; the first one belongs to the lowest bit of a mask.</summary>
-    public ReadOnlySpan<Vector3D> PointsBodyFixed => _pointsMoonMe;
+    public ReadOnlySpan<Vector3D> PointsBodyFixed => _pointsBodyFixed;
 
     /// <summary>The light of the disc on a point of a facet.</summary>
     /// <param name="pointBodyFixed">The point, m, body-fixed.</param>
@@ -83,7 +83,7 @@ internal sealed class SunDisc
         double sum = 0.0;
         for (ulong left = ~hidden; left != 0; left &= left - 1)
         {
-            Vector3D toSun = _pointsMoonMe[BitOperations.TrailingZeroCount(left)] - pointBodyFixed;
+            Vector3D toSun = _pointsBodyFixed[BitOperations.TrailingZeroCount(left)] - pointBodyFixed;
             double cosine = Vector3D.Dot(normalBodyFixed, toSun) / Math.Sqrt(toSun.LengthSquared); // 1e11 m: its square does not overflow
             if (cosine > 0.0)
             {
