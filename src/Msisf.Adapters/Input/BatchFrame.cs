@@ -30,10 +30,10 @@ internal sealed class BatchFrame
         }
     }
 
-    /// <summary>Whether positions and attitudes are those of MOON_ME at their time.</summary>
+    /// <summary>Whether positions and attitudes are fixed to the body at their time.</summary>
     public bool IsBodyFixed => _frame == OrbitFrame.MoonMe;
 
-    /// <summary>A position in MOON_ME.</summary>
+    /// <summary>A position as one fixed to the body.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="position">m, in the frame of the file.</param>
     public Vector3D PositionBodyFixed(ModifiedJulianDate time, Vector3D position) =>

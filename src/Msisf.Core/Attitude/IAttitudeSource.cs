@@ -20,7 +20,7 @@ public interface IAttitudeSource
 /// <param name="TdbSeconds">TDB seconds past J2000.</param>
 /// <param name="Time">The same time, UTC; rounded to 0.6 microseconds.</param>
 /// <param name="StateJ2000">Position (m) and velocity (m/s) relative to the body's centre, J2000.</param>
-/// <param name="BodyFromJ2000">How the Moon is turned at the time.</param>
+/// <param name="BodyFromJ2000">How the body is turned at the time.</param>
 public readonly record struct TrajectoryPoint(
     double TdbSeconds, ModifiedJulianDate Time, StateVector StateJ2000, RotationMatrix BodyFromJ2000)
 {
