@@ -1,5 +1,5 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Illumination;
@@ -99,27 +99,31 @@ internal sealed class HorizonTable
     {
         Vector512<float> floor = Vector512.Floor(columns);
         Vector512<int> index = Vector512.ConvertToInt32(floor) & Vector512.Create(Columns - 1);
-        ref float start = ref MemoryMarshal.GetArrayDataReference(Tangents);
-        Vector512<float> first = Eight(ref start, index.GetLower());
-        Vector512<float> second = Eight(ref start, index.GetUpper());
+        float[] tangents = Tangents;
+        Vector512<float> first = Eight(tangents, index.GetLower());
+        Vector512<float> second = Eight(tangents, index.GetUpper());
         Vector512<float> left = Vector512.Create(first.GetLower(), second.GetLower());
         Vector512<float> right = Vector512.Create(first.GetUpper(), second.GetUpper());
         return left + ((columns - floor) * (right - left));
 
         // A column and the next one are read at once: eight columns, and then the next ones.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<float> Eight(ref float start, Vector256<int> at)
+        static Vector512<float> Eight(float[] tangents, Vector256<int> at)
         {
-            Vector512<double> pairs = Vector512.Create(Four(ref start, at.GetLower()), Four(ref start, at.GetUpper()));
+            Vector512<double> pairs = Vector512.Create(Four(tangents, at.GetLower()), Four(tangents, at.GetUpper()));
             return Vector512.Shuffle(pairs.AsSingle(), Vector512.Create(0, 2, 4, 6, 8, 10, 12, 14, 1, 3, 5, 7, 9, 11, 13, 15));
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector256<double> Four(ref float start, Vector128<int> at) => Vector256.Create(
-            Vector128.Create(PairAt(ref start, at[0]), PairAt(ref start, at[1])),
-            Vector128.Create(PairAt(ref start, at[2]), PairAt(ref start, at[3])));
+        static Vector256<double> Four(float[] tangents, Vector128<int> at) => Vector256.Create(
+            Vector128.Create(PairAt(tangents, at[0]), PairAt(tangents, at[1])),
+            Vector128.Create(PairAt(tangents, at[2]), PairAt(tangents, at[3])));
 
-        static double PairAt(ref float start, int at) => Unsafe.As<float, double>(ref Unsafe.Add(ref start, at));
+        static double PairAt(float[] tangents, int at)
+        {
+            Debug.Assert(at + 1 < tangents.Length, "A column has no next one.");
+            return Unsafe.As<float, double>(ref ArrayLanes.At(tangents, at));
+        }
     }
 
     /// <summary>Elements of a table.</summary>
@@ -128,14 +132,13 @@ internal sealed class HorizonTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<float> Gather(float[] from, Vector512<int> index)
     {
-        ref float start = ref MemoryMarshal.GetArrayDataReference(from);
         Vector256<int> lower = index.GetLower();
         Vector256<int> upper = index.GetUpper();
         return Vector512.Create(
-            Vector256.Create(Four(ref start, lower.GetLower()), Four(ref start, lower.GetUpper())),
-            Vector256.Create(Four(ref start, upper.GetLower()), Four(ref start, upper.GetUpper())));
+            Vector256.Create(Four(from, lower.GetLower()), Four(from, lower.GetUpper())),
+            Vector256.Create(Four(from, upper.GetLower()), Four(from, upper.GetUpper())));
 
-        static Vector128<float> Four(ref float start, Vector128<int> at) => Vector128.Create(
-            Unsafe.Add(ref start, at[0]), Unsafe.Add(ref start, at[1]), Unsafe.Add(ref start, at[2]), Unsafe.Add(ref start, at[3]));
+        static Vector128<float> Four(float[] from, Vector128<int> at) => Vector128.Create(
+            ArrayLanes.At(from, at[0]), ArrayLanes.At(from, at[1]), ArrayLanes.At(from, at[2]), ArrayLanes.At(from, at[3]));
     }
 }

@@ -1,5 +1,4 @@
 using System.Buffers;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 using Msisf.Core.Terrain;
@@ -214,21 +213,16 @@ public sealed class BlockReducer
         int i = 0;
         if (Avx2.IsSupported)
         {
-            ref double northStart = ref MemoryMarshal.GetReference(north);
-            ref double southStart = ref MemoryMarshal.GetReference(south);
-            ref double target = ref MemoryMarshal.GetReference(radii);
             Vector256<double> reference = Vector256.Create(_reference);
             for (; i <= radii.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
-                Vector256<double> west = Vector256.LoadUnsafe(ref northStart, (nuint)(2 * i))
-                    + Vector256.LoadUnsafe(ref southStart, (nuint)(2 * i));
-                Vector256<double> east = Vector256.LoadUnsafe(ref northStart, (nuint)((2 * i) + 4))
-                    + Vector256.LoadUnsafe(ref southStart, (nuint)((2 * i) + 4));
+                Vector256<double> west = ArrayLanes.Load256(north, 2 * i) + ArrayLanes.Load256(south, 2 * i);
+                Vector256<double> east = ArrayLanes.Load256(north, (2 * i) + 4) + ArrayLanes.Load256(south, (2 * i) + 4);
 
                 // Neighbours are added within 128-bit lanes, which leaves the order 0, 2, 1, 3.
                 Vector256<double> sums = Avx2.Permute4x64(Avx.HorizontalAdd(west, east), 0b11_01_10_00);
                 Vector128<float> heights = Avx.ConvertToVector128Single((0.25 * sums) - reference);
-                (reference + Avx.ConvertToVector256Double(heights)).StoreUnsafe(ref target, (nuint)i);
+                (reference + Avx.ConvertToVector256Double(heights)).StoreTo(radii, i);
             }
         }
 

@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 using Msisf.Core.Terrain;
@@ -152,12 +151,10 @@ public abstract class BlockedGrid : ITerrainGrid
         int i = 0;
         if (Avx.IsSupported)
         {
-            ref float source = ref MemoryMarshal.GetReference(heights);
-            ref double target = ref MemoryMarshal.GetReference(radii);
             Vector256<double> reference = Vector256.Create(ReferenceRadius);
             for (; i <= heights.Length - Vector256<double>.Count; i += Vector256<double>.Count)
             {
-                (reference + Avx.ConvertToVector256Double(Vector128.LoadUnsafe(ref source, (nuint)i))).StoreUnsafe(ref target, (nuint)i);
+                (reference + Avx.ConvertToVector256Double(ArrayLanes.Load128(heights, i))).StoreTo(radii, i);
             }
         }
 

@@ -1,6 +1,4 @@
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Terrain;
 
@@ -85,30 +83,25 @@ internal sealed class CylinderGeometry : MeshGeometry
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {
-        Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
-        Debug.Assert(firstSample - _firstSample + radii.Length <= _longitudeSines.Length, "A line reaches beyond the table of longitudes.");
         SineCosine latitude = Latitude(line);
-        ref double radiiStart = ref MemoryMarshal.GetReference(radii);
-        ref double sines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeSines), firstSample - _firstSample);
-        ref double cosines = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_longitudeCosines), firstSample - _firstSample);
-        ref double toX = ref MemoryMarshal.GetReference(x);
-        ref double toY = ref MemoryMarshal.GetReference(y);
-        ref double toZ = ref MemoryMarshal.GetReference(z);
+        ReadOnlySpan<double> sines = _longitudeSines;
+        ReadOnlySpan<double> cosines = _longitudeCosines;
+        int start = firstSample - _firstSample;
         Vector512<double> stepsPerMetre = Vector512.Create(StepsPerMetre);
         Vector512<double> metresPerStep = Vector512.Create(1.0 / StepsPerMetre);
         Vector512<double> half = Vector512.Create(0.5);
         Vector512<double> sinLatitude = Vector512.Create(latitude.Sine);
         Vector512<double> cosLatitude = Vector512.Create(latitude.Cosine);
-        for (nuint i = 0; i < (nuint)radii.Length; i += (nuint)Vector512<double>.Count)
+        for (int i = 0; i < radii.Length; i += Vector512<double>.Count)
         {
-            Vector512<double> steps = stepsPerMetre * Vector512.LoadUnsafe(ref radiiStart, i);
+            Vector512<double> steps = stepsPerMetre * ArrayLanes.Load(radii, i);
             Vector512<double> equatorial = steps * cosLatitude;
-            Vector512<double> px = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref cosines, i)) + half) * metresPerStep;
-            Vector512<double> py = Vector512.Floor((equatorial * Vector512.LoadUnsafe(ref sines, i)) + half) * metresPerStep;
+            Vector512<double> px = Vector512.Floor((equatorial * ArrayLanes.Load(cosines, start + i)) + half) * metresPerStep;
+            Vector512<double> py = Vector512.Floor((equatorial * ArrayLanes.Load(sines, start + i)) + half) * metresPerStep;
             Vector512<double> pz = Vector512.Floor((steps * sinLatitude) + half) * metresPerStep;
-            (px - Vector512.Create(originBodyFixed.X)).StoreUnsafe(ref toX, i);
-            (py - Vector512.Create(originBodyFixed.Y)).StoreUnsafe(ref toY, i);
-            (pz - Vector512.Create(originBodyFixed.Z)).StoreUnsafe(ref toZ, i);
+            (px - Vector512.Create(originBodyFixed.X)).StoreTo(x, i);
+            (py - Vector512.Create(originBodyFixed.Y)).StoreTo(y, i);
+            (pz - Vector512.Create(originBodyFixed.Z)).StoreTo(z, i);
         }
     }
 

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Terrain;
 
@@ -167,12 +166,7 @@ internal sealed class NodeReader
             Max = Math.Max(Max, south[0]);
             if (south.Length > Vector512<double>.Count)
             {
-                AddWide(
-                    ref MemoryMarshal.GetReference(north),
-                    ref MemoryMarshal.GetReference(south),
-                    south.Length,
-                    ref stepEast,
-                    ref stepNorth);
+                AddWide(north, south, ref stepEast, ref stepNorth);
             }
             else
             {
@@ -199,21 +193,21 @@ internal sealed class NodeReader
         /// Adds all vertices of a line except the first; the line must have at least as many of them as a vector has lanes.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
-        private void AddWide(ref double north, ref double south, int count, ref double stepEast, ref double stepNorth)
+        private void AddWide(ReadOnlySpan<double> north, ReadOnlySpan<double> south, ref double stepEast, ref double stepNorth)
         {
             Vector512<double> min = Vector512.Create(Min);
             Vector512<double> max = Vector512.Create(Max);
             Vector512<double> east = Vector512<double>.Zero;
             Vector512<double> down = Vector512.Create(stepNorth);
-            for (int i = 1; i < count; i += Vector512<double>.Count)
+            for (int i = 1; i < south.Length; i += Vector512<double>.Count)
             {
                 // The last vector begins early enough to end with the line; the vertices that it repeats do not change the bounds.
-                nuint at = (nuint)Math.Min(i, count - Vector512<double>.Count);
-                Vector512<double> radius = Vector512.LoadUnsafe(ref south, at);
+                int at = Math.Min(i, south.Length - Vector512<double>.Count);
+                Vector512<double> radius = ArrayLanes.Load(south, at);
                 min = Vector512.Min(min, radius);
                 max = Vector512.Max(max, radius);
-                east = Vector512.Max(east, Vector512.Abs(radius - Vector512.LoadUnsafe(ref south, at - 1)));
-                down = Vector512.Max(down, Vector512.Abs(radius - Vector512.LoadUnsafe(ref north, at)));
+                east = Vector512.Max(east, Vector512.Abs(radius - ArrayLanes.Load(south, at - 1)));
+                down = Vector512.Max(down, Vector512.Abs(radius - ArrayLanes.Load(north, at)));
             }
 
             Min = -MaxOf(-min);

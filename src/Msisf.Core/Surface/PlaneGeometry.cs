@@ -1,6 +1,4 @@
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Terrain;
 
@@ -64,14 +62,11 @@ internal sealed class PlaneGeometry : MeshGeometry
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {
-        Debug.Assert(x.Length >= radii.Length && y.Length >= radii.Length && z.Length >= radii.Length, "A line reaches beyond its block.");
-        Debug.Assert(firstSample + radii.Length <= _a.Length, "A line reaches beyond the table of samples.");
-        ref double radiiStart = ref MemoryMarshal.GetReference(radii);
-        ref double aStart = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_a), firstSample);
+        ReadOnlySpan<double> ofSamples = _a;
         Vector3D origin = _projection.ToMap(originBodyFixed);
-        ref double toX = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => y, 2 => z, _ => x });
-        ref double toY = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => z, 2 => x, _ => y });
-        ref double toZ = ref MemoryMarshal.GetReference(_projection.Turn switch { 1 => x, 2 => y, _ => z });
+        Span<double> toX = _projection.Turn switch { 1 => y, 2 => z, _ => x };
+        Span<double> toY = _projection.Turn switch { 1 => z, 2 => x, _ => y };
+        Span<double> toZ = _projection.Turn switch { 1 => x, 2 => y, _ => z };
         Vector512<double> stepsPerMetre = Vector512.Create(StepsPerMetre);
         Vector512<double> metresPerStep = Vector512.Create(1.0 / StepsPerMetre);
         Vector512<double> half = Vector512.Create(0.5);
@@ -80,17 +75,17 @@ internal sealed class PlaneGeometry : MeshGeometry
         Vector512<double> sign = Vector512.Create(_projection.PoleSign);
         Vector512<double> b = Vector512.Create(_projection.B(line));
         Vector512<double> squaredB = b * b;
-        for (nuint i = 0; i < (nuint)radii.Length; i += (nuint)Vector512<double>.Count)
+        for (int i = 0; i < radii.Length; i += Vector512<double>.Count)
         {
-            Vector512<double> a = Vector512.LoadUnsafe(ref aStart, i);
+            Vector512<double> a = ArrayLanes.Load(ofSamples, firstSample + i);
             Vector512<double> s = quarter * ((a * a) + squaredB);
-            Vector512<double> f = (stepsPerMetre * Vector512.LoadUnsafe(ref radiiStart, i)) / (one + s);
+            Vector512<double> f = (stepsPerMetre * ArrayLanes.Load(radii, i)) / (one + s);
             Vector512<double> px = Vector512.Floor((f * b) + half) * metresPerStep;
             Vector512<double> py = Vector512.Floor((f * a) + half) * metresPerStep;
             Vector512<double> pz = Vector512.Floor((sign * (f * (one - s))) + half) * metresPerStep;
-            (px - Vector512.Create(origin.X)).StoreUnsafe(ref toX, i);
-            (py - Vector512.Create(origin.Y)).StoreUnsafe(ref toY, i);
-            (pz - Vector512.Create(origin.Z)).StoreUnsafe(ref toZ, i);
+            (px - Vector512.Create(origin.X)).StoreTo(toX, i);
+            (py - Vector512.Create(origin.Y)).StoreTo(toY, i);
+            (pz - Vector512.Create(origin.Z)).StoreTo(toZ, i);
         }
     }
 

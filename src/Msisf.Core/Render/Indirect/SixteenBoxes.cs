@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Indirect;
 
@@ -42,19 +40,19 @@ internal sealed class SixteenBoxes
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public uint Meet(in GroundRay ray)
     {
-        ref float limits = ref MemoryMarshal.GetArrayDataReference(_limits);
+        ReadOnlySpan<float> limits = _limits;
         Vector512<float> ox = Vector512.Create((float)ray.Origin.X);
         Vector512<float> oy = Vector512.Create((float)ray.Origin.Y);
         Vector512<float> oz = Vector512.Create((float)ray.Origin.Z);
         Vector512<float> px = Vector512.Create(ray.PerX);
         Vector512<float> py = Vector512.Create(ray.PerY);
         Vector512<float> pz = Vector512.Create(ray.PerZ);
-        Vector512<float> x1 = (Vector512.LoadUnsafe(ref limits) - ox) * px;
-        Vector512<float> x2 = (Vector512.LoadUnsafe(ref limits, Count) - ox) * px;
-        Vector512<float> y1 = (Vector512.LoadUnsafe(ref limits, 2 * Count) - oy) * py;
-        Vector512<float> y2 = (Vector512.LoadUnsafe(ref limits, 3 * Count) - oy) * py;
-        Vector512<float> z1 = (Vector512.LoadUnsafe(ref limits, 4 * Count) - oz) * pz;
-        Vector512<float> z2 = (Vector512.LoadUnsafe(ref limits, 5 * Count) - oz) * pz;
+        Vector512<float> x1 = (ArrayLanes.Load(limits, 0) - ox) * px;
+        Vector512<float> x2 = (ArrayLanes.Load(limits, Count) - ox) * px;
+        Vector512<float> y1 = (ArrayLanes.Load(limits, 2 * Count) - oy) * py;
+        Vector512<float> y2 = (ArrayLanes.Load(limits, 3 * Count) - oy) * py;
+        Vector512<float> z1 = (ArrayLanes.Load(limits, 4 * Count) - oz) * pz;
+        Vector512<float> z2 = (ArrayLanes.Load(limits, 5 * Count) - oz) * pz;
         Vector512<float> near = Vector512.MaxNative(
             Vector512.MaxNative(Vector512.MinNative(x1, x2), Vector512.MinNative(y1, y2)),
             Vector512.MaxNative(Vector512.MinNative(z1, z2), Vector512<float>.Zero));
@@ -86,13 +84,13 @@ internal sealed class SixteenBoxes
         Vector512<float> highY = Vector512.Create(_limits[(3 * Count) + box] - ey);
         Vector512<float> lowZ = Vector512.Create(_limits[(4 * Count) + box] - ez);
         Vector512<float> highZ = Vector512.Create(_limits[(5 * Count) + box] - ez);
-        ref float inverses = ref MemoryMarshal.GetArrayDataReference(fan.Inverses);
+        ReadOnlySpan<float> inverses = fan.Inverses;
         ulong met = 0;
         for (int way = 0; way < Receivers.Size; way += Vector512<float>.Count)
         {
-            Vector512<float> px = Vector512.LoadUnsafe(ref inverses, (nuint)way);
-            Vector512<float> py = Vector512.LoadUnsafe(ref inverses, (nuint)(Receivers.Size + way));
-            Vector512<float> pz = Vector512.LoadUnsafe(ref inverses, (nuint)((2 * Receivers.Size) + way));
+            Vector512<float> px = ArrayLanes.Load(inverses, way);
+            Vector512<float> py = ArrayLanes.Load(inverses, Receivers.Size + way);
+            Vector512<float> pz = ArrayLanes.Load(inverses, (2 * Receivers.Size) + way);
             (Vector512<float> x1, Vector512<float> x2) = (lowX * px, highX * px);
             (Vector512<float> y1, Vector512<float> y2) = (lowY * py, highY * py);
             (Vector512<float> z1, Vector512<float> z2) = (lowZ * pz, highZ * pz);
@@ -112,9 +110,8 @@ internal sealed class SixteenBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Cut(int axis, double end, float[] inverses, ref Vector512<float> near, ref Vector512<float> far)
     {
-        ref float limits = ref MemoryMarshal.GetArrayDataReference(_limits);
-        Vector512<float> low = Vector512.LoadUnsafe(ref limits, (nuint)(2 * axis * Count)) - Vector512.Create((float)end);
-        Vector512<float> high = Vector512.LoadUnsafe(ref limits, (nuint)(((2 * axis) + 1) * Count)) - Vector512.Create((float)end);
+        Vector512<float> low = ArrayLanes.Load(_limits, 2 * axis * Count) - Vector512.Create((float)end);
+        Vector512<float> high = ArrayLanes.Load(_limits, ((2 * axis) + 1) * Count) - Vector512.Create((float)end);
         Vector512<float> one = Vector512.Create(inverses[2 * axis]);
         Vector512<float> other = Vector512.Create(inverses[(2 * axis) + 1]);
         near = Vector512.MaxNative(near, Vector512.MinNative(

@@ -105,11 +105,9 @@ internal sealed class AlbedoSampler
     {
         AlbedoMapLevel finest = map.Levels[0];
         int coarser = Math.Min(level + 1, map.Levels.Count - 1);
-        ref double x = ref _x[0];
-        ref double y = ref _y[0];
-        _lanes.Read(map.Levels[level], finest, ref x, ref y, ref _codes[0], places);
-        _lanes.Read(map.Levels[coarser], finest, ref x, ref y, ref _farCodes[0], places);
-        if (!MixLevels(ref _codes[0], ref _farCodes[0], ref _parts[0], places))
+        _lanes.Read(map.Levels[level], finest, _x, _y, _codes, places);
+        _lanes.Read(map.Levels[coarser], finest, _x, _y, _farCodes, places);
+        if (!MixLevels(_codes, _farCodes, _parts, places))
         {
             return;
         }
@@ -127,22 +125,22 @@ internal sealed class AlbedoSampler
 
     /// <summary>Whether a code became NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
-    private static bool MixLevels(ref double codes, ref double farCodes, ref double parts, int count)
+    private static bool MixLevels(Span<double> codes, ReadOnlySpan<double> farCodes, ReadOnlySpan<double> parts, int count)
     {
         Vector512<double> sum = Vector512<double>.Zero;
-        nuint last = (nuint)count & ~(nuint)(Vector512<double>.Count - 1);
-        for (nuint i = 0; i < (nuint)count; i += (nuint)Vector512<double>.Count)
+        int last = count & ~(Vector512<double>.Count - 1);
+        for (int i = 0; i < count; i += Vector512<double>.Count)
         {
-            Vector512<double> near = Vector512.LoadUnsafe(ref codes, i);
-            Vector512<double> mixed = near + (Vector512.LoadUnsafe(ref parts, i) * (Vector512.LoadUnsafe(ref farCodes, i) - near));
-            mixed.StoreUnsafe(ref codes, i);
+            Vector512<double> near = ArrayLanes.Load(codes, i);
+            Vector512<double> mixed = near + (ArrayLanes.Load(parts, i) * (ArrayLanes.Load(farCodes, i) - near));
+            mixed.StoreTo(codes, i);
             sum += i < last ? mixed : Vector512<double>.Zero;
         }
 
         double all = Vector512.Sum(sum);
-        for (nuint i = last; i < (nuint)count; i++)
+        for (int i = last; i < count; i++)
         {
-            all += Unsafe.Add(ref codes, i);
+            all += codes[i];
         }
 
         return double.IsNaN(all);

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -66,9 +67,9 @@ internal sealed class FootprintLanes
     {
         int count = Math.Min(Block, (points.Count - first + Vector512<double>.Count - 1) / Vector512<double>.Count);
         ref Vector512<double> places = ref MemoryMarshal.GetArrayDataReference(_buffer);
-        ref Vector512<double> x = ref Lanes(points.X, first);
-        ref Vector512<double> y = ref Lanes(points.Y, first);
-        ref Vector512<double> z = ref Lanes(points.Z, first);
+        ref Vector512<double> x = ref Lanes(points.X, first, count);
+        ref Vector512<double> y = ref Lanes(points.Y, first, count);
+        ref Vector512<double> z = ref Lanes(points.Z, first, count);
         Vector3D eye = camera.PositionBodyFixed;
         FindLengths(eye, ref x, ref y, ref z, ref places, count);
         LaneMath.InverseSqrt(_buffer.AsSpan(PerAxis, count));
@@ -80,17 +81,24 @@ internal sealed class FootprintLanes
         FindAngles(ref Unsafe.Add(ref places, CosLatitude), ref Unsafe.Add(ref places, SinLatitude), count);
         double perEast = map.Levels[0].Width / map.Extent.Width;
         double perNorth = map.Levels[0].Height / map.Extent.Height;
-        FindMiddles(map.Extent, perEast, perNorth, ref places, ref Lanes(footprints.X, first), ref Lanes(footprints.Y, first), count);
+        FindMiddles(
+            map.Extent, perEast, perNorth, ref places, ref Lanes(footprints.X, first, count), ref Lanes(footprints.Y, first, count), count);
         FindAxes(perEast, perNorth, ref places, count);
         LaneMath.InverseSqrt(_buffer.AsSpan(PerAlong, count));
         HoldAxes(
-            2.0 * Math.PI * perEast, ref places, ref Lanes(footprints.AxisX, first), ref Lanes(footprints.AxisY, first), count);
+            2.0 * Math.PI * perEast, ref places, ref Lanes(footprints.AxisX, first, count), ref Lanes(footprints.AxisY, first, count),
+            count);
         FindLevels(
-            Math.ScaleB(1.0, map.Levels.Count - 1), ref places, ref Lanes(footprints.Probes, first),
-            ref Lanes(footprints.Parts, first), ref Unsafe.As<long, Vector512<long>>(ref footprints.Levels[first]), count);
+            Math.ScaleB(1.0, map.Levels.Count - 1), ref places, ref Lanes(footprints.Probes, first, count),
+            ref Lanes(footprints.Parts, first, count), ref Lanes(footprints.Levels, first, count), count);
     }
 
-    private static ref Vector512<double> Lanes(double[] values, int first) => ref Unsafe.As<double, Vector512<double>>(ref values[first]);
+    /// <summary>Some vectors of an array, which must hold all of them.</summary>
+    private static ref Vector512<T> Lanes<T>(T[] values, int first, int count)
+    {
+        Debug.Assert(first + (count * Vector512<T>.Count) <= values.Length, "A block reaches beyond its array.");
+        return ref Unsafe.As<T, Vector512<T>>(ref values[first]);
+    }
 
     /// <summary>The squares of the distances from the polar axis, from the Moon's middle and from the viewer.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors

@@ -103,7 +103,6 @@ public sealed class GreyTable
     /// <returns>How many are converted; fewer than eight are left.</returns>
     private int ConvertEights(ReadOnlySpan<double> radianceFactors, Span<byte> levels)
     {
-        ref double source = ref MemoryMarshal.GetReference(radianceFactors);
         ref int table = ref MemoryMarshal.GetArrayDataReference(_stepsOfBytes);
         Vector256<double> scale = Vector256.Create(_stepsPerRadianceFactor * (1 << FractionBits));
         Vector256<double> last = Vector256.Create(_lastStep * (1 << FractionBits));
@@ -113,8 +112,10 @@ public sealed class GreyTable
         for (; i <= levels.Length - 8; i += 8)
         {
             Vector256<int> place = Vector256.Create(
-                Places(Vector256.LoadUnsafe(ref source, (nuint)i)), Places(Vector256.LoadUnsafe(ref source, (nuint)(i + 4))));
+                Places(ArrayLanes.Load256(radianceFactors, i)), Places(ArrayLanes.Load256(radianceFactors, i + 4)));
             Vector256<int> step = Vector256.ShiftRightArithmetic(place, FractionBits);
+            Debug.Assert(
+                Vector256.LessThanAll(step.AsUInt32(), Vector256.Create((uint)_stepsOfBytes.Length)), "A step lies outside the table.");
             Vector256<int> found = Vector256.Create(
                 Unsafe.Add(ref table, step[0]), Unsafe.Add(ref table, step[1]), Unsafe.Add(ref table, step[2]),
                 Unsafe.Add(ref table, step[3]), Unsafe.Add(ref table, step[4]), Unsafe.Add(ref table, step[5]),

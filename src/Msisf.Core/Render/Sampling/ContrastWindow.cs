@@ -1,4 +1,3 @@
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Sampling;
@@ -64,10 +63,10 @@ internal sealed class ContrastWindow
                 ArrayLanes.Load(_max, column + 2));
             Vector512<ushort> contrast = Vector512.ShiftRightLogical(
                 Vector512.Min(max - min, Vector512.Create((ushort)(ushort.MaxValue - Fine + 1))) + Vector512.Create((ushort)(Fine - 1)), 8);
-            Vector512.Narrow(contrast, contrast).GetLower().StoreUnsafe(ref MemoryMarshal.GetReference(contrasts), (nuint)column);
-            Vector256<byte> around = Vector256.LoadUnsafe(ref _light[column]) | Vector256.LoadUnsafe(ref _light[column + 1])
-                | Vector256.LoadUnsafe(ref _light[column + 2]);
-            around.StoreUnsafe(ref MemoryMarshal.GetReference(codes), (nuint)column);
+            Vector512.Narrow(contrast, contrast).GetLower().StoreTo(contrasts, column);
+            Vector256<byte> around = ArrayLanes.Load256(_light, column) | ArrayLanes.Load256(_light, column + 1)
+                | ArrayLanes.Load256(_light, column + 2);
+            around.StoreTo(codes, column);
         }
 
         for (; column < width; column++)

@@ -116,11 +116,11 @@ internal sealed class FacetAreas
     private Vector256<double> Look(ImageView view, int row, int column, uint wanted)
     {
         int place = column + 1;
-        Vector256<long> own = Vector256.LoadUnsafe(ref _here.Facets[place]);
-        Vector256<long> left = Vector256.LoadUnsafe(ref _here.Facets[place - 1]);
-        Vector256<long> right = Vector256.LoadUnsafe(ref _here.Facets[place + 1]);
-        Vector256<long> above = Vector256.LoadUnsafe(ref _above.Facets[place]);
-        Vector256<long> below = Vector256.LoadUnsafe(ref _below.Facets[place]);
+        Vector256<long> own = ArrayLanes.Load256(_here.Facets, place);
+        Vector256<long> left = ArrayLanes.Load256(_here.Facets, place - 1);
+        Vector256<long> right = ArrayLanes.Load256(_here.Facets, place + 1);
+        Vector256<long> above = ArrayLanes.Load256(_above.Facets, place);
+        Vector256<long> below = ArrayLanes.Load256(_below.Facets, place);
         Vector256<long> isLeft = Vector256.Equals(own, left);
         Vector256<long> isRight = Vector256.Equals(own, right);
         Vector256<long> isAbove = Vector256.Equals(own, above);
@@ -130,7 +130,7 @@ internal sealed class FacetAreas
         uint other = alone;
         uint several = 0;
         wanted &= ~(joined | alone);
-        Vector256<double> means = Vector256.LoadUnsafe(ref _here.Factors[place]);
+        Vector256<double> means = ArrayLanes.Load256(_here.Factors, place);
         if (wanted != 0 && view.Camera.Model.Lens is not null)
         {
             other |= wanted; // a lens makes curves of the lines
@@ -224,9 +224,9 @@ internal sealed class FacetAreas
             Vector256<long> isMeant, in Rays rays, FacetRow here, int place, FacetRow there, int neighbour, double right, double down)
         {
             rays.Dot(
-                Vector256.LoadUnsafe(ref here.PlaneX[place]) - Vector256.LoadUnsafe(ref there.PlaneX[neighbour]),
-                Vector256.LoadUnsafe(ref here.PlaneY[place]) - Vector256.LoadUnsafe(ref there.PlaneY[neighbour]),
-                Vector256.LoadUnsafe(ref here.PlaneZ[place]) - Vector256.LoadUnsafe(ref there.PlaneZ[neighbour]),
+                ArrayLanes.Load256(here.PlaneX, place) - ArrayLanes.Load256(there.PlaneX, neighbour),
+                ArrayLanes.Load256(here.PlaneY, place) - ArrayLanes.Load256(there.PlaneY, neighbour),
+                ArrayLanes.Load256(here.PlaneZ, place) - ArrayLanes.Load256(there.PlaneZ, neighbour),
                 out Vector256<double> atCentre, out Vector256<double> perColumn, out Vector256<double> perRow);
             Vector256<double> atNeighbour = atCentre + (perColumn * right) + (perRow * down);
             Vector256<double> zero = Vector256<double>.Zero;
@@ -235,7 +235,7 @@ internal sealed class FacetAreas
                 | (Vector256.GreaterThanOrEqual(atCentre, zero) & Vector256.LessThanOrEqual(atNeighbour, zero));
             Vector256<double> part = mask & PartBeyond(Vector256.Abs(atCentre), Vector256.Abs(perColumn), Vector256.Abs(perRow));
             Vector256<double> crosses = Vector256.GreaterThan(part, zero);
-            Vector256<double> brighter = Vector256.LoadUnsafe(ref there.Factors[neighbour]) - Vector256.LoadUnsafe(ref here.Factors[place]);
+            Vector256<double> brighter = ArrayLanes.Load256(there.Factors, neighbour) - ArrayLanes.Load256(here.Factors, place);
             return new Lines(
                 AreBetween & (isBetween | ~mask), Crossed | crosses, Several | (Crossed & crosses), Parts + part,
                 Brighter + (part * brighter));

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Render.Options;
@@ -120,35 +119,36 @@ internal sealed class GridWorker
         uint wanted = (1u << across) - 1;
         int count = across * across;
         double weight = 1.0 / count;
-        ref (double Factor, double) facets = ref _facets[0];
+        int stride = _band.Stride;
+        int height = across * stride;
+        ReadOnlySpan<int> facets = _band.Facets;
+        (double Factor, double IfLit)[] factors = _facets;
         for (int row = firstRow; row < firstRow + rows; row++)
         {
             int start = _band.IndexOf(0, across * row);
             for (int column = 0; column < width; column++, start += across)
             {
-                ref int samples = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(_band.Facets), start);
-                Vector256<int> own = Vector256.Create(samples);
+                int own = ArrayLanes.At(facets, start);
+                Vector256<int> all = Vector256.Create(own);
                 uint same = wanted;
-                for (int line = 0; line < across; line++)
+                for (int first = start; first < start + height; first += stride)
                 {
                     // Behind each row there is room for a whole vector.
-                    same &= Vector256.Equals(Vector256.LoadUnsafe(ref samples, (nuint)(line * _band.Stride)), own)
-                        .ExtractMostSignificantBits();
+                    same &= Vector256.Equals(ArrayLanes.Load256(facets, first), all).ExtractMostSignificantBits();
                 }
 
                 double sum = 0.0;
                 if (same == wanted)
                 {
-                    sum = count * Unsafe.Add(ref facets, samples + 1).Factor;
+                    sum = count * ArrayLanes.At(factors, own + 1).Factor;
                 }
                 else
                 {
-                    for (int line = 0; line < across; line++)
+                    for (int first = start; first < start + height; first += stride)
                     {
-                        ref int first = ref Unsafe.Add(ref samples, line * _band.Stride);
-                        for (int sample = 0; sample < across; sample++)
+                        for (int sample = first; sample < first + across; sample++)
                         {
-                            sum += Unsafe.Add(ref facets, Unsafe.Add(ref first, sample) + 1).Factor;
+                            sum += ArrayLanes.At(factors, ArrayLanes.At(facets, sample) + 1).Factor;
                         }
                     }
                 }

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
@@ -78,10 +77,6 @@ internal sealed class SunwardPoints : IReceiverRows
     private int CopyFacing(
         SurfaceRow points, ReadOnlySpan<double> cosines, Span<double> x, Span<double> y, Span<double> z, Span<int> columns)
     {
-        ref double toX = ref MemoryMarshal.GetReference(x);
-        ref double toY = ref MemoryMarshal.GetReference(y);
-        ref double toZ = ref MemoryMarshal.GetReference(z);
-        ref int toColumns = ref MemoryMarshal.GetReference(columns);
         int count = 0;
         for (int i = 0; i < points.Count; i += SurfaceRow.Padding)
         {
@@ -90,10 +85,10 @@ internal sealed class SunwardPoints : IReceiverRows
             int left = points.Count - i;
             if (facing == AllFacing && left >= SurfaceRow.Padding)
             {
-                ArrayLanes.Load(points.X, i).StoreUnsafe(ref toX, (nuint)count);
-                ArrayLanes.Load(points.Y, i).StoreUnsafe(ref toY, (nuint)count);
-                ArrayLanes.Load(points.Z, i).StoreUnsafe(ref toZ, (nuint)count);
-                Vector256.LoadUnsafe(ref points.Columns[i]).StoreUnsafe(ref toColumns, (nuint)count);
+                ArrayLanes.Load(points.X, i).StoreTo(x, count);
+                ArrayLanes.Load(points.Y, i).StoreTo(y, count);
+                ArrayLanes.Load(points.Z, i).StoreTo(z, count);
+                ArrayLanes.Load256(points.Columns, i).StoreTo(columns, count);
                 count += SurfaceRow.Padding;
                 continue;
             }
@@ -135,25 +130,24 @@ internal sealed class SunwardPoints : IReceiverRows
         RowRead?.Invoke(row, points, scratch.Cosines);
     }
 
-    private void FindCosines(SurfaceRow points, double[] cosines)
+    private void FindCosines(SurfaceRow points, Span<double> cosines)
     {
-        ref double x = ref MemoryMarshal.GetArrayDataReference(points.X);
-        ref double y = ref MemoryMarshal.GetArrayDataReference(points.Y);
-        ref double z = ref MemoryMarshal.GetArrayDataReference(points.Z);
-        ref double normalX = ref MemoryMarshal.GetArrayDataReference(points.NormalX);
-        ref double normalY = ref MemoryMarshal.GetArrayDataReference(points.NormalY);
-        ref double normalZ = ref MemoryMarshal.GetArrayDataReference(points.NormalZ);
-        ref double cosine = ref MemoryMarshal.GetArrayDataReference(cosines);
-        for (nuint i = 0; i < (nuint)points.Count; i += (nuint)Vector512<double>.Count)
+        ReadOnlySpan<double> x = points.X;
+        ReadOnlySpan<double> y = points.Y;
+        ReadOnlySpan<double> z = points.Z;
+        ReadOnlySpan<double> normalX = points.NormalX;
+        ReadOnlySpan<double> normalY = points.NormalY;
+        ReadOnlySpan<double> normalZ = points.NormalZ;
+        for (int i = 0; i < points.Count; i += Vector512<double>.Count)
         {
-            Vector512<double> toSunX = Vector512.Create(_sun.X) - Vector512.LoadUnsafe(ref x, i);
-            Vector512<double> toSunY = Vector512.Create(_sun.Y) - Vector512.LoadUnsafe(ref y, i);
-            Vector512<double> toSunZ = Vector512.Create(_sun.Z) - Vector512.LoadUnsafe(ref z, i);
-            Vector512<double> along = (Vector512.LoadUnsafe(ref normalX, i) * toSunX)
-                + (Vector512.LoadUnsafe(ref normalY, i) * toSunY)
-                + (Vector512.LoadUnsafe(ref normalZ, i) * toSunZ);
+            Vector512<double> toSunX = Vector512.Create(_sun.X) - ArrayLanes.Load(x, i);
+            Vector512<double> toSunY = Vector512.Create(_sun.Y) - ArrayLanes.Load(y, i);
+            Vector512<double> toSunZ = Vector512.Create(_sun.Z) - ArrayLanes.Load(z, i);
+            Vector512<double> along = (ArrayLanes.Load(normalX, i) * toSunX)
+                + (ArrayLanes.Load(normalY, i) * toSunY)
+                + (ArrayLanes.Load(normalZ, i) * toSunZ);
             Vector512<double> length = Vector512.Sqrt((toSunX * toSunX) + (toSunY * toSunY) + (toSunZ * toSunZ));
-            Vector512.MinNative(along / length, Vector512<double>.One).StoreUnsafe(ref cosine, i);
+            Vector512.MinNative(along / length, Vector512<double>.One).StoreTo(cosines, i);
         }
     }
 

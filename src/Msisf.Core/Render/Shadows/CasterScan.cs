@@ -1,5 +1,4 @@
 using System.Numerics;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -135,9 +134,9 @@ internal sealed class CasterScan
 
     private void CastStrip(SortedReceivers grid, GridRange bins, byte[] hidden)
     {
-        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
-        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
-        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        ReadOnlySpan<double> us = grid.U;
+        ReadOnlySpan<double> vs = grid.V;
+        ReadOnlySpan<double> ws = grid.W;
         Vector512<double> minU = Vector512.Create(_strip.Box.MinU);
         Vector512<double> maxU = Vector512.Create(_strip.Box.MaxU);
         Vector512<double> minV = Vector512.Create(_strip.Box.MinV);
@@ -150,9 +149,9 @@ internal sealed class CasterScan
             for (int i = first; i < end; i += Vector512<double>.Count)
             {
                 Tries++;
-                Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
-                Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
+                Vector512<double> u = ArrayLanes.Load(us, i);
+                Vector512<double> v = ArrayLanes.Load(vs, i);
+                Vector512<double> w = ArrayLanes.Load(ws, i);
                 uint isInBox = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(w, minDepth)
                     & Vector512.GreaterThanOrEqual(u, minU)
                     & Vector512.LessThanOrEqual(u, maxU)

@@ -1,5 +1,4 @@
 using System.Numerics;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -44,13 +43,13 @@ internal static class FacetCaster
     /// <summary>Marks the hidden receivers of a range with the sums of <see cref="CellStrip.IsInFrontOf"/>, in the same order.</summary>
     private static void Hide(in LightFacet facet, SortedReceivers grid, int first, int end, byte[] hidden)
     {
-        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
-        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
-        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        ReadOnlySpan<double> us = grid.U;
+        ReadOnlySpan<double> vs = grid.V;
+        ReadOnlySpan<double> ws = grid.W;
         for (int i = first; i < end; i += Vector512<double>.Count)
         {
-            Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
-            Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
+            Vector512<double> u = ArrayLanes.Load(us, i);
+            Vector512<double> v = ArrayLanes.Load(vs, i);
             Vector512<double> ua = Vector512.Create(facet.Ua) - u;
             Vector512<double> va = Vector512.Create(facet.Va) - v;
             Vector512<double> ub = Vector512.Create(facet.Ub) - u;
@@ -67,7 +66,7 @@ internal static class FacetCaster
                 continue;
             }
 
-            Vector512<double> w = Vector512.LoadUnsafe(ref ws, (nuint)i);
+            Vector512<double> w = ArrayLanes.Load(ws, i);
             Vector512<double> deeper = (weightA * (Vector512.Create(facet.Wa) - w))
                 + (weightB * (Vector512.Create(facet.Wb) - w))
                 + (weightC * (Vector512.Create(facet.Wc) - w));

@@ -1,6 +1,4 @@
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Render.Shadows;
@@ -55,22 +53,17 @@ internal sealed class LightFrame
     /// <param name="z">m, body-fixed z; becomes w.</param>
     public void FromBodyFixed(Span<double> x, Span<double> y, Span<double> z)
     {
-        Debug.Assert(x.Length % Vector512<double>.Count == 0 && y.Length == x.Length
-            && z.Length == x.Length, "Points are not in whole vectors.");
-        ref double xs = ref MemoryMarshal.GetReference(x);
-        ref double ys = ref MemoryMarshal.GetReference(y);
-        ref double zs = ref MemoryMarshal.GetReference(z);
         Vector512<double> distance = Vector512.Create(SunDistance);
-        for (nuint i = 0; i < (nuint)x.Length; i += (nuint)Vector512<double>.Count)
+        for (int i = 0; i < x.Length; i += Vector512<double>.Count)
         {
-            Vector512<double> px = Vector512.LoadUnsafe(ref xs, i);
-            Vector512<double> py = Vector512.LoadUnsafe(ref ys, i);
-            Vector512<double> pz = Vector512.LoadUnsafe(ref zs, i);
+            Vector512<double> px = ArrayLanes.Load(x, i);
+            Vector512<double> py = ArrayLanes.Load(y, i);
+            Vector512<double> pz = ArrayLanes.Load(z, i);
             Vector512<double> w = Dot(px, py, pz, AxisW);
             Vector512<double> scale = distance / (distance + w);
-            (scale * Dot(px, py, pz, AxisU)).StoreUnsafe(ref xs, i);
-            (scale * Dot(px, py, pz, AxisV)).StoreUnsafe(ref ys, i);
-            (scale * w).StoreUnsafe(ref zs, i);
+            (scale * Dot(px, py, pz, AxisU)).StoreTo(x, i);
+            (scale * Dot(px, py, pz, AxisV)).StoreTo(y, i);
+            (scale * w).StoreTo(z, i);
         }
     }
 

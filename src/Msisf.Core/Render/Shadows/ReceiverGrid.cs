@@ -73,6 +73,9 @@ internal sealed class ReceiverGrid
         Span<int> numbers = stackalloc int[LaneCount];
         Span<int> bins = _bins.AsSpan(start, row.Width);
         bins.Fill(NoBin);
+        ReadOnlySpan<double> us = row.U;
+        ReadOnlySpan<double> vs = row.V;
+        ReadOnlySpan<double> ws = row.W;
         Vector512<double> minU = Vector512.Create(double.PositiveInfinity);
         Vector512<double> minV = minU;
         Vector512<double> maxU = -minU;
@@ -81,9 +84,9 @@ internal sealed class ReceiverGrid
         (LightAxis axisU, LightAxis axisV) = (_depths.AxisU, _depths.AxisV);
         for (int i = 0; i < count; i += LaneCount)
         {
-            Vector512<double> u = Vector512.LoadUnsafe(ref row.U[0], (nuint)i);
-            Vector512<double> v = Vector512.LoadUnsafe(ref row.V[0], (nuint)i);
-            Vector512<double> w = Vector512.LoadUnsafe(ref row.W[0], (nuint)i);
+            Vector512<double> u = ArrayLanes.Load(us, i);
+            Vector512<double> v = ArrayLanes.Load(vs, i);
+            Vector512<double> w = ArrayLanes.Load(ws, i);
             Vector512<double> isNight = night.Holds(u, v, w) | (dark?.Holds(u, v, w) ?? Vector512<double>.Zero);
             Vector512<double> isOut = isNight | Vector512.GreaterThanOrEqual(Lanes.Numbers, Vector512.Create((double)(count - i)));
             minU = Vector512.ConditionalSelect(isOut, minU, Vector512.MinNative(minU, u));

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using Msisf.Core.Parallel;
 
 namespace Msisf.Core.Render.Shadows;
@@ -52,8 +51,8 @@ internal sealed class SortedReceivers(PlacedReceivers placed, ReceiverArrays arr
     public (int First, int End) Run(int row, int firstColumn, int lastColumn)
     {
         Debug.Assert(row >= 0 && row < Bins.Size && firstColumn >= 0 && lastColumn < Bins.Size, "A bin lies outside the grid.");
-        ref int start = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(starts), row * Bins.Size);
-        return (Unsafe.Add(ref start, firstColumn), Unsafe.Add(ref start, lastColumn + 1));
+        int start = row * Bins.Size;
+        return (ArrayLanes.At(starts, start + firstColumn), ArrayLanes.At(starts, start + lastColumn + 1));
     }
 }
 

@@ -1,5 +1,5 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -63,9 +63,10 @@ internal static class CellFill
             Vector512<double> downSouthEast = Vector512.Create(southEast.Y - row);
             Vector512<double> southWestStart = Vector512.Create(southWestPlane.AtColumn0(row));
             Vector512<double> northEastStart = Vector512.Create(northEastPlane.AtColumn0(row));
+            Debug.Assert(end < band.Width, "A row is drawn beyond its band.");
             int start = band.IndexOf(begin, row) - begin;
-            ref double nearest = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.InverseDepths), start);
-            ref int facets = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(band.Facets), start);
+            ref double nearest = ref ArrayLanes.At(band.InverseDepths, start);
+            ref int facets = ref ArrayLanes.At(band.Facets, start);
             for (int column = begin; column <= end; column += Lanes)
             {
                 Vector512<double> columns = Vector512.Create((double)column) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);

@@ -1,7 +1,5 @@
-using System.Diagnostics;
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -203,18 +201,14 @@ internal sealed class CellRasterizer
     private void GatherSamples(Vector512<double> pixels, uint active, Band band)
     {
         pixels.StoreTo(_pixels, 0);
-        ref double columns = ref MemoryMarshal.GetArrayDataReference(band.SampleColumns);
-        ref double rows = ref MemoryMarshal.GetArrayDataReference(band.SampleRows);
-        ref double ofPixels = ref MemoryMarshal.GetArrayDataReference(_pixels);
-        ref double sampleColumns = ref MemoryMarshal.GetArrayDataReference(_sampleColumns);
-        ref double sampleRows = ref MemoryMarshal.GetArrayDataReference(_sampleRows);
+        (double[] columns, double[] rows) = (band.SampleColumns, band.SampleRows);
+        (double[] ofPixels, double[] sampleColumns, double[] sampleRows) = (_pixels, _sampleColumns, _sampleRows);
         for (; active != 0; active &= active - 1)
         {
             int lane = BitOperations.TrailingZeroCount(active);
-            int pixel = (int)Unsafe.Add(ref ofPixels, lane);
-            Debug.Assert((uint)pixel < (uint)band.SampleRows.Length, "A pixel lies outside its band.");
-            Unsafe.Add(ref sampleColumns, lane) = Unsafe.Add(ref columns, pixel);
-            Unsafe.Add(ref sampleRows, lane) = Unsafe.Add(ref rows, pixel);
+            int pixel = (int)ArrayLanes.At(ofPixels, lane);
+            ArrayLanes.At(sampleColumns, lane) = ArrayLanes.At(columns, pixel);
+            ArrayLanes.At(sampleRows, lane) = ArrayLanes.At(rows, pixel);
         }
     }
 
@@ -223,28 +217,25 @@ internal sealed class CellRasterizer
     /// </summary>
     private void Commit(ProjectedBlock block, int index, uint hits, uint southWest, Band band)
     {
-        ref double inverseDepths = ref MemoryMarshal.GetArrayDataReference(_inverseDepths);
-        ref double pixels = ref MemoryMarshal.GetArrayDataReference(_pixels);
-        ref int numbers = ref MemoryMarshal.GetArrayDataReference(_numbers);
-        ref double nearest = ref MemoryMarshal.GetArrayDataReference(band.InverseDepths);
-        ref int facets = ref MemoryMarshal.GetArrayDataReference(band.Facets);
+        (double[] inverseDepths, double[] pixels, int[] numbers) = (_inverseDepths, _pixels, _numbers);
+        (double[] nearest, int[] facets) = (band.InverseDepths, band.Facets);
         for (; hits != 0; hits &= hits - 1)
         {
             int lane = BitOperations.TrailingZeroCount(hits);
-            int pixel = (int)Unsafe.Add(ref pixels, lane);
-            Debug.Assert((uint)pixel < (uint)band.Facets.Length, "A pixel lies outside its band.");
-            double inverseDepth = Unsafe.Add(ref inverseDepths, lane);
-            if (inverseDepth > Unsafe.Add(ref nearest, pixel))
+            int pixel = (int)ArrayLanes.At(pixels, lane);
+            double inverseDepth = ArrayLanes.At(inverseDepths, lane);
+            ref double before = ref ArrayLanes.At(nearest, pixel);
+            if (inverseDepth > before)
             {
                 int half = (int)(~southWest >> lane) & 1;
-                ref int number = ref Unsafe.Add(ref numbers, (2 * lane) + half);
+                ref int number = ref ArrayLanes.At(numbers, (2 * lane) + half);
                 if (number == Band.NotRecorded)
                 {
                     number = band.Records.Add(block, index + lane, half);
                 }
 
-                Unsafe.Add(ref nearest, pixel) = inverseDepth;
-                Unsafe.Add(ref facets, pixel) = number;
+                before = inverseDepth;
+                ArrayLanes.At(facets, pixel) = number;
             }
         }
     }

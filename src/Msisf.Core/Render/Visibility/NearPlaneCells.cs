@@ -139,7 +139,7 @@ internal sealed class NearPlaneCells
                     inverseDepth = atFirst + (perColumn * sampleColumns) + (perRow * sampleRows);
                 }
 
-                Vector512<double> before = Vector512.LoadUnsafe(ref nearest[column]);
+                Vector512<double> before = ArrayLanes.Load(nearest, column);
                 Vector512<double> wins = Vector512.LessThanOrEqual(outside, Vector512<double>.Zero)
                     & Vector512.GreaterThan(inverseDepth, before)
                     & Vector512.LessThanOrEqual(columns, lastColumn);

@@ -1,6 +1,4 @@
 using System.Numerics;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 
@@ -122,7 +120,7 @@ internal sealed class PixelParts
         ulong samples = 0;
         for (int vector = 0; vector < vectors; vector++)
         {
-            ulong same = Vector256.Equals(Vector256.LoadUnsafe(ref band.Facets[start + (vector * Lanes)]), Vector256.Create(facet))
+            ulong same = Vector256.Equals(ArrayLanes.Load256(band.Facets, start + (vector * Lanes)), Vector256.Create(facet))
                 .ExtractMostSignificantBits();
             samples |= same << (vector * Lanes);
         }
@@ -134,19 +132,18 @@ internal sealed class PixelParts
     private void Add(SubsampleBand band, CameraModel model, int start, ulong samples, double weight)
     {
         bool hasLens = model.Lens is not null;
-        ref double xs = ref MemoryMarshal.GetArrayDataReference(hasLens ? band.Right : band.Columns);
-        ref double ys = ref MemoryMarshal.GetArrayDataReference(hasLens ? band.Down : band.Rows);
-        ref double inverses = ref MemoryMarshal.GetArrayDataReference(band.InverseDepths);
+        (double[] xs, double[] ys) = hasLens ? (band.Right, band.Down) : (band.Columns, band.Rows);
+        double[] inverses = band.InverseDepths;
         int count = BitOperations.PopCount(samples);
         double x, y, inverse;
         if (count == 1)
         {
             int only = start + BitOperations.TrailingZeroCount(samples);
-            (x, y, inverse) = (Unsafe.Add(ref xs, only), Unsafe.Add(ref ys, only), Unsafe.Add(ref inverses, only));
+            (x, y, inverse) = (xs[only], ys[only], inverses[only]);
         }
         else
         {
-            (x, y, inverse) = Sum(ref xs, ref ys, ref inverses, start, samples);
+            (x, y, inverse) = Sum(xs, ys, inverses, start, samples);
         }
 
         double perCount = 1.0 / count;
@@ -157,19 +154,19 @@ internal sealed class PixelParts
 
     /// <summary>Sums up the coordinates and inverse depths of some samples.</summary>
     private static (double X, double Y, double Inverse) Sum(
-        ref double xs, ref double ys, ref double inverses, int start, ulong samples)
+        double[] xs, double[] ys, double[] inverses, int start, ulong samples)
     {
         Vector512<double> sumX = Vector512<double>.Zero;
         Vector512<double> sumY = Vector512<double>.Zero;
         Vector512<double> sumInverse = Vector512<double>.Zero;
-        for (nuint sample = (nuint)start; samples != 0; samples >>= Lanes, sample += Lanes)
+        for (int sample = start; samples != 0; samples >>= Lanes, sample += Lanes)
         {
             Vector512<double> isMeant = Vector512.Equals(
                 Vector512.Create((long)(samples & 0xff)) & Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L),
                 Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L)).AsDouble();
-            sumX += isMeant & Vector512.LoadUnsafe(ref xs, sample);
-            sumY += isMeant & Vector512.LoadUnsafe(ref ys, sample);
-            sumInverse += isMeant & Vector512.LoadUnsafe(ref inverses, sample);
+            sumX += isMeant & ArrayLanes.Load(xs, sample);
+            sumY += isMeant & ArrayLanes.Load(ys, sample);
+            sumInverse += isMeant & ArrayLanes.Load(inverses, sample);
         }
 
         return (Sum(sumX), Sum(sumY), Sum(sumInverse));

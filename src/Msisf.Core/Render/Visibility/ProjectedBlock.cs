@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -110,12 +109,12 @@ internal sealed class ProjectedBlock
         Projection forward = new(view.Forward, view.Remainder);
         Vector512<double> centreX = Vector512.Create(view.CentreX);
         Vector512<double> centreY = Vector512.Create(view.CentreY);
-        ref double spaceX = ref MemoryMarshal.GetArrayDataReference(Vertices.X);
-        ref double spaceY = ref MemoryMarshal.GetArrayDataReference(Vertices.Y);
-        ref double spaceZ = ref MemoryMarshal.GetArrayDataReference(Vertices.Z);
-        ref double imageX = ref MemoryMarshal.GetArrayDataReference(X);
-        ref double imageY = ref MemoryMarshal.GetArrayDataReference(Y);
-        ref double inverseDepth = ref MemoryMarshal.GetArrayDataReference(InverseDepth);
+        ReadOnlySpan<double> spaceX = Vertices.X;
+        ReadOnlySpan<double> spaceY = Vertices.Y;
+        ReadOnlySpan<double> spaceZ = Vertices.Z;
+        Span<double> imageX = X;
+        Span<double> imageY = Y;
+        Span<double> inverseDepth = InverseDepth;
         Vector512<double> worst = Vector512<double>.Zero;
         Vector512<double> min = one;
         Vector512<double> noDepth = Vector512.Create(MinDepth);
@@ -126,17 +125,17 @@ internal sealed class ProjectedBlock
             Vector512<double> bottom = Vector512.Create(double.NegativeInfinity);
             for (int sample = 0; sample < Vertices.Samples; sample += Vector512<double>.Count)
             {
-                nuint index = (nuint)((line * Stride) + sample);
-                Vector512<double> sx = Vector512.LoadUnsafe(ref spaceX, index);
-                Vector512<double> sy = Vector512.LoadUnsafe(ref spaceY, index);
-                Vector512<double> sz = Vector512.LoadUnsafe(ref spaceZ, index);
+                int index = (line * Stride) + sample;
+                Vector512<double> sx = ArrayLanes.Load(spaceX, index);
+                Vector512<double> sy = ArrayLanes.Load(spaceY, index);
+                Vector512<double> sz = ArrayLanes.Load(spaceZ, index);
                 Vector512<double> depth = forward.Of(sx, sy, sz);
                 Vector512<double> inverse = one / depth;
                 Vector512<double> x = (across.Of(sx, sy, sz) * inverse) + centreX;
                 Vector512<double> y = (down.Of(sx, sy, sz) * inverse) + centreY;
-                inverse.StoreUnsafe(ref inverseDepth, index);
-                x.StoreUnsafe(ref imageX, index);
-                y.StoreUnsafe(ref imageY, index);
+                inverse.StoreTo(inverseDepth, index);
+                x.StoreTo(imageX, index);
+                y.StoreTo(imageY, index);
                 if (sample + Vector512<double>.Count > Vertices.Samples)
                 {
                     // What follows the line's vertices may lie anywhere: behind a camera near the ground, too.

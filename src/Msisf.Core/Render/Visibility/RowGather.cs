@@ -115,10 +115,10 @@ internal sealed class RowGather
                 Vector256<double> xzOfOthers = Avx.UnpackLow(c, d);
                 Vector256<double> yOffsetOfTwo = Avx.UnpackHigh(a, b);
                 Vector256<double> yOffsetOfOthers = Avx.UnpackHigh(c, d);
-                Avx.Permute2x128(xzOfTwo, xzOfOthers, LowerHalves).StoreUnsafe(ref normalX[i]);
-                Avx.Permute2x128(yOffsetOfTwo, yOffsetOfOthers, LowerHalves).StoreUnsafe(ref normalY[i]);
-                Avx.Permute2x128(xzOfTwo, xzOfOthers, UpperHalves).StoreUnsafe(ref normalZ[i]);
-                Avx.Permute2x128(yOffsetOfTwo, yOffsetOfOthers, UpperHalves).StoreUnsafe(ref offsets[i]);
+                Avx.Permute2x128(xzOfTwo, xzOfOthers, LowerHalves).StoreTo(normalX, i);
+                Avx.Permute2x128(yOffsetOfTwo, yOffsetOfOthers, LowerHalves).StoreTo(normalY, i);
+                Avx.Permute2x128(xzOfTwo, xzOfOthers, UpperHalves).StoreTo(normalZ, i);
+                Avx.Permute2x128(yOffsetOfTwo, yOffsetOfOthers, UpperHalves).StoreTo(offsets, i);
             }
         }
 

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Tracing;
@@ -153,24 +152,24 @@ internal sealed class RowResolver
         Vector3D other = vertical ?? default;
         Vector512<double> distance = Vector512.Create(_view.Distance);
         Vector512<double> max = Vector512.Create(MaxCorrection);
-        ref double parameters = ref MemoryMarshal.GetArrayDataReference(pixels.Parameters);
-        ref double x = ref MemoryMarshal.GetArrayDataReference(pixels.X);
-        ref double y = ref MemoryMarshal.GetArrayDataReference(pixels.Y);
-        ref double z = ref MemoryMarshal.GetArrayDataReference(pixels.Z);
-        ref double normalX = ref MemoryMarshal.GetArrayDataReference(pixels.NormalX);
-        ref double normalY = ref MemoryMarshal.GetArrayDataReference(pixels.NormalY);
-        ref double normalZ = ref MemoryMarshal.GetArrayDataReference(pixels.NormalZ);
-        for (nuint i = 0; i < (nuint)pixels.Count; i += (nuint)Vector512<double>.Count)
+        Span<double> parameters = pixels.Parameters;
+        Span<double> x = pixels.X;
+        Span<double> y = pixels.Y;
+        Span<double> z = pixels.Z;
+        Span<double> normalX = pixels.NormalX;
+        Span<double> normalY = pixels.NormalY;
+        Span<double> normalZ = pixels.NormalZ;
+        for (int i = 0; i < pixels.Count; i += Vector512<double>.Count)
         {
-            Vector512<double> parameter = Vector512<double>.One / (Vector512.LoadUnsafe(ref parameters, i) * distance);
-            Vector512<double> toRight = Vector512.LoadUnsafe(ref x, i);
-            Vector512<double> offset = Vector512.LoadUnsafe(ref y, i);
+            Vector512<double> parameter = Vector512<double>.One / (ArrayLanes.Load(parameters, i) * distance);
+            Vector512<double> toRight = ArrayLanes.Load(x, i);
+            Vector512<double> offset = ArrayLanes.Load(y, i);
             Vector512<double> directionX = Vector512.Create(middle.X) + (toRight * Vector512.Create(right.X));
             Vector512<double> directionY = Vector512.Create(middle.Y) + (toRight * Vector512.Create(right.Y));
             Vector512<double> directionZ = Vector512.Create(middle.Z) + (toRight * Vector512.Create(right.Z));
             if (hasVertical)
             {
-                Vector512<double> factor = Vector512.LoadUnsafe(ref z, i);
+                Vector512<double> factor = ArrayLanes.Load(z, i);
                 directionX += factor * Vector512.Create(other.X);
                 directionY += factor * Vector512.Create(other.Y);
                 directionZ += factor * Vector512.Create(other.Z);
@@ -179,26 +178,26 @@ internal sealed class RowResolver
             Vector512<double> nearX = Stable.Along(Vector512.Create(position.X), parameter, directionX);
             Vector512<double> nearY = Stable.Along(Vector512.Create(position.Y), parameter, directionY);
             Vector512<double> nearZ = Stable.Along(Vector512.Create(position.Z), parameter, directionZ);
-            Vector512<double> nx = Vector512.LoadUnsafe(ref normalX, i);
-            Vector512<double> ny = Vector512.LoadUnsafe(ref normalY, i);
-            Vector512<double> nz = Vector512.LoadUnsafe(ref normalZ, i);
+            Vector512<double> nx = ArrayLanes.Load(normalX, i);
+            Vector512<double> ny = ArrayLanes.Load(normalY, i);
+            Vector512<double> nz = ArrayLanes.Load(normalZ, i);
             Vector512<double> limit = max * parameter;
             Vector512<double> correction = Held(
                 (offset - ((nx * nearX) + (ny * nearY) + (nz * nearZ))) / ((nx * directionX) + (ny * directionY) + (nz * directionZ)),
                 -limit, limit);
-            (parameter + correction).StoreUnsafe(ref parameters, i);
-            (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreUnsafe(ref x, i);
-            (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreUnsafe(ref y, i);
-            (Vector512.Create(anchor.Z) + (nearZ + (correction * directionZ))).StoreUnsafe(ref z, i);
+            (parameter + correction).StoreTo(parameters, i);
+            (Vector512.Create(anchor.X) + (nearX + (correction * directionX))).StoreTo(x, i);
+            (Vector512.Create(anchor.Y) + (nearY + (correction * directionY))).StoreTo(y, i);
+            (Vector512.Create(anchor.Z) + (nearZ + (correction * directionZ))).StoreTo(z, i);
             if (!withNormals)
             {
                 continue;
             }
 
             Vector512<double> perLength = Vector512<double>.One / Vector512.Sqrt((nx * nx) + (ny * ny) + (nz * nz));
-            (perLength * nx).StoreUnsafe(ref normalX, i);
-            (perLength * ny).StoreUnsafe(ref normalY, i);
-            (perLength * nz).StoreUnsafe(ref normalZ, i);
+            (perLength * nx).StoreTo(normalX, i);
+            (perLength * ny).StoreTo(normalY, i);
+            (perLength * nz).StoreTo(normalZ, i);
         }
     }
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -78,11 +77,10 @@ internal sealed class SubsampleCells
             return;
         }
 
-        ref double limits = ref MemoryMarshal.GetArrayDataReference(_limits);
-        firstColumn.StoreUnsafe(ref limits);
-        lastColumn.StoreUnsafe(ref limits, Lanes);
-        firstRow.StoreUnsafe(ref limits, 2 * Lanes);
-        lastRow.StoreUnsafe(ref limits, 3 * Lanes);
+        firstColumn.StoreTo(_limits, 0);
+        lastColumn.StoreTo(_limits, Lanes);
+        firstRow.StoreTo(_limits, 2 * Lanes);
+        lastRow.StoreTo(_limits, 3 * Lanes);
         for (; lanes != 0; lanes &= lanes - 1)
         {
             int lane = BitOperations.TrailingZeroCount(lanes);
@@ -144,10 +142,10 @@ internal sealed class SubsampleCells
         Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
         Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
         CellWinners winners = new();
-        ref double sampleColumns = ref MemoryMarshal.GetArrayDataReference(band.Columns);
-        ref double sampleRows = ref MemoryMarshal.GetArrayDataReference(band.Rows);
-        ref double nearest = ref MemoryMarshal.GetArrayDataReference(band.InverseDepths);
-        ref int facets = ref MemoryMarshal.GetArrayDataReference(band.Facets);
+        ReadOnlySpan<double> sampleColumns = band.Columns;
+        ReadOnlySpan<double> sampleRows = band.Rows;
+        Span<double> nearest = band.InverseDepths;
+        int[] facets = band.Facets;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
             int begin = pixels.FirstColumn;
@@ -170,8 +168,8 @@ internal sealed class SubsampleCells
                 int start = band.Starts[band.IndexOf(column, row)];
                 for (int sample = start; sample < start + (vectors * Lanes); sample += Lanes)
                 {
-                    Vector512<double> x = Vector512.LoadUnsafe(ref sampleColumns, (nuint)sample);
-                    Vector512<double> y = Vector512.LoadUnsafe(ref sampleRows, (nuint)sample);
+                    Vector512<double> x = ArrayLanes.Load(sampleColumns, sample);
+                    Vector512<double> y = ArrayLanes.Load(sampleRows, sample);
                     CellEdges edges = new(
                         Vector512.Create(northWest.X) - x,
                         Vector512.Create(northWest.Y) - y,
@@ -196,15 +194,15 @@ internal sealed class SubsampleCells
                         inSouthWest, Vector512.Create(southWest.InverseDepth), Vector512.Create(northEast.InverseDepth));
                     Vector512<double> inverseDepth = ((ofNorthWest * northWest.InverseDepth) + (ofSouthEast * southEast.InverseDepth)
                         + (ofThird * atThird)) / (ofNorthWest + ofSouthEast + ofThird);
-                    Vector512<double> before = Vector512.LoadUnsafe(ref nearest, (nuint)sample);
+                    Vector512<double> before = ArrayLanes.Load(nearest, sample);
                     Vector512<double> wins = (inSouthWest | inNorthEast) & Vector512.GreaterThan(inverseDepth, before);
                     if (wins == Vector512<double>.Zero)
                     {
                         continue;
                     }
 
-                    Vector512.ConditionalSelect(wins, inverseDepth, before).StoreUnsafe(ref nearest, (nuint)sample);
-                    winners.Store(band.Records, block, index, wins, inSouthWest, ref Unsafe.Add(ref facets, sample));
+                    Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(nearest, sample);
+                    winners.Store(band.Records, block, index, wins, inSouthWest, ref ArrayLanes.At(facets, sample));
                 }
             }
         }
@@ -242,7 +240,7 @@ internal sealed class SubsampleCells
 
                     number = number == Band.NotRecorded ? band.Records.Add(block, index, half) : number;
                     Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(band.InverseDepths, sample);
-                    CellWinners.Store(Vector256.Create(number), wins, ref band.Facets[sample]);
+                    CellWinners.Store(Vector256.Create(number), wins, ref ArrayLanes.At(band.Facets, sample));
                 }
             }
         }

@@ -21,7 +21,7 @@ public sealed class MapLevelLanesTests
         double[] x = [.. Enumerable.Range(0, 203 + 8).Select(_ => (random.NextDouble() * 258.0) - 1.0)];
         double[] y = [.. Enumerable.Range(0, x.Length).Select(_ => (random.NextDouble() * 130.0) - 1.0)];
         double[] codes = new double[x.Length];
-        new MapLevelLanes().Read(map.Levels[level], map.Levels[0], ref x[0], ref y[0], ref codes[0], 203);
+        new MapLevelLanes().Read(map.Levels[level], map.Levels[0], x, y, codes, 203);
 
         MapLevelReader reader = new(map, level);
         int direct = 0;
@@ -41,7 +41,7 @@ public sealed class MapLevelLanesTests
         AlbedoMap map = SyntheticMaps.Of(64, (_, _) => 100);
         double[] place = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
         double[] codes = new double[8];
-        new MapLevelLanes().Read(map.Levels[^1], map.Levels[0], ref place[0], ref place[0], ref codes[0], 3);
+        new MapLevelLanes().Read(map.Levels[^1], map.Levels[0], place, place, codes, 3);
 
         Assert.Equal([double.NaN, double.NaN, double.NaN], codes[..3]);
     }
