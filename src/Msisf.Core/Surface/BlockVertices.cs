@@ -78,6 +78,21 @@ internal sealed class BlockVertices
         return ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(values), northWest);
     }
 
+    /// <summary>Minimum third coordinate of the vertices, m.</summary>
+    public double MinZ()
+    {
+        double min = double.PositiveInfinity;
+        for (int line = 0; line < Lines; line++)
+        {
+            foreach (double z in Z.AsSpan(line * Stride, Samples))
+            {
+                min = Math.Min(min, z);
+            }
+        }
+
+        return min;
+    }
+
     /// <summary>The cells of a line that have facets, as bits from the left.</summary>
     public uint CellsOfLine(int line) => IsOfSeams ? SeamPatch.CellsOfLine(line, _seamFacets) : uint.MaxValue;
 

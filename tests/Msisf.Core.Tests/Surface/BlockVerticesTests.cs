@@ -50,6 +50,25 @@ public sealed class BlockVerticesTests
         }
     }
 
+    /// <summary>What a wider block has left behind the vertices of a line is none of them.</summary>
+    [Fact]
+    public void MinZ_AfterAWiderBlock_IsThatOfTheVertices()
+    {
+        SurfaceModel surface = new(FunctionGrid.Hilly(1));
+        BlockVertices vertices = new();
+        vertices.Load(surface, new CellBlock(CellBlock.RowsOf(surface.Parts[0].Mesh) - 1, 0), default);
+        double southernmost = vertices.MinZ();
+
+        vertices.Load(surface, new CellBlock(0, CellBlock.ColumnsOf(surface.Parts[0].Mesh) - 1), default);
+
+        Assert.Equal(9, vertices.Samples);
+        Assert.InRange(southernmost, -1.75e6, -1.7e6); // m: the south pole
+        double expected = Enumerable.Range(0, vertices.Lines)
+            .SelectMany(line => Enumerable.Range(0, vertices.Samples).Select(sample => vertices[line, sample].Z)).Min();
+        Assert.Equal(expected, vertices.MinZ());
+        Assert.True(expected > 0.0, "The block is beside the north pole.");
+    }
+
     [Fact]
     public void Cells_OfAllBlocks_CoverEachCellOnce()
     {

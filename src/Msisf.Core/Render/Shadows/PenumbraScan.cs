@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Surface;
 
@@ -31,7 +30,7 @@ internal sealed class PenumbraScan
         int length = _vertices.Lines * BlockVertices.Stride;
         grid.Frame.FromBodyFixed(_vertices.X.AsSpan(0, length), _vertices.Y.AsSpan(0, length), _vertices.Z.AsSpan(0, length));
         double deepest = grid.Bins.Max();
-        LightBox reach = grid.Box.Widened(slope * Math.Max(0.0, deepest - MinDepth(length)));
+        LightBox reach = grid.Box.Widened(slope * Math.Max(0.0, deepest - _vertices.MinZ()));
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
@@ -54,17 +53,17 @@ internal sealed class PenumbraScan
     private void CastStrip(SortedReceivers grid, LightBox reach, DiscRays rays, double slope, ulong[] hidden)
     {
         GridRange bins = grid.Bins.BinsOf(in reach);
-        ref double us = ref MemoryMarshal.GetArrayDataReference(grid.U);
-        ref double vs = ref MemoryMarshal.GetArrayDataReference(grid.V);
-        ref double ws = ref MemoryMarshal.GetArrayDataReference(grid.W);
+        ReadOnlySpan<double> us = grid.U;
+        ReadOnlySpan<double> vs = grid.V;
+        ReadOnlySpan<double> ws = grid.W;
         for (int row = bins.FirstRow; row <= bins.LastRow; row++)
         {
             (int first, int end) = grid.Run(row, bins.FirstColumn, bins.LastColumn);
             for (int i = first; i < end; i += Vector512<double>.Count)
             {
-                Vector512<double> u = Vector512.LoadUnsafe(ref us, (nuint)i);
-                Vector512<double> v = Vector512.LoadUnsafe(ref vs, (nuint)i);
-                Vector512<double> behind = Vector512.LoadUnsafe(ref ws, (nuint)i) - Vector512.Create(_strip.MinDepth);
+                Vector512<double> u = ArrayLanes.Load(us, i);
+                Vector512<double> v = ArrayLanes.Load(vs, i);
+                Vector512<double> behind = ArrayLanes.Load(ws, i) - Vector512.Create(_strip.MinDepth);
                 Vector512<double> margin = Vector512.Create(slope) * behind;
                 uint isNear = SortedReceivers.Meant(i, end) & (uint)(Vector512.GreaterThan(behind, Vector512<double>.Zero)
                     & Vector512.GreaterThanOrEqual(u + margin, Vector512.Create(_strip.Box.MinU))
@@ -102,16 +101,5 @@ internal sealed class PenumbraScan
         {
             grid.TakeOut(receiver);
         }
-    }
-
-    private double MinDepth(int length)
-    {
-        double min = double.PositiveInfinity;
-        for (int i = 0; i < length; i++)
-        {
-            min = Math.Min(min, _vertices.Z[i]);
-        }
-
-        return min;
     }
 }
