@@ -27,20 +27,30 @@ final class InterruptedImportTest extends ImportTestCase
     /** Of the real model: the product below. */
     private const NORTHERN = 'row_index < 120 AND col_index < 480';
 
+    /** The bar is there as long as its connection is: dropped at once by PHP if nobody keeps it. */
+    private ?PDO $bar = null;
+
+    protected function tearDown(): void
+    {
+        $this->bar = null;
+    }
+
     public function testImportKilledManyTimesEndsAsIfUndisturbed(): void
     {
         $random = new Randomizer(new Mt19937(20120222));
         $label = $this->northernProduct();
         $undisturbed = $this->checksum(self::NORTHERN, ImportedModels::ldem4());
-        $bar = $this->barTheSecondTransaction();
+        $this->barTheSecondTransaction();
         $run = $this->startedUntilTheBar($label);
         $run->kill();
         $run->wait();
-        $bar->rollBack();
+        $this->bar->rollBack();
         self::assertSame(40, $this->rowsDone(), 'The first kill did not come in the middle.');
         $span = self::SPAN;
         for ($kill = 0; $kill < TestLength::of(self::KILLS, self::MOST_KILLS); $kill++) {
             $before = $this->rowsDone();
+            // Others see a commit shortly before it is on the disk.
+            $this->execute('FLUSH ENGINE LOGS');
             $run = $this->start([$label]);
             usleep($random->getInt(20_000, $span));
             if ($kill % 2 === 0) {
@@ -70,7 +80,7 @@ final class InterruptedImportTest extends ImportTestCase
         $label = $this->northernProduct();
         $this->barTheSecondTransaction();
         $run = $this->startedUntilTheBar($label);
-        // A commit is seen by others shortly before it is on the disk; at the bar it is there.
+        // Others see a commit shortly before it is on the disk; at the bar it is there.
         $this->waitingInsert($run);
         PrivateServer::shared()->kill();
         $run->wait();
@@ -86,11 +96,11 @@ final class InterruptedImportTest extends ImportTestCase
     public function testImportConnectionKilledByTheAdministratorLosesNothing(): void
     {
         $label = $this->northernProduct();
-        $bar = $this->barTheSecondTransaction();
+        $this->barTheSecondTransaction();
         $run = $this->startedUntilTheBar($label);
         $this->execute('KILL ' . $this->waitingInsert($run));
         self::assertRefused(3, 'run this again', $run->wait());
-        $bar->rollBack();
+        $this->bar->rollBack();
         self::assertDone($this->import([$label]));
         self::assertDone($this->import(['--verify', $label]));
     }
@@ -98,14 +108,14 @@ final class InterruptedImportTest extends ImportTestCase
     public function testImportTwoAtOnceTheSecondWaitsAndFindsItDone(): void
     {
         $label = $this->northernProduct();
-        $bar = $this->barTheSecondTransaction();
+        $this->barTheSecondTransaction();
         $first = $this->startedUntilTheBar($label);
         self::assertRefused(3, 'another import into ldem_4', $this->import(['--wait=0', $label]));
         $second = $this->start([$label]);
         while (!$this->isWaiting() && $second->isRunning()) {
             usleep(5000);
         }
-        $bar->rollBack();
+        $this->bar->rollBack();
         self::assertDone($first->wait());
         self::assertDone($second->wait());
         self::assertStringContainsString('waiting up to 600 s', $second->errors);
@@ -146,11 +156,11 @@ final class InterruptedImportTest extends ImportTestCase
     }
 
     /** Puts a row of the northern product's lines 41 to 80 into a transaction left open: an import waits there. */
-    private function barTheSecondTransaction(): PDO
+    private function barTheSecondTransaction(): void
     {
         self::assertDone($this->import([$this->smallProduct()]));
 
-        return PrivateServer::shared()->hold(
+        $this->bar = PrivateServer::shared()->hold(
             $this->environment,
             "INSERT INTO ldem_4 VALUES (60, 0, 0, 0, 0, 0, 0, 0, ST_GeomFromText('POINT(0 0)', 0))",
         );

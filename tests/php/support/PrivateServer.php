@@ -84,7 +84,8 @@ final class PrivateServer
     }
 
     /**
-     * A transaction left open after this statement: its rows bar the way of whoever writes the same, until rollBack().
+     * A transaction left open after this statement: its rows bar the way of whoever writes the same, until rollBack(), or
+     * until the last reference to the connection is gone.
      *
      * @param array<string, string> $environment of freshDatabase
      */
