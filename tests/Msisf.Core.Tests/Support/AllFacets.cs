@@ -13,11 +13,14 @@ internal sealed class AllFacets
     /// <summary>Facets that follow each other lie side by side: a ray that misses the ball around so many misses them all.</summary>
     private const int FacetsOfBall = 32;
 
+    /// <summary>Balls that follow each other, in a larger ball.</summary>
+    private const int BallsOfBall = 8;
+
     /// <summary>1, of a ball's radius: far more than a facet is missed by where the ray is nearly in its plane.</summary>
     private const double BallMargin = 1.01;
 
     private readonly (FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] _facets;
-    private readonly Lazy<(Vector3D Middle, double Radius)[]> _balls;
+    private readonly Lazy<List<Ball[]>> _balls;
 
     public AllFacets(ITerrain terrain)
         : this(Collect(terrain))
@@ -27,7 +30,7 @@ internal sealed class AllFacets
     private AllFacets((FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] facets)
     {
         _facets = facets;
-        _balls = new(() => [.. facets.Chunk(FacetsOfBall).Select(BallAround)]);
+        _balls = new(BallsAround);
     }
 
     /// <summary>The facets with their corners, m, counter-clockwise seen from outside.</summary>
@@ -70,14 +73,10 @@ internal sealed class AllFacets
     public (FacetId Facet, Vector3D Point, double T)? FirstHit(Vector3D origin, Vector3D direction, double minT = 0.0)
     {
         (FacetId Facet, Vector3D Point, double T)? best = null;
-        for (int ball = 0; ball < _balls.Value.Length; ball++)
+        int top = _balls.Value.Count - 1;
+        for (int ball = 0; ball < _balls.Value[top].Length; ball++)
         {
-            (Vector3D middle, double radius) = _balls.Value[ball];
-            if (Vector3D.Cross(middle - origin, direction).Length <= radius * direction.Length)
-            {
-                int start = ball * FacetsOfBall;
-                HitFirstOf(_facets.AsSpan(start, Math.Min(FacetsOfBall, _facets.Length - start)), origin, direction, minT, ref best);
-            }
+            HitFirstIn(top, ball, origin, direction, minT, ref best);
         }
 
         return best;
@@ -129,11 +128,38 @@ internal sealed class AllFacets
         }
     }
 
-    private static (Vector3D Middle, double Radius) BallAround((FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] facets)
+    /// <summary>Balls around the facets, then balls around those of the level before.</summary>
+    private List<Ball[]> BallsAround()
     {
-        Vector3D[] corners = [.. facets.SelectMany(facet => new[] { facet.A, facet.B, facet.C })];
-        Vector3D middle = corners.Aggregate((sum, corner) => sum + corner) / corners.Length;
-        return (middle, BallMargin * corners.Max(corner => (corner - middle).Length));
+        List<Ball[]> levels = [[.. _facets.Chunk(FacetsOfBall).Select(Ball.Around)]];
+        while (levels[^1].Length > BallsOfBall)
+        {
+            levels.Add([.. levels[^1].Chunk(BallsOfBall).Select(Ball.Around)]);
+        }
+
+        return levels;
+    }
+
+    private void HitFirstIn(
+        int level, int ball, Vector3D origin, Vector3D direction, double minT, ref (FacetId Facet, Vector3D Point, double T)? best)
+    {
+        if (_balls.Value[level][ball].IsMissedBy(origin, direction))
+        {
+            return;
+        }
+
+        if (level == 0)
+        {
+            int start = ball * FacetsOfBall;
+            HitFirstOf(_facets.AsSpan(start, Math.Min(FacetsOfBall, _facets.Length - start)), origin, direction, minT, ref best);
+            return;
+        }
+
+        int first = ball * BallsOfBall;
+        for (int inner = first; inner < Math.Min(first + BallsOfBall, _balls.Value[level - 1].Length); inner++)
+        {
+            HitFirstIn(level - 1, inner, origin, direction, minT, ref best);
+        }
     }
 
     private static void HitFirstOf(
@@ -166,5 +192,38 @@ internal sealed class AllFacets
                 best = (facet, origin + (t * direction), t);
             }
         }
+    }
+
+    /// <param name="Middle">m.</param>
+    /// <param name="Radius">m.</param>
+    private readonly record struct Ball(Vector3D Middle, double Radius)
+    {
+        public static Ball Around((FacetId Facet, Vector3D A, Vector3D B, Vector3D C)[] facets)
+        {
+            Vector3D sum = default;
+            foreach ((_, Vector3D a, Vector3D b, Vector3D c) in facets)
+            {
+                sum += a + b + c;
+            }
+
+            Vector3D middle = sum / (3 * facets.Length);
+            double largest = 0.0;
+            foreach ((_, Vector3D a, Vector3D b, Vector3D c) in facets)
+            {
+                largest = Math.Max(largest, Math.Max((a - middle).LengthSquared, (b - middle).LengthSquared));
+                largest = Math.Max(largest, (c - middle).LengthSquared);
+            }
+
+            return new Ball(middle, BallMargin * Math.Sqrt(largest));
+        }
+
+        public static Ball Around(Ball[] balls)
+        {
+            Vector3D middle = balls.Aggregate(default(Vector3D), (sum, ball) => sum + ball.Middle) / balls.Length;
+            return new Ball(middle, balls.Max(ball => (ball.Middle - middle).Length + ball.Radius));
+        }
+
+        public bool IsMissedBy(Vector3D origin, Vector3D direction) =>
+            Vector3D.Cross(Middle - origin, direction).LengthSquared > Radius * Radius * direction.LengthSquared;
     }
 }
