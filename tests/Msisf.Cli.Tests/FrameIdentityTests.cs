@@ -28,6 +28,9 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
     private const string Maps = "--albedo-map FILE:WAC_B.IMG,factor=2 "
         + "--albedo-map FILE:WAC_A.IMG,scale=0.001,incidence=60,emission=0,phase=60";
 
+    /// <summary>Light from the ground takes long: of few pixels.</summary>
+    private const string LitGround = "--width 8 --height 8 --indirect --layers indirect";
+
     /// <summary>Options that POV-Ray alone has, and the choice of it: it is no part of these tests.</summary>
     private static readonly OptionSpec[] OfPovRay = [RendererOptions.Renderer, .. PovOptions.Group.Options];
 
@@ -119,8 +122,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--rendering-annotation", "", "--rendering-annotation" },
         { "--camera-model", "", "--camera-model csm" },
         { "--camera-model", "--camera-model csm", "--camera-model csm,tsai" },
-        { "--map", "", "--map orthographic,100" },
-        { "--map", "--map orthographic,100", "--map orthographic,200" },
+        { "--map", "", "--map orthographic,1000" },
+        { "--map", "--map orthographic,1000", "--map orthographic,2000" },
         { "--surface", "", "--surface terrain" },
         { "--grid", "", "--grid 16" },
         { "--gridH", "", "--gridH 16" },
@@ -129,8 +132,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--samples", "--samples auto:0.5", "--samples auto:20" },
         { "--shading", "", "--shading smooth" },
         { "--sun", "--position 0,45,160000 --time 55289", "--sun disc" },
-        { "--indirect", "--indirect --layers indirect", "--indirect 2" },
-        { "--indirect-error", "--indirect --layers indirect", "--indirect-error 0.1" },
+        { "--indirect", $"{LitGround} --indirect-error 0.2", "--indirect 2" },
+        { "--indirect-error", LitGround, "--indirect-error 0.2" },
         { "--reflectance", "", "--reflectance lommel-seeliger" },
         { "--reflectance", "--reflectance hapke:w=0.3", "--reflectance hapke:w=0.4" },
         { "--hapke-map", "--reflectance moon", "--hapke-map FILE:hapke.img" },
