@@ -1,6 +1,4 @@
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 
 namespace Msisf.Core.Render.Indirect;
 

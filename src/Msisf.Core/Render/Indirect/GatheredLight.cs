@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>What a group of points gets.</summary>

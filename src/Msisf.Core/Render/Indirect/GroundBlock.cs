@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Indirect;

@@ -1,9 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
-using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
 
 namespace Msisf.Core.Render.Indirect;

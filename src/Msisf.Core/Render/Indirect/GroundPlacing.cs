@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;

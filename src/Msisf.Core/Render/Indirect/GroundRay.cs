@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>A ray through the ground around a view, in the axes of <see cref="GroundTree"/>, and what it has met.</summary>

@@ -1,5 +1,4 @@
 using System.Numerics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Indirect;

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>What the points of a group see of the points of the ground. Keeps buffers, so each thread needs its own object.</summary>

@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;

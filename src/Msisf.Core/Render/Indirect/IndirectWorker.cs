@@ -1,5 +1,4 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Shading;
 using Msisf.Core.Render.Visibility;

@@ -1,4 +1,3 @@
-using Msisf.Core.Numerics;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Core.Render.Indirect;

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>The light of near ground on the points of a group, by rays of each point.</summary>

@@ -1,5 +1,3 @@
-using Msisf.Core.Numerics;
-
 namespace Msisf.Core.Render.Indirect;
 
 /// <summary>Some neighbouring points of the ground on which light of other ground falls; one object serves many groups.</summary>

@@ -1,6 +1,5 @@
 using System.Collections.Concurrent;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Visibility;
 

@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
-using Msisf.Core.Numerics;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Indirect;
