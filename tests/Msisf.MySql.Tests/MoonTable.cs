@@ -10,7 +10,7 @@ namespace Msisf.MySql.Tests;
 /// </summary>
 internal sealed class MoonTable : IDisposable
 {
-    private static int _databases;
+    private static int Databases;
 
     private readonly PrivateServer _server;
     private readonly long _questionsBefore;
@@ -22,7 +22,7 @@ internal sealed class MoonTable : IDisposable
     public MoonTable(PrivateServer server, IGlobalGrid grid, IEnumerable<int>? lines, params object[][] records)
     {
         _server = server;
-        Name = string.Create(CultureInfo.InvariantCulture, $"moon_{Interlocked.Increment(ref _databases)}");
+        Name = string.Create(CultureInfo.InvariantCulture, $"moon_{Interlocked.Increment(ref Databases)}");
         Table = string.Create(CultureInfo.InvariantCulture, $"ldem_{grid.PixelsPerDegree}");
         server.Execute($"""
             CREATE DATABASE {Name};
