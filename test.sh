@@ -42,6 +42,7 @@ fi
 install_parts povray cairo cfitsio fitsverify astropy gdal matplotlib numpy pytest zmq g++ pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
+install_parts octave || warn 'going on without it: the tests of the client in MATLAB are skipped'
 ensure_dotnet
 if [ -n "$build" ]; then
     wait "$build"

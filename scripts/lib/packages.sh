@@ -20,6 +20,7 @@ part_is_here() {
         certificates) certificates_are_here ;;
         php) have php && php -r 'exit(PHP_VERSION_ID >= 80200 && extension_loaded("pdo_mysql") ? 0 : 1);' ;;
         mariadbd) sbin_has mariadbd && have mariadb-install-db ;;
+        octave) have octave-cli && octave-cli --eval 'pkg load instrument-control' >/dev/null 2>&1 ;;
         slurm) have sbatch && sbin_has munged && sbin_has slurmctld && sbin_has slurmd ;;
         *) have "$1" ;;
     esac
@@ -74,6 +75,7 @@ package_of() {
         pacman-numpy | pacman-pytest) echo "python-$2" ;;
         pacman-pip) echo python-pip python-setuptools python-wheel ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
+        apt-octave) echo octave octave-instrument-control ;;
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;
         # Not mariadb-server: that one starts a server, also at every boot. The tests start their own.
