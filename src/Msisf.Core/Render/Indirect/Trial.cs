@@ -26,8 +26,8 @@ internal readonly record struct Trial(int Points, Deviation Shared, Deviation Ot
     public double PartOfOther => PartOf(Other.ErrorWith(0.0));
 
     /// <summary>
-    /// Square of the error of a point's light with the samples that the group is to have, or more than it may have: what few groups can't
-    /// reach is not asked of the others.
+    /// Square of the error of a point's light with the samples that an effort asks for, also where these are more than a group may have:
+    /// other groups need not make up for what it can't reach.
     /// </summary>
     /// <param name="effort">As <see cref="Next"/>; 0 for the samples that it has.</param>
     public double ErrorWith(double effort)
