@@ -108,25 +108,6 @@ inline std::array<std::uint8_t, 20> sha1(std::string text) {
     return digest;
 }
 
-/// The text of a member of a JSON object; no more JSON than the server's short answers have.
-inline std::string json_text(const std::string& json, const std::string& key) {
-    std::size_t at = json.find('"' + key + "\":");
-    if (at == std::string::npos) return "";
-    at = json.find_first_not_of(' ', at + key.size() + 3);
-    if (json[at] != '"') return json.substr(at, json.find_first_of(",}", at) - at);
-    std::string text;
-    for (at++; at < json.size() && json[at] != '"'; at++) {
-        if (json[at] == '\\' && json[at + 1] == 'u') {
-            const unsigned code = static_cast<unsigned>(std::stoul(json.substr(at + 2, 4), nullptr, 16));
-            text += code < 128 ? static_cast<char>(code) : '?';
-            at += 5;
-        } else {
-            text += json[at] == '\\' ? json[++at] : json[at];
-        }
-    }
-    return text;
-}
-
 /// The whole number at the begin of a text from the server.
 inline std::uint64_t whole(const std::string& text, int base = 10) {
     std::uint64_t number = 0;
@@ -136,6 +117,25 @@ inline std::uint64_t whole(const std::string& text, int base = 10) {
     return number;
 }
 
+/// The text of a member of a JSON object; no more JSON than the server's short answers have.
+inline std::string json_text(const std::string& json, const std::string& key) {
+    std::size_t at = json.find('"' + key + "\":");
+    if (at == std::string::npos) return "";
+    at = std::min(json.find_first_not_of(' ', at + key.size() + 3), json.size());
+    if (json[at] != '"') return json.substr(at, json.find_first_of(",}", at) - at);
+    std::string text;
+    for (at++; at < json.size() && json[at] != '"'; at++) {
+        if (json[at] == '\\' && json[at + 1] == 'u') {
+            const std::uint64_t code = whole(json.substr(at + 2, 4), 16);
+            text += code < 128 ? static_cast<char>(code) : '?';
+            at += 5;
+        } else {
+            text += json[at] == '\\' ? json[++at] : json[at];
+        }
+    }
+    return text;
+}
+
 inline std::string system_error(const std::string& what) { return what + ": " + std::strerror(errno); }
 
 /// A connection to "http://HOST:PORT", or to the path of a Unix socket.
@@ -143,13 +143,17 @@ class Connection {
   public:
     Connection(const std::string& address, double seconds) {
         const bool is_web = address.rfind("http://", 0) == 0;
+        if (address.rfind("https://", 0) == 0) {
+            throw Error("'" + address + "': this client has no TLS. Give the http:// of a proxy beside the program, or a Unix socket", 0);
+        }
         if (!is_web && address.find('/') == std::string::npos) {
             throw Error("'" + address + "' is no http://HOST:PORT and no path of a Unix socket, as msis serve prints it", 0);
         }
         is_web ? connect_to_host(address.substr(7)) : connect_to_path(address);
         const int one = 1;
         setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
-        const timeval limit{static_cast<time_t>(seconds), static_cast<suseconds_t>((seconds - static_cast<time_t>(seconds)) * 1e6)};
+        const double wait = std::min(1e9, std::max(0.0, seconds));  // 30 years: a time_t holds it everywhere
+        const timeval limit{static_cast<time_t>(wait), static_cast<suseconds_t>((wait - static_cast<double>(static_cast<time_t>(wait))) * 1e6)};
         setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
         setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
     }
@@ -168,7 +172,7 @@ class Connection {
     void read(void* bytes, std::size_t length) {
         char* to = static_cast<char*>(bytes);
         const std::size_t kept = std::min(length, buffer_.size() - used_);
-        std::memcpy(to, buffer_.data() + used_, kept);
+        std::copy_n(buffer_.data() + used_, kept, to);  // an empty vector has no address, which std::memcpy must not get
         used_ += kept;
         for (std::size_t taken = kept; taken < length;) taken += receive(to + taken, length - taken);
     }

@@ -19,20 +19,21 @@ sys.path[:0] = [str(ROOT / "clients/python"), str(ROOT / "clients/python/example
 MSIS = os.environ.get("MSISF_PROGRAM", str(ROOT / "msis"))
 LDEM = str(ROOT / "input/ldem/LDEM_4.LBL")
 STATE = [55289.25, 1.9e6, 1e5, -2e5, 0.01, -0.02, 0.03, 0.9992997549098]
+CHECKED = ["-fsanitize=undefined", "-fno-sanitize-recover=all", "-D_GLIBCXX_ASSERTIONS"]
 MOTION = [10.0, 1600.0, -30.0, 0.001, 0.02, -0.003]
 
 
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory):
-    """The programs, warnings as errors."""
+    """The programs, warnings as errors; the one of the tests ends at the first thing that the language leaves undefined."""
     if not shutil.which("g++"):
         pytest.skip("missing: g++")
     folder = tmp_path_factory.mktemp("build")
     compilers = [
         subprocess.Popen(
-            ["g++", "-std=c++17", "-O1", "-Werror", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wno-sign-conversion", "-I",
+            ["g++", "-std=c++17", "-O1", "-Werror", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wno-sign-conversion", *options, "-I",
              HERE / "include", HERE / f"{program}.cpp", "-o", folder / Path(program).name])
-        for program in ("examples/closed_loop", "examples/image", "tests/client")]
+        for program, options in (("examples/closed_loop", []), ("examples/image", []), ("tests/client", CHECKED))]
     assert [compiler.wait(300) for compiler in compilers] == [0, 0, 0]
     return folder
 
@@ -179,6 +180,8 @@ def test_errors_have_the_words_of_the_server(programs, address, words, token, ex
     ("http://127.0.0.1:1", "no server at '127.0.0.1:1'"),
     ("/nowhere/msis.sock", "no server at '/nowhere/msis.sock'"),
     ("localhost", "is no http://HOST:PORT"),
+    ("https://127.0.0.1:1", "'https://127.0.0.1:1': this client has no TLS. Give the http:// of a proxy"),
+    ("https://[::1]:8810/", "this client has no TLS"),
     ("http://no.such.host.invalid:80", "is not found"),
     ("/" + "x" * 200, "too long"),
 ])
@@ -297,6 +300,10 @@ def test_broken_streams(programs, sent, expected):
     (b"HTTP/1.1 200 OK\r\n\r\n", "where a number is due"),
     (b"HTTP/1.1 500 Bad\r\nTransfer-Encoding: chunked\r\n\r\n4\r\n{\"de\r\n9\r\ntail\": \"x\r\n2\r\n\"}\r\n0\r\n\r\n", "error 500: x"),
     (b"x" * 70000, "no HTTP"),
+    (b"HTTP/1.1 400 Bad\r\nContent-Length: 10\r\n\r\n{\"detail\":", "error 400: the server answers 400"),
+    (b"HTTP/1.1 400 Bad\r\nContent-Length: 17\r\n\r\n{\"detail\": \"a\\u00", "error 400: a"),
+    (b"HTTP/1.1 400 Bad\r\nContent-Length: 18\r\n\r\n{\"detail\": \"\\uXYZW", "where a number is due"),
+    (b"HTTP/1.1 400 Bad\r\nContent-Length: 0\r\n\r\n", "error 400: the server answers 400"),
     (b"HTTP/1.1 503 Busy\r\nContent-Length: 100\r\n\r\nshort", "closed the connection"),
     (b"HTTP/1.1 200 OK\r\nContent-Length: 9999999999999999999\r\n\r\nshort", "closed the connection"),
     (b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\nffffffffffffffff\r\nshort", "closed the connection"),
@@ -308,6 +315,15 @@ def test_broken_answers(programs, sent, expected):
 
     run = call(programs, serve_once(answer), "stream", "{}", *STATE)
     assert run.returncode == 2 and expected in run.stderr.decode(), run.stderr
+
+
+@pytest.mark.parametrize("seconds", ["1e300", "inf", "120.5"])
+def test_long_waits(programs, seconds):
+    def answer(connection):
+        head_of(connection)
+        connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nok")
+
+    assert call(programs, serve_once(answer), "get", "/healthz", seconds=seconds).stdout == b"ok"
 
 
 def test_a_server_that_is_silent(programs):

@@ -35,7 +35,7 @@ class Mounted:
         options: Further options of this camera's images, as ``lines``.
     """
 
-    camera: "Union[Camera, str, Mapping[str, Any]]"
+    camera: Union[Camera, str, Mapping[str, Any]]
     quaternion_xyz0: Sequence[float] = (0.0, 0.0, 0.0, 1.0)
     offset: Sequence[float] = (0.0, 0.0, 0.0)
     name: Optional[str] = None
@@ -46,7 +46,7 @@ class Mounted:
 AnyCamera = Union[Camera, str, Mapping[str, Any]]
 
 
-def options_of(camera: "Union[AnyCamera, Mounted]") -> Dict[str, Any]:
+def options_of(camera: Union[AnyCamera, Mounted]) -> Dict[str, Any]:
     """The options of a request that describe a camera."""
     if isinstance(camera, Mounted):
         mounting = {"quaternion": numbers(camera.quaternion_xyz0, "quaternion_xyz0", 4), "offset": numbers(camera.offset, "offset", 3)}

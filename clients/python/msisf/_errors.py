@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import http.client
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, Iterator, Sequence, Tuple
 
 
@@ -30,6 +31,27 @@ class RequestError(MsisfError):
 
 class ServerError(MsisfError):
     """The server can't be started or reached, it ended, or its answer is not what it should be."""
+
+
+class NoSuchAttribute(MsisfError, AttributeError):
+    """A frame or a sample has no layer or column of that name; ``hasattr`` says so too."""
+
+
+class NoSuchSample(MsisfError, IndexError):
+    """A data set has fewer images; a loop over its places ends with it."""
+
+
+@contextmanager
+def reading(path: Path) -> Iterator[None]:
+    """Makes an MsisfError of all that goes wrong with a file, whatever it holds."""
+    try:
+        yield
+    except MsisfError:
+        raise
+    except OSError as error:
+        raise MsisfError(f"{path}: can't be read: {error.strerror or error}") from error
+    except Exception as error:  # no list is complete: a damaged file can hold anything
+        raise MsisfError(f"{path}: damaged: {type(error).__name__}: {error}. msis verify names all damaged files of a folder.") from error
 
 
 @contextmanager

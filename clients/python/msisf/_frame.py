@@ -4,28 +4,29 @@ from __future__ import annotations
 
 import io
 import json
+import os
+import warnings as python_warnings
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Sequence, Union
+from typing import Any, Dict, Mapping, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ._errors import answers_of
+import msisf  # for type hints alone: msisf.Moon imports this module
+
+from ._errors import MsisfError, NoSuchAttribute, answers_of
 from ._http import Part
 from ._png import png_of
 from ._view import View
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from ._moon import Moon
 
 
 class Frame(View):
     """An image with its camera, its light and its layers.
 
-    A layer is also an attribute: ``frame.depth``; "-" is "_", and "normals" is the layer "normal".
+    A layer is also an attribute: ``frame.depth``; "-" is "_", and "normals" is the layer "normal". ``frame.position`` is the camera's
+    position; the layer of that name is ``frame.layers["position"]`` or ``frame.positions``.
 
     Attributes:
         image: Grey levels [height, width], uint8 or uint16; the digital numbers of a camera with a detector.
@@ -46,10 +47,10 @@ class Frame(View):
 
     def __init__(
         self,
-        moon: "Moon",
+        moon: msisf.Moon,
         request: Mapping[str, Any],
         image: Part,
-        layers: Mapping[str, "NDArray[Any]"],
+        layers: Mapping[str, NDArray[Any]],
         meta: str,
         warnings: Sequence[str],
     ) -> None:
@@ -64,20 +65,20 @@ class Frame(View):
         super().__init__(moon, request, _vector(general["CameraPosition"]), matrices, camera.get("Distortion"))
         self._levels = _levels_of(image)
         self._meaning = (int(image.headers["x-msisf-bits"]), image.headers["x-msisf-transfer"])
-        self.layers: Dict[str, "NDArray[Any]"] = dict(layers)
+        self.layers: Dict[str, NDArray[Any]] = dict(layers)
         self.warnings = list(warnings)
         self.camera_models: Dict[str, str] = {}
         quaternion = general["CameraOrientation"]["Quaternion"]
-        self.quaternion: "NDArray[np.float64]" = np.array([quaternion[name] for name in ("x", "y", "z", "r")], dtype=float)
+        self.quaternion: NDArray[np.float64] = np.array([quaternion[name] for name in ("x", "y", "z", "r")], dtype=float)
         self.sun_position = _vector(general["SunPosition"])
-        away = self.sun_position - self.position
+        away = self.sun_position - self._position
         length = float(np.linalg.norm(away))
         self.sun_direction = away / length if length > 0.0 else away
         self.mjd = float(general["SimulationTime"]["MJD"])
         self.utc = str(general["SimulationTime"]["UTC"])
 
     @classmethod
-    def of_parts(cls, moon: "Moon", request: Mapping[str, Any], parts: Mapping[str, Part], warnings: Sequence[str]) -> "Frame":
+    def of_parts(cls, moon: msisf.Moon, request: Mapping[str, Any], parts: Mapping[str, Part], warnings: Sequence[str]) -> Frame:
         """The frame of an answer of several parts."""
         arrays = {name[:-4]: np.load(io.BytesIO(part.content)) for name, part in parts.items() if name.endswith(".npy")}
         frame = cls(moon, request, parts["image.raw"], arrays, str(parts["json"].content, "utf-8"), warnings)
@@ -90,10 +91,21 @@ class Frame(View):
         """Lets questions to the Moon name the camera where it is, in place of the body that carries it and others."""
         self._is_scan_of_several = '"Scan":{' in self._meta
         options = {name: value for name, value in self._request.items() if name not in _OF_BODY}
-        self._request = {**options, "fixed-state": [self.mjd, *self.position.tolist(), *self.quaternion.tolist()]}
+        self._request = {**options, "fixed-state": [self.mjd, *self._position.tolist(), *self.quaternion.tolist()]}
+
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """Of the camera, [3], m; a warning says so if there is also a layer of this name."""
+        if "position" in self.layers:
+            python_warnings.warn(
+                "frame.position is the camera's position; the layer is frame.positions, or frame.layers['position']", stacklevel=2)  # fmt: skip
+        return self._position
+
+    def _size(self) -> Tuple[int, int]:
+        return self._levels.shape[1], self._levels.shape[0]
 
     @cached_property
-    def image(self) -> "NDArray[Any]":
+    def image(self) -> NDArray[Any]:
         return self._levels.copy()
 
     @cached_property
@@ -103,30 +115,40 @@ class Frame(View):
             return meta
 
     @cached_property
-    def craters(self) -> "NDArray[Any]":
+    def craters(self) -> NDArray[Any]:
         return _records(self.meta, "CraterInformation", "Crater", _CRATER)
 
     @cached_property
-    def landmarks(self) -> "NDArray[Any]":
+    def landmarks(self) -> NDArray[Any]:
         return _records(self.meta, "LandmarkInformation", "Landmark", _LANDMARK)
 
-    def save(self, path: "Union[str, PathLike[str]]") -> None:
-        """Writes the image as the PNG file that msis writes, byte for byte, whatever was done to ``image`` since."""
-        Path(path).write_bytes(png_of(self._levels, *self._meaning))
+    def save(self, path: Union[str, PathLike[str]]) -> None:
+        """Writes the image as the PNG file that msis writes, byte for byte, whatever was done to ``image`` since.
+
+        Args:
+            path: Ends in ".png".
+        """
+        if Path(path).suffix.lower() != ".png":
+            raise MsisfError(f"{os.fspath(path)}: save() writes PNG; give a name that ends in .png")
+        Path(path).write_bytes(self._repr_png_())
+
+    def _repr_png_(self) -> bytes:
+        """For Jupyter, which shows the image."""
+        return png_of(self._levels, *self._meaning)
 
     def __repr__(self) -> str:
         height, width = self._levels.shape
         layers = f", layers {', '.join(self.layers)}" if self.layers else ""
         return f"{super().__repr__()[:-1]} at {self.utc}: {width} x {height} px, {self._levels.dtype}{layers}>"
 
-    def __getattr__(self, name: str) -> "NDArray[Any]":
+    def __getattr__(self, name: str) -> NDArray[Any]:
         layers = self.__dict__.get("layers", {})
         dashed = name.replace("_", "-")
         for known in (dashed, dashed[:-1]):
             if known in layers:
-                array: "NDArray[Any]" = layers[known]
+                array: NDArray[Any] = layers[known]
                 return array
-        raise AttributeError(f"the frame has no '{name}'; layers are asked for by render(layers=[...])")
+        raise NoSuchAttribute(f"the frame has no '{name}'; layers are asked for by render(layers=[...])")
 
 
 #: Options of a request that say where a body is, and how a camera is mounted on it.
@@ -143,7 +165,7 @@ _LANDMARK = [("number", int), ("id", object), ("name", object), *((name, float) 
              ("incidence", float), ("range", float), ("pixelScale", float), *((name, float, 3) for name in _DERIVATIVES)]  # fmt: skip
 
 
-def _records(meta: Mapping[str, Any], group: str, element: str, fields: Sequence[Any]) -> "NDArray[Any]":
+def _records(meta: Mapping[str, Any], group: str, element: str, fields: Sequence[Any]) -> NDArray[Any]:
     """The elements of a group of the meta file as a record array; empty without the group."""
     elements = meta.get(group, {}).get(element, [])
     records = np.zeros(len(elements), dtype=fields)
@@ -160,13 +182,13 @@ def _member_of(text: str, name: str) -> Any:
     return json.JSONDecoder().raw_decode(text, len(head))[0] if text.startswith(head) else json.loads(text)[name]
 
 
-def _levels_of(image: Part) -> "NDArray[Any]":
+def _levels_of(image: Part) -> NDArray[Any]:
     kind = {"u8": "u1", "u16": "<u2"}[image.headers["x-msisf-type"]]
     shape = int(image.headers["x-msisf-height"]), int(image.headers["x-msisf-width"])
     is_alone = 2 * len(image.content) > len(image.content.obj)  # else a copy: it would keep all layers of the answer
     return np.frombuffer(image.content if is_alone else bytes(image.content), kind).reshape(shape)
 
 
-def _vector(element: Mapping[str, Any]) -> "NDArray[np.float64]":
+def _vector(element: Mapping[str, Any]) -> NDArray[np.float64]:
     vector = element["Vector3D"]
     return np.array([vector["x"], vector["y"], vector["z"]], dtype=float)

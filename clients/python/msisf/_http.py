@@ -9,11 +9,12 @@ import selectors
 import socket
 import ssl
 import threading
+from contextlib import contextmanager
 from email.message import Message
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Tuple
 from urllib.parse import urlsplit
 
-from ._errors import RequestError, answers_of
+from ._errors import RequestError, ServerError, answers_of
 from ._values import json_of
 
 
@@ -38,13 +39,26 @@ class UnixConnection(http.client.HTTPConnection):
 
 
 class Http:
-    """Sends requests to a server."""
+    """Sends requests to a server.
 
-    def __init__(self, address: str, token: Optional[str], timeout: float, context: Optional[ssl.SSLContext]) -> None:
+    Args:
+        fate: Says how the server ended; None while it runs, and for a server that somebody else started.
+    """
+
+    def __init__(
+        self,
+        address: str,
+        token: Optional[str],
+        timeout: float,
+        context: Optional[ssl.SSLContext],
+        fate: Callable[[], Optional[str]] = lambda: None,
+    ) -> None:
         self.address = address
         self.timeout = timeout
         self._token = token
         self._context = context
+        self._fate = fate
+        self._is_closed = False
         self._local = threading.local()
         self._open: List[http.client.HTTPConnection] = []
         self._gate = threading.Lock()
@@ -52,6 +66,24 @@ class Http:
     def headers(self) -> Dict[str, str]:
         """The headers of every request."""
         return {"Authorization": f"Bearer {self._token}"} if self._token else {}
+
+    @contextmanager
+    def answers(self) -> Iterator[None]:
+        """As ``answers_of``; where there is no answer because the Moon was closed or the server ended, the error says that."""
+        if self._is_closed:
+            raise self._closed()
+        try:
+            with answers_of(self.address):
+                yield
+        except RequestError:
+            raise
+        except ServerError as error:
+            if self._is_closed:
+                raise self._closed() from error
+            ended = self._fate()
+            if ended is not None:
+                raise ServerError(f"{ended}. Make another msisf.Moon() to go on") from error
+            raise
 
     def connection(self) -> http.client.HTTPConnection:
         """A new connection."""
@@ -64,26 +96,28 @@ class Http:
 
     def get(self, path: str) -> Any:
         """Asks for JSON."""
-        with answers_of(self.address):
+        with self.answers():
             return json.loads(self._send("GET", path, None, "application/json")[1])
 
     def get_text(self, path: str) -> str:
-        """Asks for a text."""
-        with answers_of(self.address):
-            return self._send("GET", path, None, "text/plain")[1].decode()
+        """Asks for a text. To be called in ``answers``."""
+        return self._send("GET", path, None, "text/plain")[1].decode()
 
     def post(self, path: str, body: Mapping[str, Any], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
-        """Sends JSON; the answer's headers and content."""
-        with answers_of(self.address):
-            return self._send("POST", path, json_of(body), accept)
+        """Sends JSON; the answer's headers and content. To be called in ``answers``."""
+        return self._send("POST", path, json_of(body), accept)
 
     def close(self) -> None:
-        """Closes the connections of all threads."""
+        """Closes the connections of all threads; there are no others after them."""
+        self._is_closed = True
         with self._gate:
             for connection in self._open:
                 connection.close()
             self._open.clear()
         self._local = threading.local()
+
+    def _closed(self) -> ServerError:
+        return ServerError(f"{self.address}: the Moon is closed: close() was called, or its with block ended. Make another msisf.Moon() to go on")
 
     def _send(self, method: str, path: str, body: Optional[bytes], accept: str) -> Tuple[http.client.HTTPMessage, bytes]:
         headers = {**self.headers(), "Accept": accept}

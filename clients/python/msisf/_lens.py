@@ -5,17 +5,15 @@ Both planes are in units of the focal length, x to the right and y down, from th
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import MsisfError
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-Plane = Tuple["NDArray[Any]", "NDArray[Any]"]
-Formula = Callable[["NDArray[Any]", "NDArray[Any]", Sequence[float]], Plane]
+Plane = Tuple[NDArray[Any], NDArray[Any]]
+Formula = Callable[[NDArray[Any], NDArray[Any], Sequence[float]], Plane]
 
 _WAY_STEPS = 12  # on the way from the principal point to a point, where the lens must not fold; as many as msis takes
 _NEWTON_STEPS = 5
@@ -23,7 +21,7 @@ _FOUND = 1e-14  # units of the focal length
 _STEP = 1e-30  # of derivatives by a complex step: nothing cancels, so it can be as small as one likes
 
 
-def measured_of(model: str, coefficients: Sequence[float], x: "NDArray[Any]", y: "NDArray[Any]") -> Plane:
+def measured_of(model: str, coefficients: Sequence[float], x: NDArray[Any], y: NDArray[Any]) -> Plane:
     """Where ideal points are measured; NaN where the lens does not show them: it folds on the way there from the principal point."""
     if model in _FROM_IDEAL:
         formula = _FROM_IDEAL[model]
@@ -39,7 +37,7 @@ def measured_of(model: str, coefficients: Sequence[float], x: "NDArray[Any]", y:
     return np.where(is_shown, right, np.nan), np.where(is_shown, down, np.nan)
 
 
-def _inverse(formula: Formula, x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Any:
+def _inverse(formula: Formula, x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> Any:
     """Follows the inverse of a formula from the principal point, by Newton's method."""
     u, v = np.zeros(x.shape), np.zeros(x.shape)
     x0, y0 = formula(u, v, k)
@@ -58,18 +56,18 @@ def _inverse(formula: Formula, x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence
     return u, v, is_shown
 
 
-def _slopes(formula: Formula, x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> List["NDArray[Any]"]:
+def _slopes(formula: Formula, x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> List[NDArray[Any]]:
     along_x, along_y = formula(x + 1j * _STEP, y, k), formula(x, y + 1j * _STEP, k)
     return [along.imag / _STEP for along in (along_x[0], along_y[0], along_x[1], along_y[1])]
 
 
-def _determinant(slopes: List["NDArray[Any]"]) -> "NDArray[Any]":
+def _determinant(slopes: List[NDArray[Any]]) -> NDArray[Any]:
     xx, xy, yx, yy = slopes
-    determinant: "NDArray[Any]" = xx * yy - xy * yx
+    determinant: NDArray[Any] = xx * yy - xy * yx
     return determinant
 
 
-def _opencv(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
+def _opencv(x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> Plane:
     k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4 = k
     q = x * x + y * y
     c = (1.0 + q * (k1 + q * (k2 + q * k3))) / (1.0 + q * (k4 + q * (k5 + q * k6)))
@@ -77,7 +75,7 @@ def _opencv(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
             c * y + p1 * (q + 2.0 * y * y) + 2.0 * p2 * x * y + q * (s3 + q * s4))  # fmt: skip
 
 
-def _owen(x: "NDArray[Any]", y: "NDArray[Any]", e: Sequence[float]) -> Plane:
+def _owen(x: NDArray[Any], y: NDArray[Any], e: Sequence[float]) -> Plane:
     e1, e2, e3, e4, e5, e6 = e
     q = x * x + y * y
     radial = 1.0 + q * (e2 + q * e4) + e5 * y + e6 * x
@@ -85,7 +83,7 @@ def _owen(x: "NDArray[Any]", y: "NDArray[Any]", e: Sequence[float]) -> Plane:
     return x * radial - y * turn, y * radial + x * turn
 
 
-def _fisheye(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
+def _fisheye(x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> Plane:
     k1, k2, k3, k4 = k
     r = np.sqrt(x * x + y * y)
     angle = np.arctan(r)
@@ -94,19 +92,19 @@ def _fisheye(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
     return factor * x, factor * y
 
 
-def _radial(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
+def _radial(x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> Plane:
     q = x * x + y * y
     factor = 1.0 + q * (k[0] + q * (k[1] + q * k[2]))
     return x * factor, y * factor
 
 
-def _division(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
+def _division(x: NDArray[Any], y: NDArray[Any], k: Sequence[float]) -> Plane:
     q = x * x + y * y
     divisor = 1.0 + q * (k[0] + q * (k[1] + q * k[2]))
     return x / divisor, y / divisor
 
 
-def _polynomial(x: "NDArray[Any]", y: "NDArray[Any]", argument: "NDArray[Any]", k: Sequence[float]) -> Plane:
+def _polynomial(x: NDArray[Any], y: NDArray[Any], argument: NDArray[Any], k: Sequence[float]) -> Plane:
     s = argument
     return x + k[0] + s * (k[1] + s * (k[2] + s * k[3])), y + k[4] + s * (k[5] + s * (k[6] + s * k[7]))
 

@@ -7,22 +7,20 @@ import os
 import ssl
 import threading
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Type, Union
 from urllib.parse import urlencode
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ._camera import AnyCamera, Camera, Mounted, options_of
-from ._errors import MsisfError, answers_of
+from ._errors import MsisfError
 from ._frame import Frame
 from ._http import Http, Part, parts_of
 from ._process import ServerProcess
 from ._stream import Stream
 from ._values import Time, array_of, listed, named, numbers, plain, rows, time_text
 from ._view import View
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
 
 
 class Moon:
@@ -44,7 +42,7 @@ class Moon:
 
     def __init__(
         self,
-        address: "Union[str, os.PathLike[str], None]" = None,
+        address: Union[str, os.PathLike[str], None] = None,
         *,
         token: Optional[str] = None,
         model: Union[str, Sequence[str], None] = None,
@@ -64,7 +62,10 @@ class Moon:
             raise MsisfError(f"timeout is {seconds}; seconds above 0 are needed")
         self._local = threading.local()
         self._process = ServerProcess(program, [str(word) for word in listed(serve, "serve")]) if address is None else None
-        self._http = Http(self._process.address if self._process else os.fspath(address or ""), token, seconds, context)
+        if self._process is None:
+            self._http = Http(os.fspath(address or ""), token, seconds, context)
+        else:
+            self._http = Http(self._process.address, token, seconds, context, self._process.fate)
 
     @property
     def address(self) -> str:
@@ -79,12 +80,12 @@ class Moon:
 
     def render(
         self,
-        position: Optional["ArrayLike"] = None,
-        orientation_xyz0: Optional["ArrayLike"] = None,
+        position: Optional[ArrayLike] = None,
+        orientation_xyz0: Optional[ArrayLike] = None,
         time: Optional[Time] = None,
         *,
-        states: Union[str, "ArrayLike", None] = None,
-        look_at: Union[str, "ArrayLike", None] = None,
+        states: Union[str, ArrayLike, None] = None,
+        look_at: Union[str, ArrayLike, None] = None,
         nadir: bool = False,
         camera: Optional[AnyCamera] = None,
         layers: Union[str, Sequence[str]] = (),
@@ -112,19 +113,19 @@ class Moon:
             ServerError: The server does not answer.
         """
         request = self._request(position, orientation_xyz0, time, look_at, nadir, camera, options, states)
-        with answers_of(self.address):
+        with self._http.answers():
             parts, warnings = self._render(_with_layers(request, layers))
             return Frame.of_parts(self, request, parts, warnings)
 
     def render_all(
         self,
-        position: Optional["ArrayLike"] = None,
-        orientation_xyz0: Optional["ArrayLike"] = None,
+        position: Optional[ArrayLike] = None,
+        orientation_xyz0: Optional[ArrayLike] = None,
         time: Optional[Time] = None,
         *,
         cameras: Sequence[Union[AnyCamera, Mounted]],
-        states: Union[str, "ArrayLike", None] = None,
-        look_at: Union[str, "ArrayLike", None] = None,
+        states: Union[str, ArrayLike, None] = None,
+        look_at: Union[str, ArrayLike, None] = None,
         nadir: bool = False,
         layers: Union[str, Sequence[str]] = (),
         **options: Any,
@@ -141,7 +142,7 @@ class Moon:
             raise MsisfError("give a list of cameras with one at least")
         body = self._request(position, orientation_xyz0, time, look_at, nadir, None, options, states, has_camera=False)
         own = [options_of(one) for one in cameras]
-        with answers_of(self.address):
+        with self._http.answers():
             frames = []
             parts, warnings = self._render({"frame": _with_layers(body, layers), "cameras": own})
             for index, camera in enumerate(own):
@@ -158,7 +159,7 @@ class Moon:
         return parts_of(headers, content), [warning] if warning else []
 
     def view(
-        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", time: Time, *, camera: Optional[Camera] = None, **options: Any
+        self, position: ArrayLike, orientation_xyz0: ArrayLike, time: Time, *, camera: Optional[Camera] = None, **options: Any
     ) -> View:
         """A camera without its image: nothing is drawn, but the Moon can be asked what it would see.
 
@@ -220,12 +221,12 @@ class Moon:
 
     def metrics(self) -> Dict[str, float]:
         """What the server counts (docs/server.md), by the names of Prometheus with their labels."""
-        lines = self._http.get_text("/metrics").splitlines()
-        with answers_of(self.address):
+        with self._http.answers():
+            lines = self._http.get_text("/metrics").splitlines()
             pairs = (line.rsplit(" ", 1) for line in lines if not line.startswith("#"))
             return {name: float(value) for name, value in pairs}
 
-    def sun(self, time: Time, place: "Optional[ArrayLike]" = None) -> Dict[str, Any]:
+    def sun(self, time: Time, place: Optional[ArrayLike] = None) -> Dict[str, Any]:
         """Where the Sun is at a time, and where it stands in the sky of a place (latitude, longitude in degrees)."""
         when = time_text(time)
         query = {"utc" if "T" in when else "mjd": when}
@@ -241,7 +242,7 @@ class Moon:
             self._process.close()
             self._process = None
 
-    def __enter__(self) -> "Moon":
+    def __enter__(self) -> Moon:
         return self
 
     def __exit__(
@@ -250,19 +251,19 @@ class Moon:
         self.close()
 
     def _post(self, path: str, body: Mapping[str, Any]) -> Any:
-        with answers_of(self.address):
+        with self._http.answers():
             return json.loads(self._http.post(path, body, "application/json")[1])
 
     def _request(
         self,
-        position: Optional["ArrayLike"],
-        orientation: Optional["ArrayLike"],
+        position: Optional[ArrayLike],
+        orientation: Optional[ArrayLike],
         time: Optional[Time],
-        look_at: Union[str, "ArrayLike", None],
+        look_at: Union[str, ArrayLike, None],
         nadir: bool,
         camera: Optional[AnyCamera],
         options: Mapping[str, Any],
-        states: Union[str, "ArrayLike", None] = None,
+        states: Union[str, ArrayLike, None] = None,
         has_camera: bool = True,
     ) -> Dict[str, Any]:
         of_camera = options_of(camera if camera is not None else self._camera) if has_camera else {}

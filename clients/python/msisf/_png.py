@@ -4,19 +4,18 @@ from __future__ import annotations
 
 import struct
 import zlib
-from typing import TYPE_CHECKING, Any, Dict, List
+from typing import Any, Dict, List
 
 import numpy as np
+from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _UP = 2  # filter: each row is the difference from the row above
 _CHUNK = 65536  # bytes of compressed data
 _GAMMA = {"srgb": 45455, "linear": 100000, "detector": 100000}
 
 
-def png_of(levels: "NDArray[Any]", bits: int, transfer: str) -> bytes:
+def png_of(levels: NDArray[Any], bits: int, transfer: str) -> bytes:
     """The file of a grey image; with zlib it is byte for byte that of msis (libraries in its place may compress differently).
 
     Args:
@@ -42,7 +41,7 @@ def png_of(levels: "NDArray[Any]", bits: int, transfer: str) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(kind, content) for kind, content in [*chunks, (b"IEND", b"")])
 
 
-def image_of(png: bytes) -> "NDArray[Any]":
+def image_of(png: bytes) -> NDArray[Any]:
     """The levels of a grey image as the server writes it, [height, width]; of a detector its numbers: sample >> (16 - bits)."""
     chunks: Dict[bytes, List[bytes]] = {}
     place = 8
@@ -60,7 +59,7 @@ def image_of(png: bytes) -> "NDArray[Any]":
     if depth == 8:
         return levels
     bits = chunks[b"sBIT"][0][0] if b"sBIT" in chunks else 16
-    numbers: "NDArray[Any]" = levels.view(">u2").astype(np.uint16) >> np.uint16(16 - bits)
+    numbers: NDArray[Any] = levels.view(">u2").astype(np.uint16) >> np.uint16(16 - bits)
     return numbers
 
 

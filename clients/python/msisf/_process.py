@@ -6,10 +6,13 @@ import os
 import shutil
 import subprocess
 import threading
+from collections import deque
 from pathlib import Path
-from typing import IO, List, Optional, Sequence
+from typing import Deque, List, Optional, Sequence
 
 from ._errors import ServerError
+
+_MOMENT = 0.5  # s: the connection of a server that ends breaks before its process is gone
 
 
 class ServerProcess:
@@ -28,15 +31,30 @@ class ServerProcess:
             )
         except OSError as error:
             raise ServerError(f"{command[0]}: can't be started: {error}") from error
+        self._owner = os.getpid()
         assert self._process.stdout is not None and self._process.stderr is not None
         self.address = self._process.stdout.readline().strip()
         if not self.address:
             text = self._process.stderr.read().strip()
             self._process.wait()
             raise ServerError(f"{command[0]} serve ended: {text}")
-        # Nobody wants further messages, but a full pipe would hold the server up.
-        self._reader = threading.Thread(target=_discard, args=(self._process.stderr,), daemon=True)
+        # A full pipe would hold the server up; the last lines tell why it ended.
+        self._last_lines: Deque[str] = deque(maxlen=3)
+        self._reader = threading.Thread(target=self._last_lines.extend, args=(self._process.stderr,), daemon=True)
         self._reader.start()
+
+    def fate(self) -> Optional[str]:
+        """How the server ended, with its last lines; None while it runs."""
+        if os.getpid() != self._owner:
+            return None  # only its parent learns how a process ended
+        try:
+            code = self._process.wait(_MOMENT)
+        except subprocess.TimeoutExpired:
+            return None
+        self._reader.join(_MOMENT)
+        how = f"by signal {-code}" if code < 0 else f"with exit code {code}"
+        words = " ".join(line.strip() for line in self._last_lines)
+        return f"the server that msisf.Moon() started has ended {how}{': ' if words else ''}{words}"
 
     def close(self) -> None:
         """Ends the server at once."""
@@ -50,11 +68,6 @@ class ServerProcess:
         for pipe in (self._process.stdin, self._process.stdout):
             if pipe is not None:
                 pipe.close()
-
-
-def _discard(pipe: IO[str]) -> None:
-    for _ in pipe:
-        pass
 
 
 def find_program() -> str:

@@ -8,17 +8,16 @@ import os
 import struct
 from contextlib import contextmanager
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Type
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Type
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ._errors import MsisfError, RequestError, ServerError, answers_of
+from ._errors import MsisfError, RequestError, ServerError
 from ._http import Http
 from ._values import json_of, numbers
 from ._websocket import BINARY, TEXT, WebSocket
 
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
 
 _HEAD = struct.Struct("<4sIII")  # of an image: "MSIF", number, width, height
 _LONGEST_TEXT = 1 << 20  # bytes
@@ -34,7 +33,7 @@ class StreamImage(NamedTuple):
     """
 
     number: int
-    image: "NDArray[Any]"
+    image: NDArray[Any]
     camera: int = 0
 
 
@@ -51,7 +50,7 @@ class Stream:
         self, server: Http, frame: Mapping[str, Any], newest_only: bool, timing: bool = False,
         cameras: Optional[Sequence[Mapping[str, Any]]] = None,
     ) -> None:
-        self._address = server.address
+        self._server = server
         self._newest_only = bool(newest_only)
         self._connection: Optional[http.client.HTTPConnection] = None
         self._owner = os.getpid()
@@ -67,8 +66,8 @@ class Stream:
             raise
 
     def render(
-        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
-    ) -> "NDArray[Any]":
+        self, position: ArrayLike, orientation_xyz0: ArrayLike, mjd: float, motion: Optional[ArrayLike] = None
+    ) -> NDArray[Any]:
         """Sends a state and waits for its image.
 
         Args:
@@ -82,8 +81,8 @@ class Stream:
         return self.render_all(position, orientation_xyz0, mjd, motion)[0]
 
     def render_all(
-        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
-    ) -> "List[NDArray[Any]]":
+        self, position: ArrayLike, orientation_xyz0: ArrayLike, mjd: float, motion: Optional[ArrayLike] = None
+    ) -> List[NDArray[Any]]:
         """As ``render``: the images of all cameras, in the order in which ``Moon.stream`` got them."""
         state = _state(position, orientation_xyz0, mjd, motion)
         if self._sent != self._answered and self._end is None:
@@ -93,7 +92,7 @@ class Stream:
             return [self._next().image for _ in self._sizes]
 
     def send(
-        self, position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: float, motion: "Optional[ArrayLike]" = None
+        self, position: ArrayLike, orientation_xyz0: ArrayLike, mjd: float, motion: Optional[ArrayLike] = None
     ) -> None:
         """Sends a state; ``receive`` gives its image, of several cameras one after another."""
         state = _state(position, orientation_xyz0, mjd, motion)
@@ -122,7 +121,7 @@ class Stream:
             self._socket.close()
         self._close("close() was called")
 
-    def __enter__(self) -> "Stream":
+    def __enter__(self) -> Stream:
         return self
 
     def __exit__(
@@ -153,7 +152,7 @@ class Stream:
         if self._end is not None:
             raise ServerError(f"the stream is closed: {self._end}. Open another one with Moon.stream()")
         try:
-            with answers_of(self._address):
+            with self._server.answers():
                 yield
         except RequestError:
             raise
@@ -201,7 +200,7 @@ class Stream:
 
 
 def _state(
-    position: "ArrayLike", orientation_xyz0: "ArrayLike", mjd: "ArrayLike", motion: "Optional[ArrayLike]"
+    position: ArrayLike, orientation_xyz0: ArrayLike, mjd: ArrayLike, motion: Optional[ArrayLike]
 ) -> List[float]:
     state = [*numbers(mjd, "mjd", 1), *numbers(position, "position", 3), *numbers(orientation_xyz0, "orientation_xyz0", 4)]
     return state if motion is None else [*state, *numbers(motion, "motion", 6)]

@@ -6,14 +6,12 @@ import datetime
 import json
 import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Union
+from typing import Any, Dict, List, Mapping, Optional, Union
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._errors import MsisfError
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
 
 #: MJD (days, UTC), ISO 8601 with its zone, a datetime with its zone, or NumPy's datetime64 (UTC).
 Time = Union[float, str, datetime.datetime, np.datetime64]
@@ -21,10 +19,10 @@ Time = Union[float, str, datetime.datetime, np.datetime64]
 _TIMES = 'an MJD (days, UTC), "2024-01-19T12:00:00Z", or datetime(..., tzinfo=timezone.utc)'
 
 
-def array_of(given: "ArrayLike", name: str) -> "NDArray[np.float64]":
+def array_of(given: ArrayLike, name: str) -> NDArray[np.float64]:
     """Numbers, all of them finite."""
     try:
-        array: "NDArray[np.float64]" = np.asarray(given, dtype=float)
+        array: NDArray[np.float64] = np.asarray(given, dtype=float)
     except (TypeError, ValueError) as error:
         raise MsisfError(f"{name}: numbers are needed: {error}") from error
     if not np.isfinite(array).all():
@@ -32,7 +30,7 @@ def array_of(given: "ArrayLike", name: str) -> "NDArray[np.float64]":
     return array
 
 
-def numbers(given: "ArrayLike", name: str, *counts: int) -> List[float]:
+def numbers(given: ArrayLike, name: str, *counts: int) -> List[float]:
     """So many numbers, in whatever shape."""
     array = array_of(given, name)
     if array.size not in counts:
@@ -41,7 +39,7 @@ def numbers(given: "ArrayLike", name: str, *counts: int) -> List[float]:
     return values
 
 
-def rows(given: "ArrayLike", name: str, *columns: int) -> "NDArray[np.float64]":
+def rows(given: ArrayLike, name: str, *columns: int) -> NDArray[np.float64]:
     """Rows of so many numbers; one row may stand alone."""
     array = array_of(given, name)
     if array.size == 0:

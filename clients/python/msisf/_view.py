@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import msisf  # for type hints alone: msisf.Moon imports this module
 
 from ._errors import MsisfError, answers_of
 from ._lens import measured_of
 from ._values import array_of, rows
-
-if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
-
-    from ._moon import Moon
 
 
 @dataclass(frozen=True)
@@ -44,7 +42,7 @@ class SurfacePoint:
     latitude: float
     longitude: float
     height: float
-    position: "NDArray[np.float64]"
+    position: NDArray[np.float64]
     distance: float
     incidence: float
     emission: float
@@ -59,7 +57,7 @@ class SurfacePoint:
     shaded_at: Optional[float] = None
 
     @staticmethod
-    def _of(json: Mapping[str, Any]) -> "SurfacePoint":
+    def _of(json: Mapping[str, Any]) -> SurfacePoint:
         facet = json["facet"]
         values = {**json, "position": np.array(json["position"]), "facet": (facet["line"], facet["sample"], facet["half"])}
         return SurfacePoint(**values, invented=facet.get("invented", False))
@@ -75,7 +73,6 @@ class View:
 
     Attributes:
         moon: Answers ``locate`` and ``visible``; None after a pickle.
-        position: Of the camera, [3], m.
         K: [3, 3], px.
         R: [3, 3], from MOON_ME to camera axes.
         t: [3], m.
@@ -84,20 +81,25 @@ class View:
 
     def __init__(
         self,
-        moon: "Moon",
+        moon: msisf.Moon,
         request: Mapping[str, Any],
-        position: "NDArray[np.float64]",
-        matrices: "Tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]",
+        position: NDArray[np.float64],
+        matrices: Tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]],
         distortion: Optional[Mapping[str, Any]] = None,
     ) -> None:
-        self.moon: "Optional[Moon]" = moon
+        self.moon: Optional[msisf.Moon] = moon
         self._request = dict(request)
         self._is_scan_of_several = False
-        self.position = position
+        self._position = position
         self.K, self.R, self.t = matrices
         self.distortion = distortion
 
-    def project(self, points: "ArrayLike") -> "NDArray[np.float64]":
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """Of the camera, [3], m."""
+        return self._position
+
+    def project(self, points: ArrayLike) -> NDArray[np.float64]:
         """Where points are seen, without regard to what hides them.
 
         Args:
@@ -106,7 +108,7 @@ class View:
         Returns:
             Pixels, [n, 2] or [2], from (0, 0); NaN for points behind the camera, and for those so far off that the lens does not show them.
         """
-        ahead = (rows(points, "points", 3) - self.position) @ self.R.T  # t would cost digits close to the ground
+        ahead = (rows(points, "points", 3) - self._position) @ self.R.T  # t would cost digits close to the ground
         with np.errstate(all="ignore"):
             right, down = ahead[:, 0] / ahead[:, 2], ahead[:, 1] / ahead[:, 2]
             if self.distortion is not None:
@@ -116,7 +118,7 @@ class View:
         pixels[~(ahead[:, 2] > 0.0)] = np.nan
         return pixels[0] if array_of(points, "points").ndim == 1 and len(pixels) else pixels
 
-    def locate(self, pixels: "ArrayLike") -> List[Optional[SurfacePoint]]:
+    def locate(self, pixels: ArrayLike) -> List[Optional[SurfacePoint]]:
         """What points of the image show, exactly.
 
         Args:
@@ -125,10 +127,18 @@ class View:
         Returns:
             A point for each, None where the image does not show the Moon.
         """
-        ours = (rows(pixels, "pixels", 2) + 1.0).tolist()
+        given = rows(pixels, "pixels", 2)
+        size = self._size()
+        outside = given[~((given > -0.5) & (given < np.subtract(size, 0.5))).all(axis=1)] if size else []
+        if len(outside):
+            raise MsisfError(
+                f"the pixel ({outside[0][0]:g}, {outside[0][1]:g}) lies outside the image of {size[0]} x {size[1]} px, "
+                f"whose pixels are (0, 0) to ({size[0] - 1}, {size[1] - 1})"
+            )
+        ours = (given + 1.0).tolist()
         return self._ask("pixels", "points", ours, lambda point: None if point is None else SurfacePoint._of(point))
 
-    def visible(self, places: "ArrayLike") -> List[Dict[str, Any]]:
+    def visible(self, places: ArrayLike) -> List[Dict[str, Any]]:
         """Where places are seen, and what hides them.
 
         Args:
@@ -141,7 +151,12 @@ class View:
         given = rows(places, "places", 2, 3).tolist()
         return self._ask("points", "pixels", given, lambda pixel: {**pixel, "x": _from_zero(pixel["x"]), "y": _from_zero(pixel["y"])})
 
-    def _ask(self, path: str, answers: str, given: List[List[float]], read: "Callable[[Any], Any]") -> List[Any]:
+    def _size(self) -> Optional[Tuple[int, int]]:
+        """Width and height, px; None if the request does not tell it."""
+        width, height = self._request.get("width"), self._request.get("height")
+        return None if width is None or height is None else (int(width), int(height))
+
+    def _ask(self, path: str, answers: str, given: List[List[float]], read: Callable[[Any], Any]) -> List[Any]:
         if self.moon is None:
             raise MsisfError("this came out of a pickle and has no server to ask: set its attribute 'moon' to an msisf.Moon")
         if self._is_scan_of_several:
@@ -160,20 +175,20 @@ class View:
     def __setstate__(self, state: Mapping[str, Any]) -> None:
         self.__dict__.update(state)
 
-    def __copy__(self) -> "View":
+    def __copy__(self) -> View:
         return self._of(self.__dict__)
 
-    def __deepcopy__(self, memo: Dict[int, Any]) -> "View":
+    def __deepcopy__(self, memo: Dict[int, Any]) -> View:
         memo[id(self.moon)] = self.moon  # a connection is shared
         return self._of(copy.deepcopy(self.__dict__, memo))
 
-    def _of(self, state: Mapping[str, Any]) -> "View":
+    def _of(self, state: Mapping[str, Any]) -> View:
         other = object.__new__(type(self))
         other.__setstate__(state)
         return other
 
     def __repr__(self) -> str:
-        x, y, z = self.position
+        x, y, z = self._position
         return f"<msisf.{type(self).__name__} from ({x:.1f}, {y:.1f}, {z:.1f}) m>"
 
 

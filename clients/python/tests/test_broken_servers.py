@@ -266,7 +266,7 @@ def test_real_moon_goes_on_after_ctrl_c_and_after_a_timeout(blocked):
     way, moon, (_, image_of_b) = blocked
     for stop in (KeyboardInterrupt, msisf.ServerError):
         moon._http.timeout = PATIENT if stop is KeyboardInterrupt else WAIT
-        moon._http.close()
+        moon._http._local = threading.local()  # a new connection, with this timeout
         way.is_open.clear()
         if stop is KeyboardInterrupt:
             press_ctrl_c(way)

@@ -3,9 +3,11 @@
 import base64
 import csv
 import hashlib
+import inspect
 import io
 import sys
 import tarfile
+import typing
 import zipfile
 from email import message_from_bytes
 
@@ -34,7 +36,7 @@ def test_wheel_has_the_package_and_says_so(tmp_path):
         assert int(length) == len(files[file])
     metadata = message_from_bytes(files[f"{info}/METADATA"])
     assert (metadata["Name"], metadata["Version"]) == ("msisf", msisf.__version__)
-    assert metadata.get_all("Requires-Dist") == ["numpy>=1.20"]
+    assert metadata.get_all("Requires-Dist") == ["numpy>=1.21"]
     assert "msis serve" in metadata.get_payload()
 
 
@@ -51,3 +53,19 @@ def test_sources_build_the_same_wheel(tmp_path):
     with tarfile.open(tmp_path / build_backend.build_sdist(str(tmp_path))) as sources:
         names = {name.split("/", 1)[1] for name in sources.getnames()}
     assert {"PKG-INFO", "pyproject.toml", "build_backend.py", "README.md", "msisf/py.typed", "msisf/__init__.py"} <= names
+
+
+def test_all_type_hints_can_be_read():
+    """As pydantic, dataclass tools and notebooks read them."""
+    seen = 0
+    for name in msisf.__all__:
+        public = getattr(msisf, name)
+        found = typing.get_type_hints(public) if inspect.isclass(public) else {}
+        for member in [public, *(vars(public).values() if inspect.isclass(public) else ())]:
+            for attribute in ("fget", "func", "__func__"):  # of a property, a cached property, a class method
+                member = getattr(member, attribute, None) or member
+            found = {**found, **(typing.get_type_hints(member) if inspect.isfunction(member) else {})}
+        assert not [hint for hint in found.values() if isinstance(hint, str)]
+        seen += len(found)
+    assert seen > 50
+    assert typing.get_type_hints(msisf.View.__init__)["moon"] is msisf.Moon

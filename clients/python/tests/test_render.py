@@ -1,8 +1,11 @@
 """Moon.render against what geometry says, and against msis itself."""
 
+import copy
 import datetime
 import json
+import pickle
 import subprocess
+import warnings
 
 import msisf
 import numpy as np
@@ -395,3 +398,48 @@ def test_trajectory_of_an_oem_is_that_of_its_states(tmp_path):
     np.testing.assert_allclose(by_name.position, by_list.position, atol=2e-3)
     np.testing.assert_array_equal(by_name.image, by_list.image)
     assert by_name.image.max() > 50
+
+
+def test_every_layer_is_an_attribute_or_warns(moon):
+    of_options = ("all", "electrons", "saturated", "crater", "rays", "indirect")
+    names = [layer for layer in moon.models()["layers"] if layer not in of_options]
+    assert not any(hasattr(msisf.Frame, layer) for layer in of_options)
+    frame = moon.render((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0, camera=msisf.Camera(4, 3, 1.0), layers=names)
+    assert set(frame.layers) == set(names) and len(names) > 10
+    for name in names:
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            value = getattr(frame, name.replace("-", "_"))
+        if value is not frame.layers[name]:
+            assert [str(warning.message) for warning in said] == [
+                f"frame.{name} is the camera's {name}; the layer is frame.{name}s, or frame.layers['{name}']"]  # fmt: skip
+            assert getattr(frame, f"{name}s") is frame.layers[name] and value.shape == (3,)
+        else:
+            assert not said
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        frame.project(frame.positions.reshape(-1, 3)), repr(frame), frame.locate((1, 1)), copy.copy(frame), pickle.dumps(frame)
+
+
+def test_a_frame_shows_itself_in_jupyter_and_saves_only_png(moon, tmp_path):
+    frame = moon.render((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0, camera=msisf.Camera(40, 30, 40.0))
+    for name in ("a.png", "b.PNG"):
+        frame.save(str(tmp_path / name))
+        assert (tmp_path / name).read_bytes() == frame._repr_png_()
+    assert frame._repr_png_()[:8] == b"\x89PNG\r\n\x1a\n"
+    for name in ("a.jpg", "a.png.jpeg", "a", "a.tif", ".png"):
+        with pytest.raises(msisf.MsisfError, match=f"{name}: save.. writes PNG; give a name that ends in .png"):
+            frame.save(tmp_path / name)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.png", "b.PNG"]
+
+
+def test_pixels_in_messages_count_from_zero(moon):
+    frame = moon.render((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0, camera=SMALL)
+    view = moon.view((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0, camera=SMALL)
+    assert all(frame.locate([[-0.499, -0.499], [63.499, 47.499], [0, 47], [63, 0]]))
+    for asked in (frame, view):
+        for x, y in ((-1, 0), (64, 0), (0, -0.5), (3, 48), (63.5, 47)):
+            with pytest.raises(msisf.MsisfError) as error:
+                asked.locate([(1, 2), (x, y)])
+            assert str(error.value) == (
+                f"the pixel ({x}, {y}) lies outside the image of 64 x 48 px, whose pixels are (0, 0) to (63, 47)")  # fmt: skip

@@ -1,5 +1,7 @@
 """Starting, reaching and ending servers."""
 
+import os
+import signal
 import threading
 
 import msisf
@@ -70,3 +72,35 @@ def test_server_that_does_not_start_says_why():
         msisf.Moon(serve=["--queue", "0"])
     with pytest.raises(msisf.ServerError, match="can't be started"):
         msisf.Moon(program="/no/such/msis")
+
+
+def test_after_close_the_errors_say_so(moon):
+    state = ((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0)
+    small = msisf.Camera(8, 8, 40.0)
+    for closed in (msisf.Moon(model="LDEM_4"), msisf.Moon(moon.address)):
+        frame = closed.render(*state, camera=small)
+        stream = closed.stream(camera=small)
+        closed.close()
+        closed.close()
+        for ask in (
+            lambda: closed.render(*state), closed.models, closed.metrics, lambda: closed.sun(55289), lambda: closed.stream(camera=small),
+            lambda: frame.locate((1, 1)), lambda: stream.render(*state),
+        ):  # fmt: skip
+            with pytest.raises(msisf.ServerError, match="the Moon is closed: close.. was called"):
+                ask()
+        with pytest.raises(msisf.ServerError, match="the stream is closed: .*the Moon is closed"):
+            stream.render(*state)
+    assert moon.render(*state, camera=small).image.shape == (8, 8)
+
+
+def test_after_the_end_of_the_server_the_errors_say_so():
+    state = ((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0)
+    small = msisf.Camera(8, 8, 40.0)
+    for end, words in ((signal.SIGKILL, "by signal 9"), (signal.SIGTERM, "with exit code 0")):
+        with msisf.Moon(model="LDEM_4") as moon:
+            frame = moon.render(*state, camera=small)
+            with moon.stream(camera=small) as stream:
+                os.killpg(moon._process._process.pid, end)
+                for ask in (lambda: stream.render(*state), moon.models, lambda: moon.render(*state), lambda: frame.locate((1, 1))):
+                    with pytest.raises(msisf.ServerError, match=f"the server that msisf.Moon.. started has ended {words}"):
+                        ask()
