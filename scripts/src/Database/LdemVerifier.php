@@ -29,6 +29,10 @@ final class LdemVerifier
     {
         $resolution = Resolution::of($image->label->pixelsPerDegree);
         $record = $this->recordOf($image, $resolution);
+        $schema = new Schema($this->connection);
+        if ($schema->exists($resolution->table())) {
+            $schema->requireColumns($resolution);
+        }
         $directions = new GridDirections($resolution->value);
         $columns = self::columns($directions, $resolution, $record);
         $hash = hash_init('sha256');

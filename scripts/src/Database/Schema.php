@@ -77,6 +77,27 @@ final class Schema
         ) > 0;
     }
 
+    /** @throws BadInputException a column of the table is missing, or of another type than was made here */
+    public function requireColumns(Resolution $resolution): void
+    {
+        $types = array_column($this->connection->rows(
+            'SELECT column_name AS name, CONCAT(data_type, IF(is_nullable = \'YES\', \' or NULL\', \'\')) AS type'
+            . ' FROM information_schema.columns WHERE table_schema = DATABASE() AND table_name = ?',
+            [$resolution->table()]
+        ), 'type', 'name');
+        preg_match_all('/^`?(\w+)`? ([A-Z]+).* NOT NULL/m', self::ELEVATION_COLUMNS, $columns, PREG_SET_ORDER);
+        foreach ($columns as [, $name, $type]) {
+            $expected = strtolower($type);
+            $found = isset($types[$name]) ? strtolower($types[$name]) : null;
+            if ($found !== $expected) {
+                throw new BadInputException("{$resolution->table()} is damaged: " . ($found === null
+                    ? "it has no column $name"
+                    : "its column $name is of the type '" . str_replace('null', 'NULL', $found) . "', '$expected' expected")
+                    . '. Drop it, and import its products again.');
+            }
+        }
+    }
+
     /** @throws BadInputException there is a table of this name that was not made here */
     public function requireOwn(Resolution $resolution): void
     {

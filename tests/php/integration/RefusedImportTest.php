@@ -168,6 +168,31 @@ final class RefusedImportTest extends ImportTestCase
         ];
     }
 
+    /** @dataProvider columns */
+    public function testVerifyColumnThatWasChangedIsDamage(string $change, string $message): void
+    {
+        $label = $this->smallProduct();
+        self::assertDone($this->import([$label]));
+        $this->execute('ALTER TABLE ldem_4 DROP KEY point_index');
+        $this->execute("ALTER TABLE ldem_4 $change");
+        self::assertRefused(2, "ldem_4 is damaged: $message. Drop it, and import its products again.", $this->import(['--verify', $label]));
+        $this->execute('DROP TABLE ldem_4');
+        self::assertDone($this->import([$label]));
+        self::assertDone($this->import(['--verify', $label]));
+    }
+
+    public static function columns(): array
+    {
+        return [
+            'no point' => ['DROP COLUMN `point`', 'it has no column point'],
+            'point in bytes' => ['MODIFY `point` LONGBLOB NOT NULL', "its column point is of the type 'longblob', 'point' expected"],
+            'any geometry' => ['MODIFY `point` GEOMETRY NOT NULL', "its column point is of the type 'geometry', 'point' expected"],
+            'point that may be missing' => ['MODIFY `point` POINT NULL', "its column point is of the type 'point or NULL', 'point' expected"],
+            'no radius' => ['DROP COLUMN planetary_radius', 'it has no column planetary_radius'],
+            'single precision' => ['MODIFY x FLOAT NOT NULL', "its column x is of the type 'float', 'double' expected"],
+        ];
+    }
+
     public function testImportLocalInfileOffTakesTheOtherWay(): void
     {
         $this->execute('SET GLOBAL local_infile = OFF');
