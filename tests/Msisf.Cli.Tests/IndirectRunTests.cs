@@ -37,6 +37,17 @@ public sealed class IndirectRunTests(SmallMoon moon) : IClassFixture<SmallMoon>,
         Assert.InRange(Doubles("plain", "indirect").Average(), 0.0, 0.5 * light.Average());
     }
 
+    /// <summary>A frame with light from the ground can take minutes: it tells how far it is, and how long it still takes.</summary>
+    [Fact]
+    public void Run_OneFrame_TellsItsProgress()
+    {
+        CommandLineRun run = CommandLineRun.Of(
+            [.. View.Split(' '), "--layers", "mask", "--output-dir", _folder["a"], .. moon.Options]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Contains("100 of 100 done (", run.Error, StringComparison.Ordinal);
+        Assert.Contains("00:00:00 left", run.Error, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Run_Scan_IsRefused()
     {

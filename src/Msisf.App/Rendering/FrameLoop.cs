@@ -14,9 +14,9 @@ namespace Msisf.App.Rendering;
 /// Number of frames to begin in addition to those that are drawn at once (<see cref="IFrameRenderer.FramesAhead"/>).
 /// </param>
 /// <param name="failFast">Whether the first failed frame ends the run.</param>
-/// <param name="progress">Progress display; receives one step per frame.</param>
+/// <param name="progress">Is told of each frame that is done.</param>
 /// <param name="log">Receives the errors of single frames.</param>
-internal sealed class FrameLoop(FrameMaker maker, int ahead, bool failFast, IRunProgress progress, TextWriter results, ILog log)
+internal sealed class FrameLoop(FrameMaker maker, int ahead, bool failFast, FrameProgress progress, TextWriter results, ILog log)
 {
     /// <summary>Makes all frames; the paths of a frame's files are printed when those of all earlier frames have been printed.</summary>
     /// <param name="known">For each frame, its outputs if it exists and is complete, or null if it must be made.</param>
@@ -62,7 +62,7 @@ internal sealed class FrameLoop(FrameMaker maker, int ahead, bool failFast, IRun
             }
 
             printer.Done(index, outputs[index]?.Paths ?? []);
-            progress.Advance(frame.Name);
+            progress.Done(frame);
         }
 
         ParallelOptions options = new()
@@ -122,4 +122,34 @@ internal sealed class OrderedPrinter(TextWriter results, int steps)
             results.Flush();
         }
     }
+}
+
+/// <summary>Shows the progress of frames: one step each, or 100 where a single one can take minutes. Thread-safe.</summary>
+/// <param name="display">Receives the steps.</param>
+/// <param name="isFine">Whether frames have 100 steps.</param>
+internal sealed class FrameProgress(IRunProgress display, bool isFine)
+{
+    private readonly ConcurrentDictionary<(int Step, int Camera), FractionProgress> _drawn = new();
+
+    /// <summary>Steps of a frame.</summary>
+    public static int StepsOf(bool isFine) => isFine ? FractionProgress.Steps : 1;
+
+    /// <summary>Takes the part of a frame that is done; null where nobody wants to know it.</summary>
+    public IProgress<double>? Of(Frame frame) => isFine ? FractionOf(frame) : null;
+
+    /// <summary>Reports that a frame is done.</summary>
+    public void Done(Frame frame)
+    {
+        if (!isFine)
+        {
+            display.Advance(frame.Name);
+            return;
+        }
+
+        FractionOf(frame).Report(1.0);
+        _drawn.TryRemove((frame.Step, frame.CameraIndex), out _);
+    }
+
+    private FractionProgress FractionOf(Frame frame) =>
+        _drawn.GetOrAdd((frame.Step, frame.CameraIndex), _ => new FractionProgress(display, frame.Name));
 }

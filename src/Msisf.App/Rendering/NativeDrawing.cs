@@ -47,8 +47,9 @@ internal sealed class NativeDrawing(
         : _grey;
 
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
+    /// <param name="progress">Is told which part of the light from the ground is done; null for nobody.</param>
     /// <returns>The image. Dispose it so that later frames can use its memory.</returns>
-    public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation)
+    public NativeImage Draw(Frame frame, int threads, CancellationToken cancellation, IProgress<double>? progress = null)
     {
         ScannedShot? shot = ShotOf(frame);
         if (shot is not null && frame.Scan is not null)
@@ -60,7 +61,11 @@ internal sealed class NativeDrawing(
         CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
         ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
         NativeRenderer renderer = levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
-        NativeRenderOptions options = frame.Motion is { IsRest: false } ? _options with { KeepGroundTruth = true } : _options;
+        NativeRenderOptions options = _options with
+        {
+            KeepGroundTruth = _options.KeepGroundTruth || frame.Motion is { IsRest: false },
+            Progress = progress,
+        };
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try
         {

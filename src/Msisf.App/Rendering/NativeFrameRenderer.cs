@@ -16,7 +16,9 @@ namespace Msisf.App.Rendering;
 /// other frames are drawn.
 /// </summary>
 /// <param name="exposure">Watches the exposure of a detector; null without one.</param>
-internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles files, ExposureNote? exposure, RunTimes times) : IFrameRenderer
+/// <param name="progress">Is told which part of a frame is drawn.</param>
+internal sealed class NativeFrameRenderer(
+    NativeDrawing drawing, FrameFiles files, ExposureNote? exposure, FrameProgress progress, RunTimes times) : IFrameRenderer
 {
     private readonly ConcurrentBag<MemoryStream> _idleImages = [];
 
@@ -38,7 +40,7 @@ internal sealed class NativeFrameRenderer(NativeDrawing drawing, FrameFiles file
             return new FrameOutputs(scan.Write(frame, threads, cancellation), TileCount: 0, PatternsMade: 0);
         }
 
-        using NativeImage drawn = drawing.Draw(frame, threads, cancellation);
+        using NativeImage drawn = drawing.Draw(frame, threads, cancellation, progress.Of(frame));
         if (drawn.Detected is { } detected)
         {
             exposure?.Add(frame.Step, detected, drawn.RadianceFactors);

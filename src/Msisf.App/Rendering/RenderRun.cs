@@ -140,13 +140,15 @@ internal sealed class RenderRun
         ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)
             : null)];
+        bool isLong = Settings.Renderer == RendererKind.Native && Settings.Native.Render.Indirect is not null;
+        using IRunProgress display = _host.Progress.Start("Frames", missing * FrameProgress.StepsOf(isLong), Settings.Unattended);
+        FrameProgress progress = new(display, isLong);
         using RendererOfRun renderer = new(Settings.Renderer == RendererKind.Native
-            ? Native(run.Model, maps, files, exposures)
+            ? Native(run.Model, maps, files, exposures, progress)
             : [PovRay(run.Model, maps.Albedo, files[0], atOnce, ResourceCheck.SmallScenesAtOnce(Settings, atOnce, memory))]);
         using FrameTimes frameTimes = new(Settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
-        using IRunProgress progress = _host.Progress.Start("Frames", missing, Settings.Unattended);
         FrameLoop loop = new(maker, renderer.FramesAhead, Settings.FailFast, progress, _host.Results, _host.Log);
         try
         {
@@ -206,11 +208,12 @@ internal sealed class RenderRun
     }
 
     /// <summary>The cameras share the surface with its vertices and trees, and the memory that frames are drawn in.</summary>
-    private NativeFrameRenderer[] Native(ElevationModel model, SurfaceInputs maps, FrameFiles[] files, ExposureNote?[] exposures)
+    private NativeFrameRenderer[] Native(
+        ElevationModel model, SurfaceInputs maps, FrameFiles[] files, ExposureNote?[] exposures, FrameProgress progress)
     {
         NativeLevels levels = new(model.DetailOf(Settings.LevelOfDetailError));
         return [.. _cameras.Select((settings, index) => new NativeFrameRenderer(
-            new NativeDrawing(settings.Native, model.Grid, maps, levels, _times), files[index], exposures[index], _times))];
+            new NativeDrawing(settings.Native, model.Grid, maps, levels, _times), files[index], exposures[index], progress, _times))];
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.NamedInErrors(

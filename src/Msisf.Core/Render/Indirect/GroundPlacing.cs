@@ -57,9 +57,10 @@ internal static class GroundPlacing
     /// <param name="cells">Cells across the view.</param>
     /// <param name="threads">Maximum number of threads.</param>
     /// <param name="cancellation">Cancels the work.</param>
+    /// <param name="advance">Is told, from any thread, which further part of the work is done; null for nobody.</param>
     public static GroundLights Place(
         GroundTree tree, (Vector3D Middle, double Angle) view, Vector3D[] sunBodyFixed, int cells, int threads,
-        CancellationToken cancellation)
+        CancellationToken cancellation, Action<double>? advance = null)
     {
         (double low, double high) = tree.Surface.RadiusLimits;
         double farthest = Math.Min(Math.PI, view.Angle + (2.0 * Math.Atan2(Math.Sqrt(Math.Max(0.0, (high - low) * (high + low))), low)));
@@ -67,12 +68,15 @@ internal static class GroundPlacing
         all.Sort((one, other) => one.Order.CompareTo(other.Order));
         Ground?[] found = new Ground?[all.Count];
         LightFrame axes = new(view.Middle, Vector3D.UnitZ);
-        WorkerTeam.Run(threads, (all.Count + Receivers.Size - 1) / Receivers.Size, (_, group) =>
+        int groups = (all.Count + Receivers.Size - 1) / Receivers.Size;
+        WorkerTeam.Run(threads, groups, (_, group) =>
         {
             for (int i = group * Receivers.Size; i < Math.Min(all.Count, (group + 1) * Receivers.Size); i++)
             {
                 found[i] = Look(tree, all[i], view.Middle, axes, sunBodyFixed);
             }
+
+            advance?.Invoke(1.0 / groups);
         }, cancellation);
 
         Ground[] there = [.. found.OfType<Ground>()];

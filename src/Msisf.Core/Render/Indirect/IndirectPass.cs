@@ -61,6 +61,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private double[] _near = [];
     private double[] _light = [];
     private TrialGrid _trials = new(0, 0, 1);
+    private IndirectProgress? _progress;
     private int _sets;
     private int _edge;
 
@@ -76,7 +77,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     public void Begin(ISurfaceRows image, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
         _camera = image.View.Camera;
-        (_lights, _idle, _sets) = (null, [], 0);
+        (_lights, _idle, _sets, _progress) = (null, [], 0, new IndirectProgress(options));
         IndirectLight indirect = options.Indirect!;
         if (GroundPlacing.FindView(image) is not { } view)
         {
@@ -88,7 +89,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
             ? new SunDisc(light.PositionBodyFixed).PointsBodyFixed.ToArray()
             : [light.PositionBodyFixed];
         int cells = (int)Math.Ceiling(Cells * Math.Sqrt(Math.Max(1.0, ErrorOfCells / indirect.Error)));
-        _lights = GroundPlacing.Place(_tree, view, sun, cells, threads, cancellation);
+        _lights = GroundPlacing.Place(_tree, view, sun, cells, threads, cancellation, _progress.Prepare);
         double pixel = 2.0 * view.Angle * _surface.ReferenceRadius / Math.Max(image.Width, image.Height);
         _edge = MostEdge; // no wider than the ground that is looked at by rays: from wider groups few points look alike
         while (_edge > 1 && _edge * pixel > _lights.ReachOfView)
@@ -103,7 +104,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
             bounces.Add(bounce, threads, cancellation);
         }
 
-        _shared = SharedSight.Find(image, _tree, _lights, threads, cancellation);
+        _shared = SharedSight.Find(image, _tree, _lights, threads, cancellation, _progress.Prepare);
     }
 
     /// <summary>Adds the light to radiance factors.</summary>
@@ -138,20 +139,23 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int groups = (points.Width + columns - 1) / columns;
         _trials = new TrialGrid(groups, strips, options.SubsamplesPerAxis);
         double effort = 0.0;
+        _progress!.Begin(strips);
 
         // With several samples a pixel the errors of each may be larger, because their mean counts.
         double error = PartOfSamples * options.Indirect!.Error * options.SubsamplesPerAxis;
         for (int number = 0; number < MostRounds && (number == 0 || effort > 0.0); number++)
         {
             Round round = new(points, options, rows, columns, groups, ((long)MostRounds * _sets) + number, effort);
-            WorkerTeam.Run(threads, strips, (_, strip) => SampleStrip(round, strip), cancellation);
+            WorkerTeam.Run(threads, strips, (_, strip) => _progress.Add(SampleStrip(round, strip)), cancellation);
             _trials.LookAround();
             effort = _trials.EffortFor(error * error * SumUp(points, rows, columns));
+            _progress.Expect(_trials.CostWith(effort));
         }
 
         WorkerTeam.Run(
             threads, points.Height, (_, row) => AddRow(points, options, row, weight, radianceFactors, indirect), cancellation);
         _sets++;
+        _progress.End();
     }
 
     /// <summary>Sums up the light of each point.</summary>
@@ -170,10 +174,12 @@ internal sealed class IndirectPass(SurfaceModel surface)
     }
 
     /// <summary>Samples the points of some rows, for the first time or as often as the times before have shown to be necessary.</summary>
-    private void SampleStrip(Round round, int strip)
+    /// <returns>What it cost (<see cref="Trial.CostOf"/>).</returns>
+    private double SampleStrip(Round round, int strip)
     {
         IndirectWorker worker = Take(round.Options);
         worker.Read(round, strip);
+        double cost = 0.0;
         for (int group = 0; group < round.Groups; group++)
         {
             ref Trial trial = ref _trials[strip, group];
@@ -192,6 +198,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
                 trial = trial with { Points = count };
             }
 
+            cost += count * Trial.CostOf(shared, other, near);
             if (shared > 0)
             {
                 trial = trial with { Shared = Of(worker.FindShared(shared, round.Number, _far), shared, count) };
@@ -212,6 +219,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         }
 
         _idle.Add(worker);
+        return cost;
     }
 
     private static Deviation Of(GatheredLight light, int samples, int points) =>

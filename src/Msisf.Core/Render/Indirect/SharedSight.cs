@@ -54,7 +54,10 @@ internal sealed class SharedSight
     /// <param name="lights">Its points.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Cancels the work.</param>
-    public static SharedSight Find(ISurfaceRows image, GroundTree tree, GroundLights lights, int threads, CancellationToken cancellation)
+    /// <param name="advance">Is told, from any thread, which further part of the work is done; null for nobody.</param>
+    public static SharedSight Find(
+        ISurfaceRows image, GroundTree tree, GroundLights lights, int threads, CancellationToken cancellation,
+        Action<double>? advance = null)
     {
         SharedSight sight = new(lights, image.Width, image.Height);
         sight.Read(image);
@@ -65,6 +68,7 @@ internal sealed class SharedSight
         {
             (int square, int chunk) = (item / chunks, item % chunks);
             sight.Look(new GroupSight(tree, lights), square % across * Edge, square / across * Edge, chunk * Chunk);
+            advance?.Invoke(1.0 / (squares * chunks));
         }, cancellation);
         return sight;
     }

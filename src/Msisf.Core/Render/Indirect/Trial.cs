@@ -44,6 +44,14 @@ internal readonly record struct Trial(int Points, Deviation Shared, Deviation Ot
     public (int Shared, int Other, int Near) Next(double effort) => (
         Limited(WantedOfShared(effort), Shared), Limited(WantedOfOther(effort), Other), Limited(WantedOfNear(effort), Near));
 
+    /// <summary>What samples of a point cost, over a way to far ground.</summary>
+    public static double CostOf(double shared, double other, double near) =>
+        (CostOfShared * Math.Min(Most, shared)) + Math.Min(Most, other) + (CostOfNear * Math.Min(Most, near));
+
+    /// <summary>What all samples cost that the group is still to have with an effort, over a way from one point to far ground.</summary>
+    public double CostWith(double effort) =>
+        Points * CostOf(WantedOfShared(effort), WantedOfOther(effort), WantedOfNear(effort));
+
     private double PartOf(double errorOfOther) => Bound > 0.0 ? Bound / (Bound + errorOfOther) : 0.0;
 
     private double WantedOfShared(double effort) => Wanted(Shared, effort / Math.Sqrt(CostOfShared), 0.0);

@@ -56,6 +56,9 @@ internal sealed class TrialGrid(int groups, int strips, int subsamples)
         return high;
     }
 
+    /// <summary>What all groups' samples with an effort cost (<see cref="Trial.CostWith"/>).</summary>
+    public double CostWith(double effort) => _known.Sum(trial => trial.CostWith(effort));
+
     private double ErrorsWith(double effort) => _known.Sum(trial => trial.Points * trial.ErrorWith(effort));
 
     private Trial Around(int group)

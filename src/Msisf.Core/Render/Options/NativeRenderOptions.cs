@@ -51,6 +51,12 @@ public sealed record NativeRenderOptions
     /// <summary>The light that ground throws on ground; null for the Sun's alone.</summary>
     public IndirectLight? Indirect { get; init; }
 
+    /// <summary>
+    /// Is told, from any thread, which part of a frame's light from the ground is done, from 0 to 1; null for nobody. The first samples
+    /// show how many more are needed: until then the part is a guess.
+    /// </summary>
+    public IProgress<double>? Progress { get; init; }
+
     /// <summary>Samples along a pixel's edge for which the level of detail is chosen.</summary>
     public int DetailSubsamplesPerAxis => Adaptive is null ? SubsamplesPerAxis : AdaptiveSampling.SubsamplesPerAxis;
 

@@ -48,6 +48,41 @@ public sealed class IndirectLightTests
         Assert.All(InShadow(frame), pixel => Assert.Equal(frame.RadianceFactors[pixel], frame.IndirectFactors[pixel]));
     }
 
+    /// <summary>The part that is done is told row by row of groups, first of one sample of the pixels and then of the next.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Render_Progress_IsToldFromTheStartToTheEnd(int subsamples)
+    {
+        Told told = new();
+        NativeRenderOptions options = PlaneView.Options(0.3) with
+        {
+            Indirect = new IndirectLight(1, 0.01),
+            SubsamplesPerAxis = subsamples,
+            Progress = told,
+        };
+        using NativeFrame frame = PlaneView.Draw(PlaneGrid.Bowl(0.2, 200), 10.0, 32, options);
+
+        Assert.InRange(told.Parts.Count, (32 / 8 * subsamples * subsamples) + 1, int.MaxValue); // strips are eight rows high
+        Assert.All(told.Parts, part => Assert.InRange(part, 0.0, 1.0));
+        Assert.InRange(told.Parts[0], 1e-6, 0.1);
+        Assert.Equal(1.0, told.Parts[^1]);
+        Assert.InRange(told.Parts.Distinct().Count(), 5, int.MaxValue);
+    }
+
+    private sealed class Told : IProgress<double>
+    {
+        public List<double> Parts { get; } = [];
+
+        public void Report(double value)
+        {
+            lock (Parts)
+            {
+                Parts.Add(value);
+            }
+        }
+    }
+
     /// <summary>
     /// What the bowl throws on itself is the part f of all that it reflects: over its whole ground, lit or not, no light is lost or made.
     /// </summary>
