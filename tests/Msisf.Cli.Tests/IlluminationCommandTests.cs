@@ -93,7 +93,7 @@ public sealed class IlluminationCommandTests : IDisposable
         static DateTime TimeOf(string text) => DateTime.Parse(text, CultureInfo.InvariantCulture, DateTimeStyles.AdjustToUniversal);
     }
 
-    /// <summary>Without a place the finest model is the region, from the middle of its first sample to that of its last one.</summary>
+    /// <summary>Without a place the finest model is the region: its pixels but the outermost, in whose middles its ground ends.</summary>
     [Fact]
     public void Region_NoPlace_IsTheFinestModel()
     {
@@ -108,7 +108,8 @@ public sealed class IlluminationCommandTests : IDisposable
             CultureInfo.InvariantCulture);
         CommandLineRun run = Run("f", ["--ldem", label, .. When]);
         Assert.True(run.ExitCode == 0, run.Error);
-        Assert.Equal((side - 1) * (side - 1), Read("f", "lit.npy").Length);
+        Assert.Equal((side - 2) * (side - 2), Read("f", "lit.npy").Length);
+        Assert.All(Read("f", "lit.npy"), value => Assert.InRange(value, 0.0f, 1.0f));
 
         // A kept file that is damaged is told, and the last run's maps stay.
         string kept = Directory.GetFiles(Path.Combine(_folder.Path, "f", "horizons")).Single();
@@ -127,7 +128,7 @@ public sealed class IlluminationCommandTests : IDisposable
     [InlineData(1, "heights of 0 to 10000", "--center", "-89,0", "--size", "1", "--above-ground", "-2", "--time-interval", "1:1h:2")]
     [InlineData(1, "each once", "--center", "-89,0", "--size", "1", "--above-ground", "2,2.0", "--time-interval", "1:1h:2")]
     [InlineData(1, "leads over a pole", "--center", "30,0", "--size", "4000", "--cell", "20000", "--time-interval", "61041:1h:61042")]
-    [InlineData(1, "can be asked for", "--center", "-89,0", "--size", "1000", "--cell", "1", "--time-interval", "61041:1h:61042")]
+    [InlineData(1, "4000000 cells are the limit", "--center", "-89,0", "--size", "900", "--cell", "1", "--time-interval", "61041:1h:61042")]
     [InlineData(1, "'5/4'; K/N", "--center", "-89,0", "--size", "1", "--piece", "5/4", "--time-interval", "61041:1h:61042")]
     [InlineData(2, ".: is a folder. A list of places in CSV is needed.", "--points", ".", "--time-interval", "61041:1h:61042")]
     [InlineData(3, "2051-01-01", "--center", "-89,0", "--size", "1", "--time-interval", "70000:1d:72000")]

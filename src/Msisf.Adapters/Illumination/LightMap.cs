@@ -4,7 +4,7 @@ namespace Msisf.Adapters.Illumination;
 /// <param name="Name">Small letters; of files and layers.</param>
 /// <param name="Unit">Unit, empty for none.</param>
 /// <param name="Meaning">One sentence.</param>
-/// <param name="Values">Line by line from the top.</param>
+/// <param name="Values">Line by line from the top; NaN where there are no data.</param>
 public sealed record LightMap(string Name, string Unit, string Meaning, float[] Values)
 {
     /// <summary>m over the ground.</summary>
@@ -17,11 +17,3 @@ public sealed record LightMap(string Name, string Unit, string Meaning, float[] 
 /// <param name="StepHours">From one time to the next.</param>
 /// <param name="Sun">disc or point.</param>
 public sealed record MapTimes(string Start, string End, double StepHours, string Sun);
-
-/// <summary>Where the cells of maps lie.</summary>
-/// <param name="Samples">Cells of a line.</param>
-/// <param name="Cell">m: width of a cell.</param>
-/// <param name="Left">m: X of the left edge.</param>
-/// <param name="Top">m: Y of the upper edge.</param>
-/// <param name="Proj4">The projection in PROJ's words.</param>
-public sealed record MapPlacement(int Lines, int Samples, double Cell, double Left, double Top, string Proj4);

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Interop;
+using Msisf.Core.Maps;
 
 namespace Msisf.Adapters.Illumination;
 
@@ -23,27 +24,32 @@ public static class LightMapPicture
 
     /// <summary>Writes a PNG.</summary>
     /// <param name="stream">Receives it.</param>
-    /// <param name="placement">Where its cells lie.</param>
+    /// <param name="grid">Where its cells lie.</param>
     /// <exception cref="Core.Errors.ExternalPartException">cairo is missing.</exception>
-    public static void Write(Stream stream, LightMap map, MapPlacement placement)
+    public static void Write(Stream stream, LightMap map, MapGrid grid)
     {
-        int longest = Math.Max(placement.Lines, placement.Samples);
+        int longest = Math.Max(grid.Lines, grid.Samples);
         double scale = longest > LongestSide ? (double)LongestSide / longest : Math.Max(1, ShortestSide / longest);
-        int width = Math.Max(LegendWidth * 2, (int)Math.Ceiling(placement.Samples * scale));
-        int height = (int)Math.Ceiling(placement.Lines * scale);
-        (float least, float most) = (map.Values.Min(), map.Values.Max());
+        int width = Math.Max(LegendWidth * 2, (int)Math.Ceiling(grid.Samples * scale));
+        int height = (int)Math.Ceiling(grid.Lines * scale);
+        float[] known = [.. map.Values.Where(float.IsFinite)];
+        (float least, float most) = known.Length == 0 ? (0.0f, 0.0f) : (known.Min(), known.Max());
         using CairoImage image = CairoImage.Black(width, height + Foot);
-        image.SetColor(0.5, 0.5, 0.5, 1.0); // beside a narrow map, where black would look like a dark place
+        image.SetColor(0.5, 0.5, 0.5, 1.0); // cells without data, and beside a narrow map, where black would look like a dark place
         image.FillRectangle(0.0, 0.0, width, height);
         for (int y = 0; y < height; y++)
         {
-            int line = Math.Min(placement.Lines - 1, (int)(y / scale));
-            for (int x = 0; x < (int)Math.Ceiling(placement.Samples * scale);)
+            int line = Math.Min(grid.Lines - 1, (int)(y / scale));
+            for (int x = 0; x < (int)Math.Ceiling(grid.Samples * scale);)
             {
-                int sample = Math.Min(placement.Samples - 1, (int)(x / scale));
+                int sample = Math.Min(grid.Samples - 1, (int)(x / scale));
                 int next = Math.Max(x + 1, (int)Math.Ceiling((sample + 1) * scale));
-                SetColor(image, most > least ? (map.Values[(line * placement.Samples) + sample] - least) / (most - least) : 0.0);
-                image.FillRectangle(x, y, next - x, 1.0);
+                if (map.Values[(line * grid.Samples) + sample] is var value && float.IsFinite(value))
+                {
+                    SetColor(image, most > least ? (value - least) / (most - least) : 0.0);
+                    image.FillRectangle(x, y, next - x, 1.0);
+                }
+
                 x = next;
             }
         }
@@ -55,10 +61,12 @@ public static class LightMapPicture
         }
 
         image.SetColor(1.0, 1.0, 1.0, 1.0);
-        image.DrawText(string.Create(CultureInfo.InvariantCulture, $"{least:G4} to {most:G4} {map.Unit}"), 4.0, height + 34.0, FontSize);
-        double bar = NiceLength(0.4 * width / scale * placement.Cell);
+        string range = known.Length == 0 ? "no data" : Invariant($"{least:G4} to {most:G4} {map.Unit}");
+        image.DrawText(range, 4.0, height + 34.0, FontSize);
+        double cell = grid.SizeOf(grid.Lines / 2, grid.Samples / 2).Width;
+        double bar = NiceLength(0.4 * width / scale * cell);
         double right = width - 8.0;
-        image.DrawLine(right - (bar / placement.Cell * scale), height + 12.0, right, height + 12.0, 3.0);
+        image.DrawLine(right - (bar / cell * scale), height + 12.0, right, height + 12.0, 3.0);
         string text = bar >= 1000.0
             ? string.Create(CultureInfo.InvariantCulture, $"{bar / 1000.0:R} km")
             : string.Create(CultureInfo.InvariantCulture, $"{bar:R} m");

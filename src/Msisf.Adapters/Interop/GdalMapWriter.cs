@@ -1,5 +1,6 @@
 using System.Runtime.InteropServices;
 using System.Text;
+using Msisf.Core.Maps;
 
 namespace Msisf.Adapters.Interop;
 
@@ -27,8 +28,8 @@ internal static unsafe class GdalMapWriter
             // A raster in memory that GDAL opens by its address, so that it needs no copy; from version 3.10 on only where that is allowed.
             gdal.CPLSetConfigOption(opensMemory, yes);
             nint memory = Open(gdal, Invariant(
-                $"MEM:::DATAPOINTER={(nint)start},PIXELS={map.Samples},LINES={map.Lines},BANDS={map.Bands},DATATYPE={map.Type},"
-                    + $"GEOTRANSFORM={map.Corner.Left:R}/{map.Corner.Cell:R}/0/{map.Corner.Top:R}/0/{-map.Corner.Cell:R}"));
+                $"MEM:::DATAPOINTER={(nint)start},PIXELS={map.Grid.Samples},LINES={map.Grid.Lines},BANDS={map.Bands},DATATYPE={map.Type},"
+                    + $"GEOTRANSFORM={map.Grid.Left:R}/{map.Grid.CellWidth:R}/0/{map.Grid.Top:R}/0/{-map.Grid.CellHeight:R}"));
             if (memory != 0)
             {
                 Describe(gdal, gdal.GDALGetRasterBand(memory, 1), map);
@@ -75,7 +76,11 @@ internal static unsafe class GdalMapWriter
     private static nint Copy(GdalNative gdal, string path, nint source, GdalMap map)
     {
         string[] words =
-            ["-of", "COG", "-a_srs", map.Reference, "-co", "COMPRESS=DEFLATE", "-co", "OVERVIEWS=AUTO", .. map.MoreOptions];
+        [
+            "-of", "COG", "-a_srs", map.Wkt, "-a_nodata", map.NoData, "-co", "COMPRESS=DEFLATE", "-co", "OVERVIEWS=AUTO",
+            .. map.Resampling is { } resampling ? (string[])["-co", $"OVERVIEW_RESAMPLING={resampling}"] : [],
+            .. map.Metadata.SelectMany(item => (string[])["-mo", $"{item.Key}={item.Value}"]),
+        ];
         nint[] texts = [.. words.Select(Marshal.StringToCoTaskMemUTF8), 0];
         nint options;
         fixed (nint* start = texts)
@@ -100,10 +105,10 @@ internal static unsafe class GdalMapWriter
 
 /// <summary>What GDAL is told of a map.</summary>
 /// <param name="Type">Of its numbers, in GDAL's words.</param>
-/// <param name="Samples">Cells of a line.</param>
-/// <param name="Corner">X and Y of the upper left corner, and the width of a cell, m.</param>
-/// <param name="Reference">The projection, in PROJ's words or as WKT.</param>
-internal sealed record GdalMap(string Type, int Samples, int Lines, (double Left, double Top, double Cell) Corner, string Reference)
+/// <param name="Grid">Its cells.</param>
+/// <param name="Wkt">Its coordinate reference system.</param>
+/// <param name="NoData">The number of cells without data.</param>
+internal sealed record GdalMap(string Type, MapGrid Grid, string Wkt, string NoData)
 {
     /// <summary>Numbers of a cell.</summary>
     public int Bands { get; init; } = 1;
@@ -114,6 +119,9 @@ internal sealed record GdalMap(string Type, int Samples, int Lines, (double Left
     /// <summary>Of the first band's numbers; empty for none.</summary>
     public string Unit { get; init; } = string.Empty;
 
-    /// <summary>More arguments of gdal_translate.</summary>
-    public IReadOnlyList<string> MoreOptions { get; init; } = [];
+    /// <summary>How coarser levels are made, in GDAL's words; null for its own choice.</summary>
+    public string? Resampling { get; init; }
+
+    /// <summary>What the file says of its content and its origin.</summary>
+    public IReadOnlyList<(string Key, string Value)> Metadata { get; init; } = [];
 }

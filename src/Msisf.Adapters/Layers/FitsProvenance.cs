@@ -1,5 +1,6 @@
 using System.Text;
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
@@ -55,9 +56,21 @@ internal static class FitsProvenance
         PutResolution(unit, "ELEVRES", frame.Elevation.Resolution, "of the elevation model");
         unit.Put("LOD", provenance.LevelOfDetail, "level of detail, 0 is the model itself");
         PutResolution(unit, "MESHRES", provenance.MeshResolution, "of the mesh that CELL counts in");
+        PutInputs(unit, frame.Inputs);
         foreach (string line in Remarks.Select(frame.Globe.Describe).SelectMany(FitsText.Wrap))
         {
             unit.PutComment(line);
+        }
+    }
+
+    /// <summary>Names the files that the data were made from, with their kinds and checksums.</summary>
+    public static void PutInputs(FitsUnit unit, IReadOnlyList<InputFile> inputs)
+    {
+        for (int i = 0; i < inputs.Count; i++)
+        {
+            unit.Put(
+                Invariant($"INPUT{i + 1}"), FitsText.Ascii($"{OriginXml.WordOf(inputs[i].Kind)} {inputs[i].Text}"),
+                string.Empty);
         }
     }
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Metadata;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
@@ -47,6 +48,7 @@ internal static class LayersJson
             WriteResolution(json, "pixelsPerDegree", "metresPerPixel", frame.Elevation.Resolution);
             json.WriteNumber("levelOfDetail", provenance.LevelOfDetail);
             WriteResolution(json, "meshPixelsPerDegree", "meshMetresPerPixel", provenance.MeshResolution);
+            InputsJson.Write(json, frame.Inputs);
             json.WriteStartArray("layers");
             foreach (Layer layer in layers.Layers)
             {

@@ -14,12 +14,20 @@ namespace Msisf.Adapters.Maps;
 /// Writes images and their layers on a map, as Cloud Optimized GeoTIFFs. A cell has the number of the pixel in which its middle is seen.
 /// </summary>
 /// <param name="map">Which pixel each cell shows.</param>
-/// <param name="globe">The body.</param>
+/// <param name="frame">Of the image.</param>
 /// <param name="libraryPath">MSISF_GDAL, or null.</param>
-public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? libraryPath)
+public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? libraryPath)
 {
     /// <summary>Cells of bytes that show nothing; no layer has it.</summary>
     private const byte NoByte = 255;
+
+    private readonly MapReference _reference = MapReference.Of(map.Grid.Projection, frame.Globe.Body);
+    private readonly IReadOnlyList<(string Key, string Value)> _origin =
+    [
+        .. new MapOrigin(frame.Version, frame.CommandLine, frame.Inputs).Items,
+        ("RENDERER", frame.RendererName),
+        ("TIME", frame.SimulationTime.ToIsoUtc()),
+    ];
 
     /// <summary>Endings of the files, which follow the frame's name.</summary>
     public static IEnumerable<string> Endings =>
@@ -42,7 +50,7 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
         }
 
         return Write<float>(files, stem + EndingOf(null), numbers, float.NaN, "Float32", [
-            $"DESCRIPTION={(image.IsDigital ? "Digital numbers of the detector" : "Radiance factor I/F")}"]);
+            ("DESCRIPTION", image.IsDigital ? "Digital numbers of the detector" : "Radiance factor I/F")]);
     }
 
     /// <summary>Writes layers, each with its planes as bands.</summary>
@@ -65,11 +73,11 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
     private string WriteLayer(AtomicFileSet files, string stem, StoredLayer layer)
     {
         string path = stem + EndingOf(layer.Layer);
-        string[] about =
+        (string, string)[] about =
         [
-            $"DESCRIPTION={globe.Describe(layer.Layer.Description)}",
-            .. layer.Layer.Unit.Length > 0 ? [$"UNIT={layer.Layer.Unit}"] : (string[])[],
-            .. layer.Layer.PlaneNames.Select((name, plane) => Invariant($"BAND{plane + 1}={name}")),
+            ("DESCRIPTION", frame.Globe.Describe(layer.Layer.Description)),
+            .. layer.Layer.Unit.Length > 0 ? [("UNIT", layer.Layer.Unit)] : ((string, string)[])[],
+            .. layer.Layer.PlaneNames.Select((name, plane) => (Invariant($"BAND{plane + 1}"), name)),
         ];
         return layer.Type switch
         {
@@ -80,7 +88,8 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
         };
     }
 
-    private string Write<T>(AtomicFileSet files, string path, ReadOnlySpan<T> numbers, T none, string type, string[] about)
+    private string Write<T>(
+        AtomicFileSet files, string path, ReadOnlySpan<T> numbers, T none, string type, (string Key, string Value)[] about)
         where T : unmanaged
     {
         int cells = map.Pixels.Length;
@@ -99,47 +108,15 @@ public sealed class ImageMapFiles(ImageMap map, DrawnGlobe globe, string? librar
         files.Write(path, stream => GdalMapWriter.Write(
             stream,
             MemoryMarshal.AsBytes(values.AsSpan()),
-            new GdalMap(type, map.Samples, map.Lines, (map.Left, map.Top, map.Cell), MapReference.WktOf(map.Projection, globe))
+            new GdalMap(type, map.Grid, _reference.Wkt, Invariant($"{none}"))
             {
                 Bands = planes,
-                MoreOptions =
-                [
-                    "-a_nodata", Invariant($"{none}"), "-co", "OVERVIEW_RESAMPLING=NEAREST",
-                    .. about.SelectMany(text => (string[])["-mo", text]),
-                ],
+                Resampling = "NEAREST",
+                Metadata = [.. about, .. _reference.Items, .. _origin],
             },
             libraryPath));
         return path;
     }
 
     private static string EndingOf(Layer? layer) => layer is null ? ".map.tif" : $".{layer.Name}.map.tif";
-}
-
-/// <summary>Says in the words of the OGC (WKT, version 1) how a map lies on a body.</summary>
-internal static class MapReference
-{
-    /// <summary>The text.</summary>
-    public static string WktOf(ImageMapProjection projection, DrawnGlobe globe)
-    {
-        string body = globe.Body.IsMoon ? "Moon_2000" : $"{globe.Body.Name}_sphere";
-        string latitude = Degrees(projection.Latitude);
-        (string name, string method, string parameters) = projection.Kind switch
-        {
-            MapKind.Equirectangular =>
-                ("equirectangular", "Equirectangular", "PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"standard_parallel_1\",0]"),
-            MapKind.PolarStereographic =>
-                ("polar stereographic", "Polar_Stereographic",
-                    $"PARAMETER[\"latitude_of_origin\",{latitude}],PARAMETER[\"scale_factor\",1]"),
-            _ => ("orthographic", "Orthographic", $"PARAMETER[\"latitude_of_origin\",{latitude}]"),
-        };
-        return Invariant(
-            $"PROJCS[\"{globe.Body.Name} {name}\",GEOGCS[\"GCS_{body}\",DATUM[\"D_{body}\","
-                + $"SPHEROID[\"{body}\",{globe.ReferenceRadius:R},0]],PRIMEM[\"Reference_Meridian\",0],"
-                + $"UNIT[\"degree\",0.0174532925199433]],PROJECTION[\"{method}\"],{parameters},"
-                + $"PARAMETER[\"central_meridian\",{Degrees(projection.Longitude)}],PARAMETER[\"false_easting\",0],"
-                + $"PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]");
-    }
-
-    private static string Degrees(double angle) =>
-        Math.Round(double.RadiansToDegrees(angle), 9).ToString("R", CultureInfo.InvariantCulture);
 }

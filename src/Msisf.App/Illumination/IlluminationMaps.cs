@@ -2,23 +2,25 @@ using Msisf.Adapters.Illumination;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Illumination;
+using Msisf.Core.Maps;
 
 namespace Msisf.App.Illumination;
 
 /// <summary>Turns the lights of cells into maps, and writes them.</summary>
-internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlacement placement, ProgramHost host)
+/// <param name="grid">Where the cells lie.</param>
+internal sealed class IlluminationMaps(IlluminationSettings settings, MapGrid grid, LightMapFiles files, ProgramHost host)
 {
     /// <summary>days: the Moon's nodes go around once; what gets no light in that time is called permanently shadowed.</summary>
     public const double LongEnough = 18.6 * 365.25;
 
     /// <summary>Writes the maps of each height, and a page that shows them.</summary>
-    public void Write(IReadOnlyList<(double Height, PlaceLight[] Lights, float[] Slopes)> results)
+    public void Write(IReadOnlyList<CellLights> results)
     {
         List<LightMap> maps = [];
-        foreach ((double height, PlaceLight[] lights, float[] slopes) in results)
+        foreach (CellLights cells in results)
         {
-            string suffix = results.Count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $"_{height:R}m");
-            maps.AddRange(MapsOf(height, lights, slopes).Select(map => map with { Name = map.Name + suffix }));
+            string suffix = results.Count == 1 ? string.Empty : string.Create(CultureInfo.InvariantCulture, $"_{cells.Height:R}m");
+            maps.AddRange(MapsOf(cells).Select(map => map with { Name = map.Name + suffix }));
         }
 
         foreach (string path in WriteAll(maps))
@@ -26,43 +28,46 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
             host.Results.WriteLine(path);
         }
 
-        host.Results.WriteLine(new IlluminationPage(settings, host.Version).WriteMaps(maps, placement));
-        foreach ((double height, PlaceLight[] lights, _) in results)
+        host.Results.WriteLine(new IlluminationPage(settings, host.Version).WriteMaps(maps, grid));
+        foreach (CellLights cells in results)
         {
-            Summarise(height, lights);
+            Summarise(cells);
         }
     }
 
     private IEnumerable<string> WriteAll(IReadOnlyList<LightMap> maps)
     {
-        MapTimes times = new(
-            settings.Times[0].ToIsoUtc(), settings.Times[settings.Times.Count - 1].ToIsoUtc(), settings.StepHours,
-            settings.IsPoint ? "point" : "disc");
-        if (settings.Format == MapFormat.Fits)
+        switch (settings.Format)
         {
-            string path = Path.Combine(settings.Folder, "illumination.fits");
-            LightMapFiles.WriteFits(path, maps, placement, times);
-            return [path];
+            case MapFormat.Fits:
+                string all = PathOf("illumination.fits");
+                files.WriteFits(all, maps);
+                yield return all;
+                break;
+            case MapFormat.GeoTiff:
+                foreach (LightMap map in maps)
+                {
+                    files.WriteGeoTiff(PathOf($"{map.Name}.tif"), map, host.Environment("MSISF_GDAL"));
+                    yield return PathOf($"{map.Name}.tif");
+                }
+
+                break;
+            default:
+                foreach (LightMap map in maps)
+                {
+                    files.WriteNpy(PathOf($"{map.Name}.npy"), map);
+                    yield return PathOf($"{map.Name}.npy");
+                }
+
+                files.WriteJson(PathOf("maps.json"), [.. maps.Select(map => (map, $"{map.Name}.npy"))]);
+                yield return PathOf("maps.json");
+                break;
         }
 
-        return maps.Select(map =>
-        {
-            bool isTiff = settings.Format == MapFormat.GeoTiff;
-            string path = Path.Combine(settings.Folder, map.Name + (isTiff ? ".tif" : ".npy"));
-            if (isTiff)
-            {
-                LightMapFiles.WriteGeoTiff(path, map, placement, times, host.Environment("MSISF_GDAL"));
-            }
-            else
-            {
-                LightMapFiles.WriteNpy(path, map, placement);
-            }
-
-            return path;
-        });
+        string PathOf(string name) => Path.Combine(settings.Folder, name);
     }
 
-    private IEnumerable<LightMap> MapsOf(double height, PlaceLight[] lights, float[] slopes)
+    private IEnumerable<LightMap> MapsOf(CellLights cells)
     {
         double steps = settings.Times.Count;
         double hours = settings.StepHours;
@@ -72,14 +77,14 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
         yield return Of("disc", string.Empty, "Mean visible part of the Sun's disc, by area.", light => light.DiscPart);
         yield return Of("longest_dark", "h", "Longest time without Sun, a whole number of steps.", light => hours * light.Dark.Count);
         yield return Of("longest_dark_start", "d", "Days from the interval's start to the longest time without Sun.",
-            light => days * light.Dark.First);
+            light => OfRun(light.Dark, light.Dark.First));
         yield return Of("longest_dark_end", "d", "Days from the interval's start to the end of the longest time without Sun.",
-            light => days * light.Dark.End);
+            light => OfRun(light.Dark, light.Dark.End));
         yield return Of("longest_light", "h", "Longest time with Sun, a whole number of steps.", light => hours * light.Light.Count);
         yield return Of("longest_light_start", "d", "Days from the interval's start to the longest time with Sun.",
-            light => days * light.Light.First);
+            light => OfRun(light.Light, light.Light.First));
         yield return Of("longest_light_end", "d", "Days from the interval's start to the end of the longest time with Sun.",
-            light => days * light.Light.End);
+            light => OfRun(light.Light, light.Light.End));
         yield return Of("nights", string.Empty, FormattableString.Invariant(
             $"Times without Sun that are longer than {settings.NightLimit} h."), light => light.Nights);
         yield return Of("flux_horizontal", "W/m2", "Mean light on a horizontal plane.", light => light.Horizontal.Mean);
@@ -102,26 +107,46 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapPlaceme
             light => light.BothSteps / steps);
         yield return Of("never_lit", string.Empty, FormattableString.Invariant(
             $"1 where no light comes in the {settings.Times.LengthDays:R} days from MJD {start:R}."), light => light.LitSteps == 0 ? 1 : 0);
-        yield return Map(
-            "slope", "degree", "Slope of the ground.", slopes.Select(slope => (float)double.RadiansToDegrees(Math.Atan(slope))));
+        yield return new LightMap("slope", "degree", "Slope of the ground.", [.. cells.Slopes.Select(
+            slope => (float)double.RadiansToDegrees(Math.Atan(slope)))]) { Height = cells.Height };
 
-        LightMap Of(string name, string unit, string meaning, Func<PlaceLight, double> value) =>
-            Map(name, unit, meaning, lights.Select(light => (float)value(light)));
+        double OfRun(StepRun run, int step) => run.Count > 0 ? days * step : double.NaN;
 
-        LightMap Map(string name, string unit, string meaning, IEnumerable<float> values) =>
-            new(name, unit, meaning, [.. values]) { Height = height };
+        LightMap Of(string name, string unit, string meaning, Func<PlaceLight, double> value)
+        {
+            float[] values = new float[cells.Lights.Length];
+            Array.Fill(values, float.NaN);
+            foreach (int cell in cells.Ground)
+            {
+                values[cell] = (float)value(cells.Lights[cell]);
+            }
+
+            return new LightMap(name, unit, meaning, values) { Height = cells.Height };
+        }
     }
 
-    private void Summarise(double height, PlaceLight[] lights)
+    private void Summarise(CellLights cells)
     {
-        double square = placement.Cell * placement.Cell / 1e6;
-        int dark = lights.Count(light => light.LitSteps == 0);
-        int best = Enumerable.Range(0, lights.Length).MaxBy(cell => lights[cell].LitSteps);
+        PlaceLight[] lights = cells.Lights;
+        int[] dark = [.. cells.Ground.Where(cell => lights[cell].LitSteps == 0)];
+        double area = dark.Sum(cell => grid.AreaOf(cell / grid.Samples, cell % grid.Samples)) / 1e6; // m2 in a km2
+        int best = cells.Ground.MaxBy(cell => lights[cell].LitSteps);
+        int ground = cells.Ground.Count();
         string shadow = settings.Times.LengthDays >= LongEnough ? "permanently shadowed" : "never lit in the interval";
-        host.Log.Note(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{height:R} m over the ground: {dark} of {lights.Length} cells ({dark * square:G6} km2 of the map) {shadow}; the best cell, "
-                + $"line {best / placement.Samples}, sample {best % placement.Samples}, is lit "
-                + $"{100.0 * lights[best].LitSteps / settings.Times.Count:F2} % of the time."));
+        string outside = ground == lights.Length ? string.Empty : Invariant(
+            $" {lights.Length - ground} cells lie outside the models and have no data.");
+        host.Log.Note(Invariant(
+            $"{cells.Height:R} m over the ground: {dark.Length} of {ground} cells ({area:G6} km2) {shadow}; the best cell, line "
+                + $"{best / grid.Samples}, sample {best % grid.Samples}, is lit "
+                + $"{100.0 * lights[best].LitSteps / settings.Times.Count:F2} % of the time.{outside}"));
     }
+}
+
+/// <summary>The light of the cells of a map.</summary>
+/// <param name="Height">m over the ground.</param>
+/// <param name="Slopes">Tangents of the ground's slope; NaN where the models have no ground.</param>
+internal sealed record CellLights(double Height, PlaceLight[] Lights, float[] Slopes)
+{
+    /// <summary>The cells with ground.</summary>
+    public IEnumerable<int> Ground => Enumerable.Range(0, Slopes.Length).Where(cell => !float.IsNaN(Slopes[cell]));
 }

@@ -3,6 +3,7 @@ using System.Text;
 using Msisf.Adapters.Illumination;
 using Msisf.Adapters.IO;
 using Msisf.Core.Illumination;
+using Msisf.Core.Maps;
 
 namespace Msisf.App.Illumination;
 
@@ -27,12 +28,12 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
             + "td,th{padding:.2em .8em;text-align:right}";
 
     /// <summary>Writes a PNG of each map, with legend and scale bar, and a page of all; returns the page's path.</summary>
-    public string WriteMaps(IReadOnlyList<LightMap> maps, MapPlacement placement)
+    public string WriteMaps(IReadOnlyList<LightMap> maps, MapGrid grid)
     {
         foreach (LightMap map in maps)
         {
             AtomicFile.Write(
-                Path.Combine(settings.Folder, map.Name + ".png"), stream => LightMapPicture.Write(stream, map, placement));
+                Path.Combine(settings.Folder, map.Name + ".png"), stream => LightMapPicture.Write(stream, map, grid));
         }
 
         return Write("maps.html", "Light of a region", maps.Select(map =>

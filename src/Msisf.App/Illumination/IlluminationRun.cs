@@ -2,12 +2,14 @@ using System.Security.Cryptography;
 using System.Text;
 using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Illumination;
+using Msisf.Adapters.Maps;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
+using Msisf.Core.Maps;
 using Msisf.Core.Navigation;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Time;
@@ -26,19 +28,20 @@ internal sealed class IlluminationRun
     private readonly ElevationModel _model;
     private readonly IEphemeris _engine;
     private readonly Aberration _aberration;
-    private readonly bool _isMoon;
+    private readonly CelestialBody _body;
     private readonly string _surface;
     private readonly ProgramHost _host;
+    private readonly RunInputs _inputs;
     private readonly CancellationToken _cancellation;
     private readonly LightConditions _conditions;
 
     private IlluminationRun(
-        IlluminationSettings settings, RenderSettings models, ElevationModel model, IEphemeris engine, ProgramHost host,
+        IlluminationSettings settings, RenderSettings models, ElevationModel model, IEphemeris engine, RunInputs inputs, ProgramHost host,
         CancellationToken cancellation)
     {
-        (_settings, _model, _engine, _host, _cancellation) = (settings, model, engine, host, cancellation);
+        (_settings, _model, _engine, _inputs, _host, _cancellation) = (settings, model, engine, inputs, host, cancellation);
         _aberration = models.Aberration;
-        _isMoon = models.Body.IsMoon;
+        _body = models.Body;
         _surface = string.Join(' ', models.Ldem.Select(text => text[ModelPath.Parse(text).Path.Length..]));
         _conditions = new LightConditions(
             [.. settings.Times.Select(SunAt)], [.. settings.Times.Select(EarthAt)])
@@ -61,7 +64,8 @@ internal sealed class IlluminationRun
         using EphemerisSource ephemeris = new(models, host);
         using ModelOnDemand model = new(models, host, cancellation);
         FileErrors.ToExternalPart($"{settings.Folder}: the folder can't be made", () => Directory.CreateDirectory(settings.Folder));
-        IlluminationRun run = new(settings, models, model.Opened, ephemeris.Engine(), host, cancellation);
+        using RunInputs inputs = new(ephemeris.KernelFiles, host, cancellation);
+        IlluminationRun run = new(settings, models, model.Opened, ephemeris.Engine(), inputs, host, cancellation);
         run.Tell();
         if (settings.Place is not null || settings.Points is null)
         {
@@ -96,14 +100,14 @@ internal sealed class IlluminationRun
 
     private void MakeMaps()
     {
-        IlluminationRegion region = IlluminationRegion.Of(_settings, _model.Grid);
+        MapGrid region = IlluminationRegion.Of(_settings, _model.Grid);
         NasaLightMap[] maps = [.. _settings.Compared.Select(path => IlluminationOptions.Compare.NamedInErrors(
             () => NasaLightMap.Read(path)))];
         int lines = Math.Max(1, PieceCells / region.Samples);
         int pieces = (region.Lines + lines - 1) / lines;
-        HorizonSurvey survey = new(_model.Grid, _model.Tracer, region.Spread(), _isMoon);
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, region.Spread(), _body.IsMoon);
         LightSurvey lights = new(survey, _conditions);
-        List<(double Height, PlaceLight[] Lights, float[] Slopes)> results = [];
+        List<CellLights> results = [];
         using (IRunProgress progress = _host.Progress.Start(
             "Horizons and light", FractionProgress.Steps, _settings.Unattended))
         {
@@ -126,7 +130,7 @@ internal sealed class IlluminationRun
                     }
                 }
 
-                results.Add((height, found, slopes));
+                results.Add(new CellLights(height, found, slopes));
             }
 
             void Advance(int places) => fraction.Report(Interlocked.Add(ref done, places) / all);
@@ -134,13 +138,22 @@ internal sealed class IlluminationRun
 
         if (_settings.Piece.Parts == 1)
         {
-            CompareMaps(region, maps, results[0].Lights);
-            MapPlacement placement = new(region.Lines, region.Samples, region.Cell, region.Left, region.Top, region.Proj4);
-            new IlluminationMaps(_settings, placement, _host).Write(results);
+            if (!results[0].Ground.Any())
+            {
+                throw HorizonSurvey.Outside(region.DirectionOf(region.Lines / 2, region.Samples / 2));
+            }
+
+            CompareMaps(region, maps, results[0]);
+            _inputs.Begin(_model.Sets, []);
+            LightMapFiles files = new(
+                region, _body, new MapOrigin(_host.Version, _settings.Command, _inputs.All(camera: null)), new MapTimes(
+                    _settings.Times[0].ToIsoUtc(), _settings.Times[_settings.Times.Count - 1].ToIsoUtc(), _settings.StepHours,
+                    _settings.IsPoint ? "point" : "disc"));
+            new IlluminationMaps(_settings, region, files, _host).Write(results);
         }
     }
 
-    private void CompareMaps(IlluminationRegion region, NasaLightMap[] maps, PlaceLight[] lights)
+    private void CompareMaps(MapGrid region, NasaLightMap[] maps, CellLights lights)
     {
         if (maps.Length == 0)
         {
@@ -167,12 +180,13 @@ internal sealed class IlluminationRun
 
     /// <summary>The horizons of a piece: those that are kept, or new ones.</summary>
     private PlaceHorizons HorizonsOf(
-        HorizonSurvey survey, IlluminationRegion region, Vector3D[] directions, double height, int piece, Action<int> advance)
+        HorizonSurvey survey, MapGrid region, Vector3D[] directions, double height, int piece, Action<int> advance)
     {
         string content = string.Create(
             CultureInfo.InvariantCulture,
-            $"{HorizonSurvey.Version} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} {region.Proj4} "
-                + $"{region.Lines} {region.Samples} {region.Cell:R} {region.Left:R} {region.Top:R} {height:R}");
+            $"{HorizonSurvey.Version} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} "
+                + $"{region.Projection.Kind} {region.Projection.Latitude:R} {region.Projection.Radius:R} {region.Lines} {region.Samples} "
+                + $"{region.CellWidth:R} {region.CellHeight:R} {region.Left:R} {region.Top:R} {height:R}");
         string key = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(content)))[..16];
         string folder = Path.Combine(_settings.Folder, "horizons");
         FileErrors.ToExternalPart($"{folder}: the folder can't be made", () => Directory.CreateDirectory(folder));
@@ -183,7 +197,7 @@ internal sealed class IlluminationRun
             return known;
         }
 
-        PlaceHorizons found = survey.Find(directions, height, _settings.Threads, advance, _cancellation);
+        PlaceHorizons found = survey.FindWithGaps(directions, height, _settings.Threads, advance, _cancellation);
         HorizonFile.Write(path, found);
         return found;
     }
@@ -191,7 +205,7 @@ internal sealed class IlluminationRun
     private void MakePoints(string list)
     {
         IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(() => ReadPoints(list));
-        HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _isMoon) { IsFine = true };
+        HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _body.IsMoon) { IsFine = true };
         LightSurvey lights = new(survey, _conditions with { IsExact = true });
         PointTables tables = new(_settings, survey, lights, _model, _conditions, SunAt, _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);

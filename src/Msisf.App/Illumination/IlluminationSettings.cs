@@ -61,6 +61,9 @@ internal sealed record IlluminationSettings
     /// <summary>Whether to draw no progress bar.</summary>
     public bool Unattended { get; init; }
 
+    /// <summary>The call: all options that decide what the maps hold, in a fixed order; files without their folders.</summary>
+    public required string Command { get; init; }
+
     /// <summary>Hours from one time to the next.</summary>
     public double StepHours => Times.StepDays * 24.0;
 
@@ -125,7 +128,27 @@ internal sealed record IlluminationSettings
             Threads = IlluminationOptions.Jobs.ReadIfGiven(values) ?? Environment.ProcessorCount,
             Folder = IlluminationOptions.Folder.Read(values),
             Unattended = RunOptions.Batch.Read(values),
+            Command = string.Join(' ', [
+                IlluminationOptions.Command.Name, .. IlluminationOptions.Command.Groups.SelectMany(group => group.Options).Where(
+                    option => option.Role is DecidesBytes).SelectMany(option => Words(option, values))]),
         };
+    }
+
+    private static IEnumerable<string> Words(OptionSpec option, OptionValues values)
+    {
+        if (option is FlagSpec flag)
+        {
+            return flag.Read(values) ? [option.Name] : [];
+        }
+
+        if (values.Words(option) is not { } words)
+        {
+            return [];
+        }
+
+        IEnumerable<string> texts = (option is PathSpec ? words.Select(path => Path.GetFileName(path)) : words)
+            .Select(text => text.Contains(' ', StringComparison.Ordinal) ? $"'{text}'" : text);
+        return option.MayBeRepeated ? texts.SelectMany(text => (string[])[option.Name, text]) : [option.Name, .. texts];
     }
 
     /// <summary>The error of a call that names no place, or two.</summary>

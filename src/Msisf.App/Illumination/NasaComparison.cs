@@ -1,6 +1,7 @@
 using Msisf.Adapters.Illumination;
 using Msisf.Adapters.IO;
 using Msisf.Core.Illumination;
+using Msisf.Core.Maps;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Illumination;
@@ -10,7 +11,7 @@ namespace Msisf.App.Illumination;
 /// visible part of the Sun, and the best-lit places of both.
 /// </summary>
 /// <param name="directions">Their middles.</param>
-internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Vector3D> directions)
+internal sealed class NasaComparison(MapGrid region, IReadOnlyList<Vector3D> directions)
 {
     /// <summary>Best places of each map that are told.</summary>
     private const int Best = 5;
@@ -21,13 +22,14 @@ internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Ve
     private readonly List<string> _rows = ["map,quantity,msisf,nasa,unit"];
 
     /// <summary>Compares a map.</summary>
-    /// <param name="lights">The light of the cells, on the ground.</param>
+    /// <param name="cells">The light of the cells, on the ground.</param>
     /// <returns>A sentence that says the most important.</returns>
     /// <exception cref="BadInputException">The map shows no cell of the region.</exception>
-    public string Add(NasaLightMap map, PlaceLight[] lights)
+    public string Add(NasaLightMap map, CellLights cells)
     {
         List<ComparedCell> both = [];
-        for (int cell = 0; cell < lights.Length; cell++)
+        PlaceLight[] lights = cells.Lights;
+        foreach (int cell in cells.Ground)
         {
             if (map.At(directions[cell]) is { } value)
             {
@@ -51,16 +53,18 @@ internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Ve
 
     private string AddShadow(NasaLightMap map, List<ComparedCell> both)
     {
-        double square = region.Cell * region.Cell / 1e6;
-        double ours = square * both.Count(cell => cell.Ours > 0.5);
-        double theirs = square * both.Count(cell => cell.Theirs > 0.5);
-        double shared = square * both.Count(cell => cell.Ours > 0.5 && cell.Theirs > 0.5);
+        double ours = AreaOf(cell => cell.Ours > 0.5);
+        double theirs = AreaOf(cell => cell.Theirs > 0.5);
+        double shared = AreaOf(cell => cell.Ours > 0.5 && cell.Theirs > 0.5);
         Row(map, "in shadow for ever", ours, theirs, "km2");
         Row(map, "in shadow in both", shared, shared, "km2");
         Row(map, "in shadow in one alone", ours - shared, theirs - shared, "km2");
         return string.Create(
             CultureInfo.InvariantCulture,
             $"{map.Product}: {ours:F3} km2 of the cells are never lit here, {theirs:F3} km2 there, {shared:F3} km2 in both.");
+
+        double AreaOf(Func<ComparedCell, bool> isWanted) => both.Where(isWanted).Sum(
+            cell => region.AreaOf(cell.Cell / region.Samples, cell.Cell % region.Samples)) / 1e6; // m2 in a km2
     }
 
     private string AddLight(NasaLightMap map, List<ComparedCell> both)
@@ -83,7 +87,7 @@ internal sealed class NasaComparison(IlluminationRegion region, IReadOnlyList<Ve
         List<ComparedCell> best = [];
         foreach (ComparedCell cell in both.OrderByDescending(value).ThenBy(cell => cell.Cell))
         {
-            if (best.All(other => (directions[other.Cell] - directions[cell.Cell]).Length * region.Radius >= Apart))
+            if (best.All(other => (directions[other.Cell] - directions[cell.Cell]).Length * region.Projection.Radius >= Apart))
             {
                 best.Add(cell);
                 SelenographicPoint place = SelenographicPoint.Below(directions[cell.Cell]);

@@ -34,7 +34,7 @@ internal sealed class MapOutputs(MapSettings settings, NativeSettings native, st
             return [];
         }
 
-        ImageMapFiles writer = new(map, metadata.Globe, libraryPath);
+        ImageMapFiles writer = new(map, metadata, libraryPath);
         List<string> paths = [writer.WriteImage(files, stem, ExportedImage.Of(truth, rendered.Detected))];
         if (native.Layers is { } layers)
         {

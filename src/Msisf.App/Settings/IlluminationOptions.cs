@@ -16,15 +16,17 @@ internal static class IlluminationOptions
 
     public static TextSpec Centre { get; } = new("--center", Role, "LAT,LON", "Middle of the region (degrees north, degrees east)");
 
-    public static TextSpec Size { get; } = new("--size", Role, "KM[,KM]", "Width of the region, and its height if that is another one");
+    public static TextSpec Size { get; } = new(
+        "--size", Role, "KM[,KM]", "Width of the region on the ground, through its middle, and its height if that is another one");
 
     public static TextSpec Corners { get; } = new(
-        "--corners", Role, "LAT,LON,LAT,LON", "Two opposite corners of the region, in place of its middle and size");
+        "--corners", Role, "LAT,LON,LAT,LON",
+        "Two opposite corners of the region, in place of its middle and size; across longitude 0 as in 350 and 10, or -10 and 10");
 
-    public static NumberSpec Cell { get; } = new("--cell", Role, "METRES", "Width of a cell")
+    public static NumberSpec Cell { get; } = new("--cell", Role, "METRES", "Width of a cell on the ground, in the middle of the region")
     {
         Limits = new NumberRange(0.1, 100_000.0),
-        DefaultNote = "that of the finest model's cells",
+        DefaultNote = "the pixels of the model that is finest there",
     };
 
     public static PathSpec Points { get; } = new(

@@ -15,6 +15,9 @@ internal sealed record HorizonProfile(int Columns, double BottomDegrees, double 
     private readonly float[] _tangents = [.. Enumerable.Range(0, ushort.MaxValue + 1).Select(
         level => (float)Math.Tan(double.DegreesToRadians(BottomDegrees + (level * (TopDegrees - BottomDegrees) / ushort.MaxValue))))];
 
+    /// <summary>The corners of a place without a horizon.</summary>
+    public static uint[] Empty(int columns) => [0, ((uint)columns - 1) << 16];
+
     /// <summary>Elements of a table that <see cref="Read"/> fills.</summary>
     public static int TableLength(int columns) => columns + Vector512<float>.Count;
 

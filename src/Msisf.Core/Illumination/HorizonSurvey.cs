@@ -83,14 +83,24 @@ public sealed class HorizonSurvey
         return (LocalFrame.At((hit.PointBodyFixed.Length + Math.Max(height, LeastHeight)) * up), slope);
     }
 
-    /// <summary>Finds horizons.</summary>
+    /// <summary>Finds horizons of places that all have ground.</summary>
+    /// <inheritdoc cref="FindWithGaps"/>
+    /// <exception cref="BadInputException">A place is outside the models.</exception>
+    public PlaceHorizons Find(
+        IReadOnlyList<Vector3D> directions, double height, int threads, Action<int>? advanced, CancellationToken cancellation)
+    {
+        PlaceHorizons found = FindWithGaps(directions, height, threads, advanced, cancellation);
+        int gap = Enumerable.Range(0, directions.Count).FirstOrDefault(place => !found.HasGround(place), -1);
+        return gap < 0 ? found : throw Outside(directions[gap]);
+    }
+
+    /// <summary>Finds horizons. Places outside the models have none (<see cref="PlaceHorizons.HasGround"/>).</summary>
     /// <param name="directions">MOON_ME, length 1; neighbours follow each other.</param>
     /// <param name="height">m over the ground; 0 to <see cref="MaxHeight"/>.</param>
     /// <param name="threads">How many work at once.</param>
     /// <param name="advanced">Called with the number of places done since the last call, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <exception cref="BadInputException">A place is outside the models.</exception>
-    public PlaceHorizons Find(
+    public PlaceHorizons FindWithGaps(
         IReadOnlyList<Vector3D> directions, double height, int threads, Action<int>? advanced, CancellationToken cancellation)
     {
         const int PerItem = 64;
@@ -109,7 +119,8 @@ public sealed class HorizonSurvey
             {
                 if (PlaceAt(directions[place], height) is not var (frame, slope))
                 {
-                    throw Outside(directions[place]);
+                    (corners[place], slopes[place]) = (HorizonProfile.Empty(Columns), float.NaN);
+                    continue;
                 }
 
                 finder.Find(frame, _bottom, Band.Tops);
@@ -151,7 +162,8 @@ public sealed class HorizonSurvey
         return tangents[..(Columns + 1)];
     }
 
-    private static BadInputException Outside(Vector3D direction)
+    /// <summary>The error of a place outside the models.</summary>
+    public static BadInputException Outside(Vector3D direction)
     {
         SelenographicPoint point = SelenographicPoint.Below(direction);
         string place = string.Create(

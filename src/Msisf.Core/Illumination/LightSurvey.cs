@@ -25,7 +25,7 @@ public sealed class LightSurvey
         _exact = new ExactLight(conditions.SunBodyFixed, radius);
     }
 
-    /// <summary>The light of places.</summary>
+    /// <summary>The light of places; <c>default</c> of those without ground.</summary>
     /// <param name="directions">MOON_ME, length 1.</param>
     /// <param name="horizons">Their horizons.</param>
     /// <param name="threads">How many work at once.</param>
@@ -45,7 +45,7 @@ public sealed class LightSurvey
             int end = Math.Min(directions.Count, (item + 1) * PerItem);
             for (int place = item * PerItem; place < end; place++)
             {
-                lights[place] = Of(finder, directions, horizons, place);
+                lights[place] = horizons.HasGround(place) ? Of(finder, directions, horizons, place) : default;
             }
 
             advanced?.Invoke(end - (item * PerItem));

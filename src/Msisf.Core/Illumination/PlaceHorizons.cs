@@ -1,12 +1,15 @@
 namespace Msisf.Core.Illumination;
 
 /// <summary>Horizons of places, with what else of the ground is asked for.</summary>
-/// <param name="Radii">m: distances of the places from the body's centre.</param>
-/// <param name="Slopes">Tangent of the ground's slope.</param>
+/// <param name="Radii">m: distances of the places from the body's centre; 0 where the models have no ground.</param>
+/// <param name="Slopes">Tangent of the ground's slope; NaN where there is none.</param>
 /// <param name="Ends">Where the corners of each place end in <paramref name="Corners"/>.</param>
 /// <param name="Corners">Corners between which the horizon is straight.</param>
 public sealed record PlaceHorizons(double[] Radii, float[] Slopes, int[] Ends, uint[] Corners)
 {
+    /// <summary>Whether the models have ground below a place.</summary>
+    public bool HasGround(int place) => Radii[place] > 0.0;
+
     /// <summary>The corners of a place.</summary>
     public ReadOnlySpan<uint> CornersOf(int place)
     {

@@ -38,7 +38,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
             return null;
         }
 
-        (ImageMapProjection projection, CellBox box) = PlaceOf(kind, mean, cell, threads, cancellation);
+        (GroundProjection projection, CellBox box) = PlaceOf(kind, mean, cell, threads, cancellation);
         box = Grown(box, projection, cell, threads, cancellation);
         int[] pixels = new int[box.Lines * box.Samples];
         WorkerTeam.Run(
@@ -56,7 +56,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
     }
 
     /// <summary>The pixel that shows a cell; -1 for none.</summary>
-    private int PixelOf(ImageMapProjection projection, double cell, long line, long sample)
+    private int PixelOf(GroundProjection projection, double cell, long line, long sample)
     {
         double top = terrain.RadiusLimits.Max + Above;
         ICamera camera = truth.Camera;
@@ -80,11 +80,11 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
         return sums.Aggregate(default(Vector3D), (sum, row) => sum + row);
     }
 
-    private (ImageMapProjection Projection, CellBox Box) PlaceOf(
+    private (GroundProjection Projection, CellBox Box) PlaceOf(
         MapKind kind, Vector3D mean, double cell, int threads, CancellationToken cancellation)
     {
         SelenographicPoint centre = SelenographicPoint.Below(mean);
-        ImageMapProjection[] choices = kind switch
+        GroundProjection[] choices = kind switch
         {
             MapKind.Equirectangular => [Of(0.0, 0.0), Of(0.0, Math.PI)], // the border of one lies in the middle of the other
             MapKind.PolarStereographic => [Of(Math.CopySign(0.5 * Math.PI, mean.Z), 0.0)],
@@ -93,11 +93,11 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
         return choices.Select(projection => (projection, BoxOf(projection, cell, threads, cancellation)))
             .MinBy(choice => choice.Item2.Samples);
 
-        ImageMapProjection Of(double latitude, double longitude) => new(kind, latitude, longitude, terrain.ReferenceRadius);
+        GroundProjection Of(double latitude, double longitude) => new(kind, latitude, longitude, terrain.ReferenceRadius);
     }
 
     /// <summary>The cells in which the points of the pixels lie.</summary>
-    private CellBox BoxOf(ImageMapProjection projection, double cell, int threads, CancellationToken cancellation)
+    private CellBox BoxOf(GroundProjection projection, double cell, int threads, CancellationToken cancellation)
     {
         CellBox[] rows = new CellBox[truth.Camera.Height];
         Array.Fill(rows, CellBox.Empty);
@@ -117,7 +117,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
     }
 
     /// <summary>Grows a map until its border shows nothing.</summary>
-    private CellBox Grown(CellBox box, ImageMapProjection projection, double cell, int threads, CancellationToken cancellation)
+    private CellBox Grown(CellBox box, GroundProjection projection, double cell, int threads, CancellationToken cancellation)
     {
         while (true)
         {
@@ -157,7 +157,7 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
     }
 
     /// <summary>Leaves lines and columns out at whose side nothing is seen.</summary>
-    private ImageMap Cut(ImageMapProjection projection, double cell, CellBox box, int[] pixels)
+    private ImageMap Cut(GroundProjection projection, double cell, CellBox box, int[] pixels)
     {
         CellBox shown = CellBox.Empty;
         for (int index = 0; index < pixels.Length; index++)
@@ -177,9 +177,9 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
             pixels.AsSpan((int)start, (int)shown.Samples).CopyTo(kept.AsSpan(line * (int)shown.Samples));
         }
 
-        return new ImageMap(
-            projection, cell, shown.Left * cell, -shown.Top * cell, (int)shown.Lines, (int)shown.Samples,
-            truth.Camera.Width * truth.Camera.Height, kept);
+        MapGrid grid = new(
+            projection, (int)shown.Lines, (int)shown.Samples, shown.Left * cell, -shown.Top * cell, cell, cell);
+        return new ImageMap(grid, truth.Camera.Width * truth.Camera.Height, kept);
     }
 
     private void ReadPoints(int threads, Action<int, Vector3D> use, CancellationToken cancellation)
@@ -217,12 +217,9 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
 }
 
 /// <summary>Which pixel of an image each cell of a map shows. Cells have their borders at multiples of their width.</summary>
-/// <param name="Cell">m: width of a cell.</param>
-/// <param name="Left">m: X of the left edge.</param>
-/// <param name="Top">m: Y of the upper edge.</param>
+/// <param name="Grid">The cells.</param>
 /// <param name="Pixels">
 /// Line by line from the top: the pixel, counted by rows of the image from 0, in which the ground in the cell's middle is seen; -1 where
 /// the image does not show it.
 /// </param>
-public sealed record ImageMap(
-    ImageMapProjection Projection, double Cell, double Left, double Top, int Lines, int Samples, int ImagePixels, int[] Pixels);
+public sealed record ImageMap(MapGrid Grid, int ImagePixels, int[] Pixels);

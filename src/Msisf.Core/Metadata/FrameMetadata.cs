@@ -68,6 +68,9 @@ public sealed record InputFile(InputKind Kind, string Name, long Bytes, string S
     /// Whether the SHA-256 is that of the file's length and of pieces spread over it, because to read all of it takes minutes.
     /// </summary>
     public bool IsOfPieces { get; init; }
+
+    /// <summary>Name and checksum in one text.</summary>
+    public string Text => $"{Name} {(IsOfPieces ? "sha256OfPieces" : "sha256")}:{Sha256}";
 }
 
 /// <summary>The body that a frame shows, and the sphere over which its heights are counted.</summary>

@@ -6,7 +6,7 @@ using Xunit;
 
 namespace Msisf.Core.Tests.Maps;
 
-public sealed class ImageMapProjectionTests
+public sealed class GroundProjectionTests
 {
     private const double Radius = 1_737_400.0;
 
@@ -15,6 +15,8 @@ public sealed class ImageMapProjectionTests
     public static TheoryData<MapKind, double, double, double, double, double, double> Places => new()
     {
         { MapKind.Equirectangular, 0.0, 10.0, 30.0, 40.0, 909700.5127244843, 909700.5127244843 },
+        { MapKind.LongitudeLatitude, 0.0, 10.0, 30.0, 40.0, 40.0, 30.0 },
+        { MapKind.LongitudeLatitude, 0.0, -175.0, 30.0, 40.0, -320.0, 30.0 }, // within half a turn of the middle
         { MapKind.PolarStereographic, 90.0, 0.0, 80.0, 30.0, 152002.80400994033, -263276.579438151 },
         { MapKind.PolarStereographic, -90.0, 0.0, -80.0, 30.0, 152002.80400994033, 263276.579438151 },
         { MapKind.Orthographic, -20.0, 30.0, 10.0, 50.0, 585198.1719392623, 833408.2319294657 },
@@ -25,7 +27,7 @@ public sealed class ImageMapProjectionTests
     public void ToMap_Place_IsWhereSnyderHasIt(
         MapKind kind, double centreLatitude, double centreLongitude, double latitude, double longitude, double x, double y)
     {
-        ImageMapProjection map = Map(kind, centreLatitude, centreLongitude);
+        GroundProjection map = Map(kind, centreLatitude, centreLongitude);
         Vector3D direction = DirectionOf(latitude, longitude);
 
         (double foundX, double foundY) = map.ToMap(7.0 * direction)!.Value;
@@ -44,6 +46,7 @@ public sealed class ImageMapProjectionTests
         Assert.Null(Map(kind, centreLatitude, centreLongitude).ToMap(DirectionOf(latitude, longitude)));
 
     [Theory]
+    [InlineData(MapKind.LongitudeLatitude, 0.0, 1e-4)] // 174 degrees
     [InlineData(MapKind.Equirectangular, 3.15, 0.0)] // beyond half a turn
     [InlineData(MapKind.Equirectangular, 0.0, 1.58)] // beyond the pole
     [InlineData(MapKind.PolarStereographic, 1.5, 1.5)] // beyond the equator
@@ -51,7 +54,7 @@ public sealed class ImageMapProjectionTests
     public void ToDirection_BeyondTheEnd_IsNothing(MapKind kind, double xInRadii, double yInRadii) => Assert.Null(
         Map(kind, kind == MapKind.PolarStereographic ? 90.0 : 0.0, 0.0).ToDirection(xInRadii * Radius, yInRadii * Radius));
 
-    private static ImageMapProjection Map(MapKind kind, double latitude, double longitude) =>
+    private static GroundProjection Map(MapKind kind, double latitude, double longitude) =>
         new(kind, double.DegreesToRadians(latitude), double.DegreesToRadians(longitude), Radius);
 
     private static Vector3D DirectionOf(double latitude, double longitude) =>
