@@ -65,6 +65,26 @@ public sealed class DryRunTests : IDisposable
         Assert.EndsWith(" 1.000 0.000", Words(lines[4]), StringComparison.Ordinal);
     }
 
+    /// <summary>Whatever the roll angle, what is beside the Moon is told as such, and no form has a -0.</summary>
+    [Theory]
+    [InlineData("csv")]
+    [InlineData("json")]
+    [InlineData("table")]
+    public void DryRun_EachRollBesideTheMoon_IsZeroAndNoted(string format)
+    {
+        string states = "time,lat,lon,height,off_nadir,roll\n"
+            + string.Concat(Enumerable.Range(0, 144).Select(step => FormattableString.Invariant($"55289,-1e-9,30,1e5,120,{2.5 * step}\n")));
+
+        CommandLineRun run = Run($"{WithoutModel} --fov 40 --width 64 --height 64 --format {format} --batch-file -", states);
+
+        Assert.Contains("144 of 144 frames do not show the Moon.", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotMatch(@"-0(\.0*)?(?![\d.])", run.Output);
+        if (format == "csv")
+        {
+            Assert.All(run.Output.TrimEnd().Split('\n')[1..], line => Assert.EndsWith(",0,", line, StringComparison.Ordinal));
+        }
+    }
+
     [Fact]
     public void DryRun_FieldOfViewInRadians_Warns() => Assert.Contains(
         "msis: warning: --fov 0.7854 is in degrees: ",

@@ -6,6 +6,7 @@ using Msisf.Stress.Fuzz;
 using Msisf.Stress.Metadata;
 using Msisf.Stress.Orbit;
 using Msisf.Stress.Povray;
+using Msisf.Stress.Preview;
 using Msisf.Stress.Reference;
 using Msisf.Stress.Selection;
 using Msisf.Stress.Time;
@@ -35,6 +36,7 @@ public static class StressTests
         new RendererStress(),
         new TracePrecisionStress(),
         new CameraStress(),
+        new PreviewStress(),
         new CoordinatesStress(),
         new SelectionStress(),
         new FuzzStress(),

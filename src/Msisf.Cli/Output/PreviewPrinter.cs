@@ -59,8 +59,12 @@ internal static class PreviewPrinter
     private static string TableCell(PreviewColumn column, PreviewRow row) =>
         column.ValueOf(row) is { } number ? Text(number, Invariant($"F{column.Decimals}")) : Undefined;
 
-    /// <summary>A number; empty if it is undefined.</summary>
-    private static string Text(double? number, string format) => number?.ToString(format, CultureInfo.InvariantCulture) ?? string.Empty;
+    /// <summary>A number, without the sign of a 0; empty if it is undefined.</summary>
+    private static string Text(double? number, string format)
+    {
+        string text = number?.ToString(format, CultureInfo.InvariantCulture) ?? string.Empty;
+        return text.StartsWith('-') && text.AsSpan(1).IndexOfAnyExcept('0', '.') < 0 ? text[1..] : text;
+    }
 }
 
 /// <summary>A column of numbers that <c>--dry-run</c> prints.</summary>
@@ -68,8 +72,8 @@ internal static class PreviewPrinter
 /// <param name="Heading">First line of the heading of the table.</param>
 /// <param name="Unit">Second line of the heading of the table.</param>
 /// <param name="Decimals">Decimals in the table.</param>
-/// <param name="ValueOf">The number of a row; null if it is undefined.</param>
-internal sealed record PreviewColumn(string Name, string Heading, string Unit, int Decimals, Func<PreviewRow, double?> ValueOf)
+/// <param name="Read">The number of a row; null if it is undefined.</param>
+internal sealed record PreviewColumn(string Name, string Heading, string Unit, int Decimals, Func<PreviewRow, double?> Read)
 {
     private static IReadOnlyList<PreviewColumn> OfAnyRun { get; } =
     [
@@ -100,6 +104,9 @@ internal sealed record PreviewColumn(string Name, string Heading, string Unit, i
         .. rows.Any(row => row.HasSignal) ? OfDetector : [],
         .. Enumerable.Range(0, rows.Select(row => row.Drawn.Count).DefaultIfEmpty().Max()).Select(DrawnCell),
     ];
+
+    /// <summary>The number of a row, never -0; null if it is undefined.</summary>
+    public double? ValueOf(PreviewRow row) => Read(row) + 0.0;
 
     private static PreviewColumn DrawnCell(int part)
     {

@@ -57,9 +57,8 @@ internal sealed class SphereCoverage
         }
 
         SphereCoverage coverage = new(camera, light.PositionBodyFixed, radius);
-        if (coverage._outline.TryFindRows(out double bottom, out double top))
+        if (coverage._outline.TryFindRows(out double bottom, out double top) && coverage.Moon(bottom, top) is > 0.0 and var moon)
         {
-            double moon = coverage.Moon(bottom, top);
             double? uniform = light.IsSun ? UniformLight(camera.PositionBodyFixed, light.PositionBodyFixed, radius) : 1.0;
             return new SphereShare(Math.Min(1.0, moon), uniform ?? coverage.Lit(bottom, top));
         }

@@ -46,9 +46,7 @@ internal sealed class SphereOutline
         {
             double middle = Math.Atan2(_toCentre.Z, _toCentre.X);
             double reach = Math.Atan2(_sinLimb, Math.Sqrt((inColumnPlane - _sinLimb) * (inColumnPlane + _sinLimb)));
-            (double lower, double upper) = (Math.Atan(bottom), Math.Atan(top));
-            bottom = middle - reach > lower ? Math.Tan(Math.Min(upper, middle - reach)) : bottom;
-            top = middle + reach < upper ? Math.Tan(Math.Max(lower, middle + reach)) : top;
+            (bottom, top) = (Within(middle - reach, bottom, top, 1.0), Within(middle + reach, bottom, top, 1.0));
         }
 
         for (int trial = 0; trial <= Trials; trial++)
@@ -104,9 +102,20 @@ internal sealed class SphereOutline
         double beside = cosRow * (_toCentre.Z - (b * _toCentre.X));
         double middle = Math.Atan2(_toCentre.Y, along);
         double reach = Math.Atan2(Math.Sqrt(Math.Max(0.0, (_sinLimb - beside) * (_sinLimb + beside))), _cosLimb);
-        (double left, double right) = (Math.Atan(_image.Left * cosRow), Math.Atan(_image.Right * cosRow));
         return (
-            middle - reach > left ? Math.Tan(Math.Min(right, middle - reach)) / cosRow : _image.Left,
-            middle + reach < right ? Math.Tan(Math.Max(left, middle + reach)) / cosRow : _image.Right);
+            Within(middle - reach, _image.Left, _image.Right, cosRow), Within(middle + reach, _image.Left, _image.Right, cosRow));
     }
+
+    /// <summary>
+    /// Where a direction meets a row or column of the image, at most its end: the very number, so that a sphere beside the image has no
+    /// length in it.
+    /// </summary>
+    /// <param name="angle">rad, in the plane through the camera and the row or column.</param>
+    /// <param name="first">Where the image begins.</param>
+    /// <param name="last">Where it ends.</param>
+    /// <param name="cos">Cosine of the angle between the viewing direction and that plane.</param>
+    private static double Within(double angle, double first, double last, double cos) =>
+        angle <= Math.Atan(first * cos) ? first
+        : angle >= Math.Atan(last * cos) ? last
+        : Math.Clamp(Math.Tan(angle) / cos, first, last);
 }

@@ -101,6 +101,36 @@ public sealed class SphereCoverageTests
         Assert.InRange(share.Moon, 0.0, 1e-4);
     }
 
+    /// <summary>
+    /// A camera 100 km over the sphere, whose limb is 71 degrees from the nadir, turned about a line of sight from which no corner of the
+    /// image reaches it: half the image's diagonal is atan(sqrt(1 + aspect^2) tan(fov / 2)).
+    /// </summary>
+    [Theory]
+    [InlineData(120.0, 40.0, 64, 64)]
+    [InlineData(75.0, 5.0, 1024, 1024)]
+    [InlineData(72.5, 2.0, 640, 480)]
+    [InlineData(95.0, 5.0, 50, 200)]
+    [InlineData(180.0, 120.0, 100, 30)]
+    public void Of_EachRollBesideTheSphere_IsExactlyZero(double offNadir, double fov, int width, int height)
+    {
+        Vector3D position = new(Radius + 1e5, 0.0, 0.0);
+        (double sin, double cos) = Math.SinCos(double.DegreesToRadians(offNadir));
+        Vector3D forward = new(-cos, sin, 0.0);
+        Vector3D across = Vector3D.Cross(forward, Vector3D.UnitZ).Normalized();
+        for (int roll = 0; roll < 720; roll++)
+        {
+            (double right, double up) = Math.SinCos(double.DegreesToRadians(0.5 * roll));
+            PinholeCamera camera = new(
+                position, CameraCases.Attitude(forward, (right * across) + (up * Vector3D.UnitZ)), double.DegreesToRadians(fov), width,
+                height);
+
+            SphereShare share = SphereCoverage.Of(camera, SunAhead, Radius);
+
+            Assert.Equal(0L, BitConverter.DoubleToInt64Bits(share.Moon)); // no -0
+            Assert.Null(share.Lit);
+        }
+    }
+
     /// <summary>Cameras from 50 m to 1e9 m, at poles, limbs and corners, with images from 1:50 to 50:1.</summary>
     [Fact]
     public void Of_CamerasOfAllKinds_AreThoseOfManyRays()
