@@ -47,6 +47,8 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
         Assert.Equal("9.000000° S", await viewer.ReadAsync("Latitude", "A"));
         Assert.Equal("–", await viewer.ReadAsync("Incidence", "B"));
 
+        Assert.Matches("^From A to B: 29[.0-9]+ km great-circle distance, ", await viewer.Page.TextContentAsync("#between"));
+
         await viewer.Page.ClickAsync("#profile");
         await viewer.Page.Locator("#profile-save:enabled").WaitForAsync();
         string[] rows = Encoding.UTF8.GetString(await viewer.SavedAsync("profile-save")).Trim().Split('\n');
@@ -148,6 +150,80 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
         await viewer.WaitAsync("() => Number(document.getElementById('mjd').value) > 55308.5");
         await viewer.MoveAsync(() => viewer.Page.ClickAsync("#time-play"));
         Assert.Equal("false", await viewer.Page.GetAttributeAsync("#time-play", "aria-pressed"));
+    }
+
+    /// <summary>The kernels of the repository cover 1900 to 2050: the picture, its time and the field stay those of before.</summary>
+    [RequiresTheory(Part.Chromium, Part.Ldem4)]
+    [InlineData("2060-01-01T00:00:00Z")]
+    [InlineData("1850-06-01T00:00:00Z")]
+    [InlineData("0060-01-01T00:00:00Z")]
+    [InlineData("9999-12-31T00:00:00Z")]
+    public async Task Time_OutsideTheKernels_IsRefusedWithTheYearsThatTheyCover(string time)
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(
+            chromium, server, Small, expected: "the server responded with a status of 4");
+        await viewer.Page.FillAsync("#calendar", time);
+        await viewer.Page.Keyboard.PressAsync("Enter");
+
+        await viewer.WaitAsync(
+            "time => document.getElementById('notice').textContent.includes(`${time} `) && !document.getElementById('notice').hidden",
+            time);
+        await viewer.AtRestAsync();
+        Assert.Matches(
+            "the kernels cover 1899-12-31T23:59:19Z to 2050-12-31T[0-9:]*Z", await viewer.Page.TextContentAsync("#notice"));
+        Assert.Equal("2010-04-21T00:00:00Z", await viewer.Page.InputValueAsync("#calendar"));
+        Assert.Equal(55307.0, await viewer.NumberAsync("mjd"), 1e-8);
+
+        await viewer.MoveAsync(async () =>
+        {
+            await viewer.Page.FillAsync("#calendar", "2050-06-01T00:00:00Z"); // in their last year
+            await viewer.Page.Keyboard.PressAsync("Enter");
+        });
+        Assert.Equal(69958.0, await viewer.NumberAsync("mjd"), 1e-8); // days from 1858-11-17, by Python's datetime
+        Assert.Equal("2050-06-01T00:00:00Z", await viewer.Page.InputValueAsync("#calendar"));
+        Assert.True(await viewer.Page.IsHiddenAsync("#notice"));
+    }
+
+    /// <summary>What is shown before the first picture, in a wide window, with a server that does not draw.</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task FirstSphere_InAWideWindow_IsRound()
+    {
+        IBrowserContext window = await chromium.WindowAsync(1500, 500, hasTouch: false);
+        await using (window)
+        {
+            IPage page = await window.NewPageAsync();
+            await page.AddInitScriptAsync(
+                """
+                WebSocket.prototype.send = () => { };
+                const ask = window.fetch;
+                window.fetch = (path, options) => {
+                    window.isAsked ||= String(path).includes('/v1/render');
+                    return String(path).includes('/v1/render') ? new Promise(() => { }) : ask(path, options);
+                };
+                """);
+            await page.GotoAsync(server.Address);
+            await page.WaitForFunctionAsync("() => window.isAsked");
+
+            double[] size = await page.EvaluateAsync<double[]>(
+                """
+                () => {
+                    const image = document.getElementById('image');
+                    const pixels = image.getContext('2d').getImageData(0, 0, image.width, image.height).data;
+                    const [xs, ys] = [new Set(), new Set()];
+                    for (let i = 0; i < pixels.length / 4; i++) {
+                        if (pixels[4 * i] > 20) {
+                            xs.add(i % image.width);
+                            ys.add(Math.floor(i / image.width));
+                        }
+                    }
+                    const box = image.getBoundingClientRect();
+                    return [xs.size / image.width * box.width, ys.size / image.height * box.height];
+                }
+                """);
+
+            Assert.InRange(size[1], 200.0, 500.0);
+            Assert.Equal(1.0, size[0] / size[1], 0.03); // a pixel of the small picture to its 200
+        }
     }
 
     [RequiresFact(Part.Chromium, Part.Ldem4)]

@@ -55,6 +55,11 @@ const readings = new Readings($('readings'), $('between'), () => {
 const sun = new Sun(() => {
     overlook();
     marks.draw();
+}, (words, known) => {
+    timeBar.stop();
+    state.look({ mjd: known ?? State.FIRST_TIME });
+    timeBar.anchor();
+    tellAboutAddress(words);
 });
 const picture = new Picture(stage, state, () => navigation.isMoving, {
     onShown: () => marks.draw(),
@@ -180,6 +185,9 @@ function show(isStored) {
     if (readings.get('here')) {
         readings.set('here', null);
     }
+    if (!picture.shown) {
+        paintSphere();
+    }
     if (!isStored) {
         picture.draw();
     }
@@ -207,11 +215,15 @@ function tellAboutAddress(words) {
     notice(null);
 }
 
-/** What is there before the server has said anything: the sphere, its size and its light about right. */
-function showSphere() {
-    readAddress();
+/** What is there before the first picture: the sphere, its size and its light about right, in the shape of the pictures to come. */
+function paintSphere() {
     stage.setSize(state.size);
     Stage.paintGrey(stage.image, sphereImage(state.view, state.size));
+}
+
+function showSphere() {
+    readAddress();
+    paintSphere();
     overlook();
 }
 

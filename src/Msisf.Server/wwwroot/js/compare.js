@@ -63,6 +63,10 @@ export class Compare {
             }
         } catch (error) {
             if (!signal.aborted) {
+                if ($('compare-name').dataset.isTime) {
+                    this.#clear(); // the picture of another time
+                    $('second-time').value = text;
+                }
                 this.onProblem(error.message);
             }
         }

@@ -203,7 +203,7 @@ export function sunAt(point, sunPosition) {
     };
 }
 
-/** The shortest way on the reference sphere between the places below two points, m. */
+/** The great-circle distance on the reference sphere between the places below two points, m. */
 export const groundDistance = (a, b) => angleBetween(a, b) * DEGREE * REFERENCE_RADIUS;
 
 /**

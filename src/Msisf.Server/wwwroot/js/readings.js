@@ -129,7 +129,7 @@ export class Readings {
         this.table.dataset.pins = (this.#read.A ? 'A' : '') + (this.#read.B ? 'B' : '');
         const { A, B } = this.#read;
         this.between.textContent = A && B
-            ? `From A to B: ${lengthText(groundDistance(A.position, B.position))} along the ground, `
+            ? `From A to B: ${lengthText(groundDistance(A.position, B.position))} great-circle distance, `
                 + `${lengthText(length(subtract(B.position, A.position)))} straight, `
                 + `${B.height < A.height ? '' : '+'}${fixed(B.height - A.height, 2)} m in height.`
             : A ? 'Pin a second place to measure from A to it.' : 'Point at the picture to read it. Click, or press P, to pin a place.';

@@ -23,8 +23,11 @@ const DEFAULT_PICTURE = { ...FIRST_PICTURE, fit: false, samples: 1, shading: 'fa
 /** Samples that the page offers; as others a frame of a folder is drawn anew with those that are chosen. */
 const SAMPLES = ['auto', 1, 4, 9, 16, 25];
 
+/** The years 1 to 9999, MJD; which of them its kernels cover only the server knows. */
+const YEARS = [-678575, 2973483.999];
+
 /** Least and greatest numbers of the view. */
-const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: [15021, 69805] };
+const LIMITS = { latitude: [-90, 90], altitude: [-9000, 1e9], tilt: [0, 180], fov: [0.01, 175], mjd: YEARS };
 
 /** Least and greatest whole numbers of the picture. */
 const WHOLE_LIMITS = { width: [1, 16384], height: [1, 16384], seed: [0, Number.MAX_SAFE_INTEGER] };
@@ -55,6 +58,9 @@ function readValue(name, text, first, models) {
 }
 
 export class State {
+    /** MJD that is looked at first. */
+    static FIRST_TIME = FIRST_VIEW.mjd;
+
     #listeners = [];
     #before = null;
 

@@ -1,8 +1,11 @@
 // Where the Sun is, as the server computes it, for the time that is looked at.
 
 import { cameraOf, meetSphere, placeOf, rayThrough, scale, sunAt } from './geometry.js';
-import { getJson } from './server.js';
+import { getJson, LostError } from './server.js';
 import { degrees, latitudeText } from './text.js';
+import { calendarOf } from './time.js';
+
+const LAST_MJD = 1e6; // later ones look like Julian Dates to the server
 
 const $ = id => document.getElementById(id);
 
@@ -10,9 +13,14 @@ export class Sun {
     #mjd = null;
     #isAsking = false;
 
-    /** @param onChange is called when the Sun of another time is known. */
-    constructor(onChange) {
-        this.onChange = onChange;
+    #known = null;
+
+    /**
+     * @param onChange is called when the Sun of another time is known.
+     * @param onRefused gets the server's words about a time that its kernels do not cover, and the last one that they do; null for none.
+     */
+    constructor(onChange, onRefused) {
+        Object.assign(this, { onChange, onRefused });
         /** The Sun's position, m, MOON_ME, and its sub-solar point; null before it is known. */
         this.position = null;
         this.subsolar = null;
@@ -30,10 +38,20 @@ export class Sun {
         this.#isAsking = true;
         for (let asked = null; asked !== this.#mjd;) {
             asked = this.#mjd;
-            const sun = await getJson(`/v1/sun?mjd=${asked}`).catch(() => null);
+            let sun = null;
+            let refused = null;
+            try {
+                sun = await getJson(asked > LAST_MJD ? `/v1/sun?utc=${calendarOf(asked)}Z` : `/v1/sun?mjd=${asked}`);
+                this.#known = asked;
+            } catch (error) {
+                refused = error instanceof LostError ? null : error.message;
+            }
             this.position = sun && scale(sun.direction, sun.distance);
             this.subsolar = sun?.sub_solar_point ?? null;
             this.onChange();
+            if (refused && asked === this.#mjd) {
+                this.onRefused(refused, this.#known);
+            }
         }
         this.#isAsking = false;
     }

@@ -11,12 +11,12 @@ export function mjdOf(text) {
     }
     const [year, month, day, hour, minute] = match.slice(1, 6).map(Number);
     const seconds = Number(match[6] ?? 0);
-    const midnight = Date.UTC(year, month - 1, day);
-    const date = new Date(midnight);
-    if (date.getUTCMonth() !== month - 1 || hour > 23 || minute > 59 || seconds >= 60) {
+    const date = new Date(0);
+    date.setUTCFullYear(year, month - 1, day); // Date.UTC takes the years 0 to 99 for those of the 20th century
+    if (year === 0 || date.getUTCMonth() !== month - 1 || hour > 23 || minute > 59 || seconds >= 60) {
         return null;
     }
-    return MJD_OF_1970 + midnight / MILLISECONDS_A_DAY + (hour * 3600 + minute * 60 + seconds) / 86400;
+    return MJD_OF_1970 + date.getTime() / MILLISECONDS_A_DAY + (hour * 3600 + minute * 60 + seconds) / 86400;
 }
 
 /** The time of the calendar of an MJD, to the nearest second, without its Z: 2010-04-06T20:24:00. */

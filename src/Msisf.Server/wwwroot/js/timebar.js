@@ -18,12 +18,19 @@ export class TimeBar {
     #path = null;
     #asked = null;
     #lastTime = 0;
+    #isTyping = false;
 
     constructor(state) {
         this.state = state;
         this.#anchor = state.view.mjd;
         this.isPlaying = false;
+        $('calendar').addEventListener('input', () => this.#isTyping = true);
+        $('calendar').addEventListener('blur', () => {
+            this.#isTyping = false;
+            this.show();
+        });
         $('calendar').addEventListener('change', event => {
+            this.#isTyping = false;
             const mjd = mjdOf(event.target.value.trim().replace(' ', 'T'));
             if (mjd !== null) {
                 state.look({ mjd });
@@ -51,6 +58,12 @@ export class TimeBar {
         this.show();
     }
 
+    stop() {
+        if (this.isPlaying) {
+            this.togglePlay();
+        }
+    }
+
     togglePlay() {
         this.isPlaying = !this.isPlaying;
         $('time-play').setAttribute('aria-pressed', this.isPlaying);
@@ -76,7 +89,7 @@ export class TimeBar {
         if (Math.abs(mjd - this.#anchor) > HALF + 0.01) {
             this.#anchor = mjd;
         }
-        if (document.activeElement !== $('calendar')) {
+        if (!this.#isTyping) {
             $('calendar').value = `${calendarOf(mjd)}Z`;
         }
         $('time-slider').value = mjd - this.#anchor;
