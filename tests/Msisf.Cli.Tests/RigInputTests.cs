@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -41,6 +42,46 @@ public sealed class RigInputTests : IDisposable
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
         Assert.Equal(exitCode, run.ExitCode);
         Assert.False(Directory.Exists(_folder["wrong"]));
+    }
+
+    /// <summary>Half of a right angle about z to four decimals: sqrt(0.3827^2 + 0.9239^2) is 1.000025.</summary>
+    [Theory]
+    [InlineData("--fixed-state {55289,1.9E6,0,0,0,0,0,1}")]
+    [InlineData("--position 0,0,1E5 --time 55289")]
+    [InlineData("--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time 55289")]
+    public void Run_MountingOfFewDecimals_IsTakenWithNormalize(string place)
+    {
+        string rounded = _folder.Write(
+            "rounded.yaml", "cameras:\n  a:\n    fov: 5\n    width: 4\n    height: 4\n    quaternion: [0, 0, 0.3827, 0.9239]\n");
+        string exact = _folder.Write(
+            "exact.yaml",
+            "cameras:\n  a:\n    fov: 5\n    width: 4\n    height: 4\n    quaternion: [0, 0, 0.38269033719097734, 0.9238766724085289]\n");
+
+        CommandLineRun refused = StatesOf(rounded);
+        CommandLineRun taken = StatesOf(rounded, "--normalize");
+        CommandLineRun expected = StatesOf(exact);
+
+        Assert.Contains("'quaternion' has length 1.0000252", refused.Error, StringComparison.Ordinal);
+        Assert.Contains("Add decimals, or give --normalize.", refused.Error, StringComparison.Ordinal);
+        Assert.Equal(0, taken.ExitCode);
+        Assert.NotEmpty(taken.Output);
+        double[] found = NumbersOf(taken.Output);
+        double[] numbers = NumbersOf(expected.Output);
+        Assert.Equal(numbers.Length, found.Length);
+        Assert.All(numbers.Zip(found), pair => Assert.Equal(pair.First, pair.Second, 1e-12 * Math.Max(1.0, Math.Abs(pair.First))));
+
+        CommandLineRun StatesOf(string rig, params string[] more) => CommandLineRun.Of(
+        [
+            "states", "--format", "batch", "--to", _folder["{camera}.tab"], "--renderer", "native", "--rig", rig, .. place.Split(' '),
+            .. more,
+        ]);
+
+        static double[] NumbersOf(string path) =>
+        [
+            .. File.ReadAllLines(path.Trim()).Where(line => !line.StartsWith('#'))
+                .SelectMany(line => line.Split([' ', ','], StringSplitOptions.RemoveEmptyEntries))
+                .Select(word => double.TryParse(word, CultureInfo.InvariantCulture, out double number) ? number : 0.0),
+        ];
     }
 
     [Theory]

@@ -56,6 +56,12 @@ public sealed class WrongInputTests : IDisposable
     [InlineData(
         $"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --framelets 4", 1,
         "no meaning for --camera lroc-nac-l. Give --lines")]
+    [InlineData(
+        $"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --lines 4 --framelets 4", 1,
+        "--framelets has no meaning for --camera lroc-nac-l. Leave it out.")]
+    [InlineData(
+        $"{Orbit} --time 55289 --renderer native --camera lroc-wac-643 --lines 4 --framelets 4", 1,
+        "--lines has no meaning for --camera lroc-wac-643. Leave it out.")]
     [InlineData($"{Orbit} --time 55289 --renderer native --camera lroc-nac-l --scan-period 1", 1, "--scan-period needs --lines: how many.")]
     [InlineData(
         $"{Orbit} --time 55289 --renderer native --camera lroc-wac-643 --lines 4", 1,

@@ -17,8 +17,9 @@ public sealed record RigFile(string Path, IReadOnlyList<RigFileCamera> Cameras, 
 
     /// <summary>Reads a file.</summary>
     /// <param name="options">The keys that a camera may have beside its mounting.</param>
+    /// <param name="isRounded">Whether its quaternions may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
-    public static RigFile Read(string path, IReadOnlyList<string> options)
+    public static RigFile Read(string path, IReadOnlyList<string> options, bool isRounded)
     {
         byte[] content = FileErrors.ToBadInput($"{path}: the rig file can't be read", () => File.ReadAllBytes(path));
         using MemoryStream stream = new(content);
@@ -35,13 +36,13 @@ public sealed record RigFile(string Path, IReadOnlyList<RigFileCamera> Cameras, 
         return new RigFile(
             path,
             sections.Count > 0
-                ? [.. sections.Select(camera => CameraOf(camera.Name, camera.Section, options))]
+                ? [.. sections.Select(camera => CameraOf(camera.Name, camera.Section, options, isRounded))]
                 : throw file.Wrong(CamerasKey, "the rig has no camera. Add the name of one below 'cameras', and its keys below that"),
             new InputFile(
                 InputKind.Rig, System.IO.Path.GetFileName(path), content.Length, Convert.ToHexStringLower(SHA256.HashData(content))));
     }
 
-    private static RigFileCamera CameraOf(string name, SettingsSection section, IReadOnlyList<string> options)
+    private static RigFileCamera CameraOf(string name, SettingsSection section, IReadOnlyList<string> options, bool isRounded)
     {
         if (!MountedCamera.IsName(name))
         {
@@ -54,7 +55,7 @@ public sealed record RigFile(string Path, IReadOnlyList<RigFileCamera> Cameras, 
         try
         {
             return new RigFileCamera(
-                new MountedCamera(name, Mounting.Of(turn, offset)),
+                new MountedCamera(name, Mounting.Of(turn, offset, isRounded)),
                 [.. options.Where(section.Has).Select(key => KeyValuePair.Create(key, section.Text(key)!))]);
         }
         catch (BadInputException wrong)

@@ -65,10 +65,25 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
 
         double count = Path.Cover.Intervals.Sum(interval => Math.Floor((interval.End - interval.Start) / step) + 1.0);
         return count <= MaxImages
-            ? Path.Cover.Intervals.SelectMany(interval => Steps(interval, step))
+            ? EachOnce(Path.Cover.Intervals.SelectMany(interval => Steps(interval, step)))
             : throw MissionOptions.Every.Wrong(Invariant(
                 $"{step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
                     + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."));
+    }
+
+    /// <summary>Leaves out times that are the one before: short steps, and intervals that all but meet, are rounded to such.</summary>
+    private static IEnumerable<ModifiedJulianDate> EachOnce(IEnumerable<ModifiedJulianDate> times)
+    {
+        ModifiedJulianDate? last = null;
+        foreach (ModifiedJulianDate time in times)
+        {
+            if (time != last)
+            {
+                yield return time;
+            }
+
+            last = time;
+        }
     }
 
     private static KernelAttitude Attitude(InstrumentChoice choice, OpenedEphemeris kernels)

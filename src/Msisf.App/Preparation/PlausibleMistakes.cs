@@ -1,5 +1,6 @@
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
@@ -47,7 +48,12 @@ internal static class PlausibleMistakes
     public static IEnumerable<string> In(TrajectorySettings trajectory, CelestialBody body) => trajectory switch
     {
         OrbitSettings orbit => [.. Elements(orbit.Elements), .. Fall(orbit.Elements), .. Rates(orbit), .. Interval(orbit.Times)],
-        PlaceSettings place => [.. Speed([place.Motion]), .. Radius(place.Place, body), .. Interval(place.Times)],
+        PlaceSettings place =>
+        [
+            .. Speed([place.Motion]), .. Radians(PointingOptions.Position, place.Place), .. Radius(place.Place, body),
+            .. place.Pointing.Kind == BoresightKind.Place ? Radians(PointingOptions.LookAt, place.Pointing.Target) : [],
+            .. Interval(place.Times),
+        ],
         _ => Speed([trajectory.Motion]),
     };
 
@@ -166,14 +172,49 @@ internal static class PlausibleMistakes
         }
     }
 
+    /// <summary>The warning that a place deserves whose angles are those of whole degrees, in radians.</summary>
+    private static IEnumerable<string> Radians(OptionSpec option, SurfacePlace place)
+    {
+        double[] angles = [place.LatitudeDegrees, place.LongitudeDegrees];
+        double[] degrees = [.. angles.Select(double.RadiansToDegrees)];
+        bool isMeant = angles.Any(angle => angle != 0.0) && Math.Abs(degrees[0]) < 90.0 + WholeDegrees
+            && Math.Abs(degrees[1]) < 360.0 + WholeDegrees
+            && angles.Zip(degrees).All(
+                pair => pair.First == 0.0 || IsRadiansOfWholeDegrees(NumberSpec.TextOf(Math.Abs(pair.First)), pair.Second));
+        return !isMeant ? [] :
+        [
+            Invariant(
+                $"{option.Name}: latitude and longitude are in degrees. If {angles[0]:R},{angles[1]:R} is radians, write "
+                    + $"{degrees[0]:F2},{degrees[1]:F2}."),
+        ];
+    }
+
     private static IEnumerable<string> Radius(SurfacePlace place, CelestialBody body)
     {
+        if (place.IsOverTerrain)
+        {
+            yield break;
+        }
+
         double height = place.Height - body.MeanRadius;
-        if (!place.IsOverTerrain && height is >= 0.0 and <= LowOrbit)
+        double ofKilometres = (1000.0 * place.Height) - body.MeanRadius;
+        if (height is >= 0.0 and <= LowOrbit)
         {
             yield return Invariant(
                 $"--position: heights are over the surface, not from the Moon's centre. If {place.Height:R} m is from the centre, write "
                     + $"{height:R}.");
+        }
+        else if (ofKilometres is >= 0.0 and <= LowOrbit)
+        {
+            yield return Invariant(
+                $"--position: heights are in metres over the surface. If {place.Height:R} is kilometres from the Moon's centre, write "
+                    + $"{ofKilometres:R}.");
+        }
+        else if (place.Height is > 0.0 and < LeastHeightInMetres)
+        {
+            yield return Invariant(
+                $"--position: heights are in metres over the sphere. If {place.Height:R} is kilometres, write {1000.0 * place.Height:R}; "
+                    + $"if it counts from the terrain, write terrain+{place.Height:R}.");
         }
     }
 

@@ -145,15 +145,18 @@ internal static class StateMotions
                 .About(CameraOptions.Motion, ImageOptions.Camera);
     }
 
+    /// <summary>The motion on an orbit; null where the camera turns too fast to tell it, and no shutter needs it.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="orbit">The orbit with its attitude.</param>
-    /// <exception cref="BadInputException">The camera turns too fast.</exception>
-    public static CameraMotion About(ModifiedJulianDate time, Func<ModifiedJulianDate, SpacecraftState> stateAt, OrbitSettings orbit)
+    /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
+    /// <exception cref="BadInputException">The camera turns too fast for its shutter.</exception>
+    public static CameraMotion? About(
+        ModifiedJulianDate time, Func<ModifiedJulianDate, SpacecraftState> stateAt, OrbitSettings orbit, string? cameraWithShutter)
     {
         double rate = orbit.Attitude?.AngularVelocityCamera.Length ?? 0.0;
         if (rate * 2.0 * HalfStep > MaxTurn)
         {
-            throw new BadInputException(Invariant(
+            return cameraWithShutter is null ? null : throw new BadInputException(Invariant(
                 $"--attitude-transition turns the camera by {rate:G3} rad/s; with a shutter {MaxTurn / (2.0 * HalfStep):G3} rad/s is the "
                     + $"most. Check it, or remove 'shutter' from the camera file."));
         }
@@ -168,17 +171,22 @@ internal static class StateMotions
             : motion;
     }
 
-    /// <summary>The motion on a mission's path at a time; at the ends of its cover of the inner side.</summary>
+    /// <summary>
+    /// The motion on a mission's path at a time; at the ends of its cover of the inner side. Null where the files say the state at this
+    /// time only, and no shutter needs more.
+    /// </summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, inside the cover.</param>
-    public static CameraMotion About(double tdbSeconds, ICameraPath path)
+    /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
+    /// <exception cref="BadInputException">A shutter needs a motion that is not known.</exception>
+    public static CameraMotion? About(double tdbSeconds, ICameraPath path, string? cameraWithShutter)
     {
         double start = path.Cover.Contains(tdbSeconds - HalfStep) ? tdbSeconds - HalfStep : tdbSeconds;
         double end = path.Cover.Contains(tdbSeconds + HalfStep) ? tdbSeconds + HalfStep : tdbSeconds;
         if (start == end)
         {
-            throw new BadInputException(
-                "the files say how the camera is at a single time only, and not how it moves while the shutter is open. Remove 'shutter' "
-                    + "from the camera file.");
+            return cameraWithShutter is null ? null : throw new BadInputException(
+                $"--camera {cameraWithShutter}: the files say how the camera is at a single time only, and not how it moves while the "
+                    + "shutter is open. Remove 'shutter' from the camera file.");
         }
 
         (CameraState before, CameraState after) = (path.At(start), path.At(end));

@@ -29,6 +29,8 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
 
     private bool NeedsMotion => Needs.Any(needs => needs.NeedsMotion);
 
+    private string? CameraWithShutter => Needs.Select(needs => needs.CameraWithShutter).FirstOrDefault(name => name is not null);
+
     private bool NeedsPath => Needs.Any(needs => needs.NeedsPath);
 
     /// <summary>Reads or computes all states of the only camera.</summary>
@@ -183,7 +185,7 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
         {
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time, seconds)) : null };
-            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings) } : state;
+            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings, CameraWithShutter) } : state;
         })];
 
         CameraState CameraAt(ModifiedJulianDate start, double seconds)
@@ -230,11 +232,7 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             {
                 Path = NeedsPath ? new ScanPath(seconds => mission.Path.At(start + seconds)) : null,
             };
-            bool isMoving = Needs.Any(needs => needs.CameraWithShutter is not null)
-                || mission.Path.Cover.Intervals.Any(interval => interval.End > interval.Start);
-            return NeedsMotion && isMoving
-                ? state with { Motion = StateMotions.About(start, mission.Path) }
-                : state;
+            return NeedsMotion ? state with { Motion = StateMotions.About(start, mission.Path, CameraWithShutter) } : state;
         })];
     }
 }

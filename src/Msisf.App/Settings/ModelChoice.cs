@@ -1,5 +1,6 @@
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
@@ -43,11 +44,17 @@ internal static class ModelChoice
         return resolution;
     }
 
-    /// <summary>The resolution of a model of latitude and longitude: a label or image that --ldem names says it itself.</summary>
+    /// <summary>The resolution of a model of latitude and longitude: a label, image or folder that --ldem names says it itself.</summary>
     /// <remarks>A file on the command line goes before a resolution of a configuration file.</remarks>
     public static int CylindricalResolutionOf(OptionValues values)
     {
         string? path = SurfaceOptions.Ldem.ReadIfGiven(values) is { } text ? ModelPath.Parse(text).Path : null;
+        if (Directory.Exists(path) && values.Text(SurfaceOptions.Resolution) is null)
+        {
+            return SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.ResolutionIn(
+                path!, SurfaceOptions.Resolution.Read(values), CelestialBody.Of(SurfaceOptions.Body.Read(values))));
+        }
+
         bool isFile = File.Exists(path); // a missing one is told when it is opened
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));

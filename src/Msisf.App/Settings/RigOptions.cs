@@ -36,7 +36,7 @@ internal static class RigOptions
 
         values.Refuse(OfCamera, $"and {Rig.Name} exclude each other: the rig file says it of each camera. Leave one out.", Rig);
         RigFile file = Rig.NamedInErrors(() => File.Exists(path)
-            ? RigFile.Read(path, [.. OfCamera.Select(option => option.Key)])
+            ? RigFile.Read(path, [.. OfCamera.Select(option => option.Key)], CameraOptions.Normalize.Read(values))
             : throw new BadInputException(Directory.Exists(path)
                 ? $"{Rig.Name} {path}: is a folder; a rig file is needed."
                 : $"{Rig.Name} {path}: there is no such file."));

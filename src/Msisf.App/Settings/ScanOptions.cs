@@ -66,10 +66,10 @@ internal static class ScanOptions
     {
         (int? lines, int? framelets, double? period) =
             (Lines.ReadIfGiven(values), Framelets.ReadIfGiven(values), Period.ReadIfGiven(values));
-        OptionSpec? given = lines is not null ? Lines : framelets is not null ? Framelets : null;
+        OptionSpec[] given = [.. lines is null ? [] : (OptionSpec[])[Lines], .. framelets is null ? [] : (OptionSpec[])[Framelets]];
         if (camera?.Scan is not { } scan)
         {
-            return (given ?? (period is null ? null : Period)) is { } wrong
+            return (given.FirstOrDefault() ?? (period is null ? null : Period)) is { } wrong
                 ? throw wrong.Wrong(
                     $"needs a camera that scans: one whose file has the section 'scan'. Give it by {ImageOptions.Camera.Name}, or leave "
                         + $"{wrong.Name} out.", ImageOptions.Camera)
@@ -82,13 +82,15 @@ internal static class ScanOptions
             ScanKind.PushFrame => Framelets,
             _ => null,
         };
-        if (given is not null && given != own)
+        if (given.FirstOrDefault(option => option != own) is { } other)
         {
-            throw given.Wrong($"has no meaning for --camera {camera.Name}"
-                + (own is null ? ", whose rows are its height. Leave it out." : $". Give {own.Name}."), ImageOptions.Camera);
+            string advice = own is null ? ", whose rows are its height. Leave it out."
+                : given.Length > 1 ? ". Leave it out."
+                : $". Give {own.Name}.";
+            throw other.Wrong($"has no meaning for --camera {camera.Name}{advice}", ImageOptions.Camera);
         }
 
-        if (own is not null && given is null)
+        if (own is not null && given.Length == 0)
         {
             return period is null
                 ? null

@@ -93,7 +93,7 @@ internal sealed class TrajectorySettingsReader
         }
 
         if (way != CameraOptions.FixedState && way != _batchFile && !_values.IsGiven(CameraOptions.Attitude)
-            && !_values.IsGiven(MissionOptions.Aem))
+            && !_values.IsGiven(MissionOptions.Aem) && !_values.IsGiven(RigOptions.Rig))
         {
             _values.Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
         }

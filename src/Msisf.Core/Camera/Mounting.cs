@@ -8,17 +8,20 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
     /// <summary>Takes the numbers of a mounting.</summary>
     /// <param name="quaternion">Body from camera, the scalar last.</param>
     /// <param name="offset">m, body axes.</param>
+    /// <param name="isRounded">Whether the quaternion may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">The quaternion is no rotation.</exception>
-    public static Mounting Of(ReadOnlySpan<double> quaternion, ReadOnlySpan<double> offset)
+    public static Mounting Of(ReadOnlySpan<double> quaternion, ReadOnlySpan<double> offset, bool isRounded = false)
     {
         double length = double.Hypot(double.Hypot(quaternion[0], quaternion[1]), double.Hypot(quaternion[2], quaternion[3]));
-        return Math.Abs(length - 1.0) <= Tolerances.UnitQuaternionLength
+        double error = Math.Abs(length - 1.0);
+        string cure = error <= Tolerances.RoundedRotation ? ". Add decimals, or give --normalize." : ".";
+        return error <= (isRounded ? Tolerances.RoundedRotation : Tolerances.UnitQuaternionLength)
             ? new Mounting(
-                UnitQuaternion.FromComponents(quaternion[0], quaternion[1], quaternion[2], quaternion[3]),
+                UnitQuaternion.FromComponents(quaternion[0], quaternion[1], quaternion[2], quaternion[3], isRounded),
                 new Vector3D(offset[0], offset[1], offset[2]))
             : throw new BadInputException(Invariant(
                 $"'quaternion' has length {length:R}, and a rotation needs length 1: qx, qy, qz and the scalar q0, each with at least 7 "
-                    + $"decimals."));
+                    + $"decimals{cure}"));
     }
 
     /// <summary>Where the camera is.</summary>

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.RealImages;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
@@ -17,6 +18,27 @@ public sealed class ImageLabelReaderTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
+
+    /// <summary>As ISIS 2 wrote them: its cubes begin with an SFDU label, as some PDS products do.</summary>
+    [Theory]
+    [InlineData("clementine.cub")]
+    [InlineData("clementine.img")]
+    public void Read_CubeOfIsis2_IsNamedAsWhatItIs(string name)
+    {
+        File.WriteAllText(
+            _folder[name],
+            "CCSD3ZF0000100000001NJPL3IF0PDS200000001 = SFDU_LABEL\r\nRECORD_TYPE = FIXED_LENGTH\r\n^QUBE = 5\r\nOBJECT = QUBE\r\n"
+                + "  AXES = 3\r\n  CORE_ITEMS = (64,64,1)\r\nEND_OBJECT = QUBE\r\nEND\r\n");
+
+        string image = Assert.Throws<BadInputException>(() => ImageLabelReader.Read(_folder[name])).Message;
+        string model = Assert.Throws<BadInputException>(() => LdemLabelReader.ReadFile(_folder[name])).Message;
+
+        Assert.Equal(
+            $"{_folder[name]}: a cube of ISIS 2, which is not read. Give the PDS product that it was made from, or a cube of ISIS 3 or "
+                + "later.",
+            image);
+        Assert.Equal(image, model);
+    }
 
     /// <summary>Products of each kind, type, byte order and order of bands, written by numpy from the formats' own pages.</summary>
     [RequiresFact(Part.Numpy)]

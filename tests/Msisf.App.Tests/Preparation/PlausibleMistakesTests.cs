@@ -27,6 +27,16 @@ public sealed class PlausibleMistakesTests
         "--fixed-state {55289,2E6,0,0,0,0,0,1} --motion {0,1.6E6,0,0,0,0}",
         "the camera moves at 1,600 km/s: velocities are in m/s. If 1600000 is mm/s, or km/s that were multiplied twice, write 1600.")]
     [InlineData("--position 1,2,1837400 --time 55289", "If 1837400 m is from the centre, write 100000.")]
+    [InlineData("--position 1,2,1837.4 --time 55289", "If 1837.4 is kilometres from the Moon's centre, write 100000.")]
+    [InlineData("--position 1,2,100 --time 55289", "If 100 is kilometres, write 100000; if it counts from the terrain, write terrain+100.")]
+    [InlineData(
+        "--position 0.5236,-1.0472,1E5 --time 55289",
+        "--position: latitude and longitude are in degrees. If 0.5236,-1.0472 is radians, write 30.00,-60.00.")]
+    [InlineData("--position 0,5.75959,1E5 --time 55289", "If 0,5.75959 is radians, write 0.00,330.00.")]
+    [InlineData("--position -0.78540,0,terrain+1E5 --time 55289", "is radians, write -45.00,0.00.")]
+    [InlineData(
+        "--position 1,2,1E5 --look-at 0.1745,0.5236 --time 55289",
+        "--look-at: latitude and longitude are in degrees. If 0.1745,0.5236 is radians, write 10.00,30.00.")]
     [InlineData(
         "--state-vectors {1.9E6,0,0,0,1.6,0} --epoch 55289 --time 55289",
         "the velocity of --state-vectors is in m/s. One in km/s is to be multiplied by 1000.")]
@@ -43,6 +53,15 @@ public sealed class PlausibleMistakesTests
     [InlineData($"{Elements} --time-interval [55289:60:55200]")] // leads away: an error of its own
     [InlineData("--position 1,2,3E4 --times {55289}")]
     [InlineData("--position 1,2,terrain+1837400 --time 55289")]
+    [InlineData("--position 1,2,100000 --time 55289")] // as the warnings advise
+    [InlineData("--position 1,2,terrain+100 --time 55289")]
+    [InlineData("--position 30.00,-60.00,1E5 --time 55289")]
+    [InlineData("--position 1,2,-1500 --time 55289")] // in a crater
+    [InlineData("--position 1,2,1000 --time 55289")]
+    [InlineData("--position 0,0,1E5 --time 55289")]
+    [InlineData("--position 0.6741,-1.0472,1E5 --time 55289")] // 38.62 degrees: not both
+    [InlineData("--position 0.52,1.05,1E5 --time 55289")] // two digits may be anything
+    [InlineData("--position 1.6581,0.5236,1E5 --time 55289")] // 95 degrees are no latitude
     [InlineData("--position 1,2,2E6 --time 55289")]
     [InlineData("--state-vectors {1.9E6,0,0,0,160,0} --epoch 55289 --time 55289")] // a landing from a tenth of the circular velocity
     [InlineData("--fixed-state {55289,2E6,2E6,0,0,0,0,1}")]

@@ -85,6 +85,23 @@ public static class LdemCatalog
     /// <exception cref="BadInputException">It is missing, or no label of a cylindrical model.</exception>
     public static int ResolutionOf(string labelOrImage) => ReadCylindrical(labelOrImage, body: null).PixelsPerDegree;
 
+    /// <summary>
+    /// Resolution of the models of a folder, px/deg: the usual one if it has such a model, or none at all; else that of its only ones.
+    /// </summary>
+    /// <param name="folder">The folder, which exists.</param>
+    /// <param name="usual">px/deg: the resolution that counts among several.</param>
+    /// <param name="body">The body of which they must be.</param>
+    /// <exception cref="BadInputException">There are several others.</exception>
+    public static int ResolutionIn(string folder, int usual, CelestialBody body)
+    {
+        int[] found = [.. LabelsIn(folder, ".LBL", body).Select(label => label.PixelsPerDegree).Distinct().Order()];
+        return found.Length == 0 || found.Contains(usual) ? usual
+            : found is [int only] ? only
+            : throw new BadInputException(
+                $"{folder}: it has elevation models of {string.Join(", ", found)} px/deg. Add --res with one of these numbers, or name a "
+                    + "label.");
+    }
+
     /// <summary>A named model of any body.</summary>
     /// <inheritdoc cref="Read"/>
     public static LdemSet ReadOfAnyBody(string labelOrImage) => WithSiblings(ReadCylindrical(labelOrImage, body: null));

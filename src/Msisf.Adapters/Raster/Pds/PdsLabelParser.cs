@@ -38,8 +38,10 @@ internal sealed class PdsLabelParser
         PdsLabelParser parser = new(text, file);
         if (parser._token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
         {
-            throw new BadInputException($"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). "
-                + $"Give the .LBL file that belongs to the elevation model.");
+            bool isIsis2 = text.StartsWith("CCSD3ZF", StringComparison.Ordinal) && text.Contains("^QUBE", StringComparison.Ordinal);
+            throw new BadInputException(isIsis2
+                ? $"{file}: a cube of ISIS 2, which is not read. Give the PDS product that it was made from, or a cube of ISIS 3 or later."
+                : $"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). Give the .LBL file that belongs to it.");
         }
 
         return parser.ReadLabel();

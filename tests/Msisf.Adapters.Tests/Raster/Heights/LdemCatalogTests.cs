@@ -51,6 +51,19 @@ public sealed class LdemCatalogTests : IDisposable
         Assert.Equal(_folder["LDEM_1.LBL"], LdemCatalog.Find(1, _folder[name], []).Location);
     }
 
+    /// <summary>One resolution is that of the folder; of several the usual one counts, and without it the user has to choose.</summary>
+    [Fact]
+    public void ResolutionIn_AFolder_IsThatOfItsModels()
+    {
+        Assert.Equal(4, LdemCatalog.ResolutionIn(_folder.Path, 4, CelestialBody.Moon));
+
+        Put("LDEM_1.LBL");
+        Put("notes.lbl", "not a label");
+        Assert.Equal(1, LdemCatalog.ResolutionIn(_folder.Path, 4, CelestialBody.Moon));
+        Assert.Equal(4, LdemCatalog.ResolutionIn(_folder.Path, 4, CelestialBody.Find("MERCURY")!));
+        Assert.Equal(1, LdemCatalog.ResolutionIn(_folder.Path, 1, CelestialBody.Moon));
+    }
+
     [Fact]
     public void TryFind_Nothing_IsNull()
     {
