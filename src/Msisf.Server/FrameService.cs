@@ -94,11 +94,13 @@ internal sealed class FrameService : IAsyncDisposable
     public IReadOnlyList<string> CollectWarnings() => _log.Collect();
 
     /// <param name="work">Receives the session and the number of threads.</param>
-    /// <param name="isLarge">Whether the work is that of a large image.</param>
+    /// <param name="samples">Samples that are drawn; 0 for what is no image.</param>
+    /// <param name="isLarge">Whether the work is that of a large image, however many samples it has.</param>
     public Task<T> RunAsync<T>(
-        RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client, bool isLarge = false) =>
+        RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client, long samples = 0,
+        bool isLarge = false) =>
         _queue.RunAsync(
-            isLarge,
+            new Demand(AskingClient.Name, samples, isLarge || samples > SmallSamples),
             (threads, end) =>
             {
                 using SharedCache<RenderSession>.Lease session = Sessions.Rent(requested);
@@ -124,17 +126,18 @@ internal sealed class FrameService : IAsyncDisposable
                 return true;
             },
             client,
-            plan.IsSentAsMade || IsLarge(requested.Settings)).ConfigureAwait(false);
+            SamplesOf(requested.Settings),
+            plan.IsSentAsMade).ConfigureAwait(false);
         Metrics.FrameDrawn(Stopwatch.GetElapsedTime(start));
     }
 
-    /// <summary>Whether drawing an image takes longer than drawing one of 1024 x 1024 px with a sample in each.</summary>
-    public static bool IsLarge(RenderSettings settings)
+    /// <summary>Samples of an image, by which is told how long it takes.</summary>
+    public static long SamplesOf(RenderSettings settings)
     {
         long acrossPixel = settings.Native.Render.Adaptive is null
             ? settings.Native.Render.SubsamplesPerAxis
             : AdaptiveSampling.SubsamplesPerAxis;
-        return settings.Width * acrossPixel * settings.Height * acrossPixel > SmallSamples;
+        return settings.Width * acrossPixel * settings.Height * acrossPixel;
     }
 
     /// <summary>Closes all models, but not under work that does not end: it would read memory that is gone.</summary>

@@ -157,6 +157,7 @@ internal sealed class HttpServer : IAsyncDisposable
     {
         RequestGuard guard = new(_settings);
         _web.Use((context, next) => RequestErrors.HandleAsync(context, next, guard, _frames.Metrics, host.Log));
+        _web.Use(AskingClient.NoteAsync);
         _web.UseWebSockets(new WebSocketOptions { KeepAliveInterval = TimeSpan.FromSeconds(30) });
         AddFiles();
         _web.UseRouting();

@@ -63,7 +63,7 @@ internal sealed class PointsEndpoints(FrameService frames)
             frame,
             (session, threads, end) => Read(session, frame, request.Points, threads, end),
             context.RequestAborted,
-            isLarge: !frame.IsTraceable && FrameService.IsLarge(frame.Settings)).ConfigureAwait(false);
+            samples: frame.IsTraceable ? 0 : FrameService.SamplesOf(frame.Settings)).ConfigureAwait(false);
         await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
     }
 

@@ -53,7 +53,7 @@ internal sealed class RenderEndpoint(FrameService frames)
                 $"a request with '{StreamCamera.ListKey}' has '{StreamCamera.FrameKey}', the options of all images, and nothing else.");
         }
 
-        IReadOnlyList<StreamCamera> read = StreamCamera.Read(cameras);
+        IReadOnlyList<StreamCamera> read = StreamCamera.Read(cameras, frame);
         return form.IsMultipart
             ? [.. StreamCamera.WithOnePlace(read, [.. read.Select(camera => camera.Of(frames, frame))])
                 .Select((requested, index) => ($"{read[index].NameAt(index)}.", requested))]

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using Msisf.App.Serving;
+using Msisf.App.Settings;
 using Msisf.Core.Camera;
 
 namespace Msisf.Server;
@@ -24,7 +25,8 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
 
     /// <summary>Reads the cameras; a rig if one of them has a name or a mounting.</summary>
     /// <param name="cameras">A list of objects.</param>
-    public static IReadOnlyList<StreamCamera> Read(JsonElement cameras)
+    /// <param name="frame">The options of all cameras.</param>
+    public static IReadOnlyList<StreamCamera> Read(JsonElement cameras, JsonElement frame)
     {
         if (cameras.ValueKind != JsonValueKind.Array || cameras.GetArrayLength() is < 1 or > Most)
         {
@@ -38,7 +40,9 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             return [.. members.Select(camera => new StreamCamera(camera, Rig: null))];
         }
 
-        MountedCamera[] mounted = [.. members.Select(MountedOf)];
+        bool isRounded = frame.ValueKind == JsonValueKind.Object
+            && frame.TryGetProperty(CameraOptions.Normalize.Key, out JsonElement normalize) && normalize.ValueKind == JsonValueKind.True;
+        MountedCamera[] mounted = [.. members.Select((camera, index) => MountedOf(camera, index, isRounded))];
         return mounted.Select(camera => camera.Name).Distinct(StringComparer.OrdinalIgnoreCase).Count() == mounted.Length
             ? [.. members.Select((camera, index) => new StreamCamera(
                 camera.Where(option => !Keys.Contains(option.Key)).ToDictionary(), new RigCamera(mounted, index)))]
@@ -71,7 +75,7 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             ? frames
             : [.. frames.Select(frame => frame.At(frames[0].Place))];
 
-    private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index)
+    private static MountedCamera MountedOf(IReadOnlyDictionary<string, JsonElement> camera, int index, bool isRounded)
     {
         string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : DefaultName(index);
         if (!MountedCamera.IsName(name))
@@ -82,7 +86,8 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
         try
         {
             return new MountedCamera(
-                name, Mounting.Of(Numbers(camera, QuaternionKey, [0.0, 0.0, 0.0, 1.0]), Numbers(camera, OffsetKey, [0.0, 0.0, 0.0])));
+                name,
+                Mounting.Of(Numbers(camera, QuaternionKey, [0.0, 0.0, 0.0, 1.0]), Numbers(camera, OffsetKey, [0.0, 0.0, 0.0]), isRounded));
         }
         catch (BadInputException wrong)
         {

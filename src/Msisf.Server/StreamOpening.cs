@@ -39,7 +39,7 @@ internal sealed record StreamOpening(
 
     private static IReadOnlyList<StreamCamera> CamerasOf(IReadOnlyDictionary<string, JsonElement> members) =>
         members.TryGetValue("cameras", out JsonElement cameras)
-            ? StreamCamera.Read(cameras)
+            ? StreamCamera.Read(cameras, FrameOf(members))
             : [new StreamCamera(new Dictionary<string, JsonElement>(), Rig: null)];
 
     private static bool FlagOf(IReadOnlyDictionary<string, JsonElement> members, string name) =>

@@ -101,11 +101,23 @@ public sealed class RigRequestTests(RunningServer server) : IClassFixture<Runnin
         Assert.Equal(2, said.Split("heights are over the surface").Length);
     }
 
+    [RequiresFact(Part.Ldem4)]
+    public async Task MountingOfFewDecimals_IsTakenWithNormalize()
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render",
+            $$"""{"frame": { {{RunningServer.SmallFrame}}, "normalize": true }, "cameras": [{"quaternion": [0, 0, 0.3827, 0.9239]}] }""",
+            "multipart/mixed");
+
+        Assert.True(answer.StatusCode == HttpStatusCode.OK, await answer.Content.ReadAsStringAsync());
+    }
+
     [RequiresTheory(Part.Ldem4)]
     [InlineData("[]", "multipart/mixed", 400, "a list of 1 to 16 objects")]
     [InlineData("[{\"name\": \"a\"}, {\"name\": \"a\"}]", "multipart/mixed", 400, "have one name")]
     [InlineData("[{\"name\": \"a b\"}]", "multipart/mixed", 400, "is no name of a camera")]
     [InlineData("[{\"quaternion\": [0, 0, 0, 2]}]", "multipart/mixed", 400, "has length 2, and a rotation")]
+    [InlineData("[{\"quaternion\": [0, 0, 0.3827, 0.9239]}]", "multipart/mixed", 400, "Add decimals, or give --normalize.")]
     [InlineData("[{\"fov\": 4}, {\"fov\": 400}]", "multipart/mixed", 400, "--fov")]
     [InlineData("[{\"fov\": 4}]", "image/png", 406, "several cameras are answered in several parts")]
     [InlineData("[{\"fov\": 4}, {\"camera-model\": \"isis\"}]", "multipart/mixed", 400, "is for runs of msis")]

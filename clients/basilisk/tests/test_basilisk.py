@@ -363,4 +363,30 @@ def test_wrong_options(words, message_of_error):
 
 def test_an_address_that_is_taken(server):
     run = subprocess.run([MSIS, "serve", "--basilisk", server.address], capture_output=True, text=True, timeout=60)
-    assert run.returncode == 3 and "can't be listened on" in run.stderr and len(run.stderr.splitlines()) == 1
+    assert run.returncode == 3 and run.stderr == (
+        f"msis: error: --basilisk {server.address}: can't be listened on: another program listens there. End it, or choose another port.\n")
+    foreign = "tcp://192.0.2.1:5556"  # RFC 5737: no computer has it
+    run = subprocess.run([MSIS, "serve", "--basilisk", foreign], capture_output=True, text=True, timeout=60)
+    assert run.returncode == 3 and run.stderr == (
+        f"msis: error: --basilisk {foreign}: can't be listened on: this computer has no such address. Choose one that it has.\n")
+
+
+def test_a_run_that_ends_in_an_impact_is_drawn_again(tmp_path):
+    """What was refused (below the ground, beside its time) is not in the record, so that the record's command draws all that was."""
+    server = Server(tmp_path, "--record record")
+    viz, flyby = VizInterface(server.address), Flyby()
+    images = []
+    for frame, seconds in enumerate((1000.0, 1010.0, 1020.0), 1):
+        viz.update(flyby.message(frame, seconds, first=frame == 1))
+        images.append(viz.image(7))
+    moon, moon_from_n, _, attitude = flyby.at(1030.0)
+    bodies = [body("Moon_planet_data", moon, moon_from_n), body("sun_planet_data", flyby.SUN)]
+    fallen = craft("lander", moon + moon_from_n.T @ [1.6e6, 0.0, 0.0], rodrigues_of_matrix(attitude))
+    viz.update(message(4, 1030e9, bodies, [fallen], [flyby.CAMERA.message()]))
+    assert viz.image(7) is None
+    viz.close()
+    server.end()
+    assert all(images) and "no image: " in server.log
+    record = tmp_path / "record/camera-7.csv"
+    assert len(recorded(record)[1]) == len(images)
+    assert draw_again(record, tmp_path / "again") == images

@@ -101,6 +101,7 @@ def test_after_the_end_of_the_server_the_errors_say_so():
             frame = moon.render(*state, camera=small)
             with moon.stream(camera=small) as stream:
                 os.killpg(moon._process._process.pid, end)
+                moon._process._process.wait(60)
                 for ask in (lambda: stream.render(*state), moon.models, lambda: moon.render(*state), lambda: frame.locate((1, 1))):
                     with pytest.raises(msisf.ServerError, match=f"the server that msisf.Moon.. started has ended {words}"):
                         ask()

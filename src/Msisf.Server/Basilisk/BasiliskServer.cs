@@ -57,9 +57,14 @@ internal sealed class BasiliskServer : IAsyncDisposable
         }
         catch (NetMQException exception)
         {
-            throw new ExternalPartException(
-                $"{ServeOptions.Basilisk.Name} {address}: can't be listened on: {exception.Message}. End what listens there, or choose "
-                    + "another port.", exception);
+            string why = exception.ErrorCode switch
+            {
+                ErrorCode.AddressAlreadyInUse => "another program listens there. End it, or choose another port.",
+                ErrorCode.AddressNotAvailable => "this computer has no such address. Choose one that it has.",
+                ErrorCode.AccessDenied => "the system does not allow it. Choose a port from 1024 on.",
+                _ => $"{exception.ErrorCode}. Choose another address or port.",
+            };
+            throw new ExternalPartException($"{ServeOptions.Basilisk.Name} {address}: can't be listened on: {why}", exception);
         }
 
         server._poller.RunAsync("Basilisk");

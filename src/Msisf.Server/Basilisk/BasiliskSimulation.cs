@@ -77,11 +77,11 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
                         + $"{(message.Cameras.Count == 0 ? "none" : string.Join(", ", message.Cameras.Select(camera => camera.Id)))}.");
             SpacecraftState state = StateOf(message, camera);
             RequestedFrame requested = RequestedOf(camera);
-            settings.Record?.Add(camera.Id, () => ArgumentsOf(requested), state);
             using Answer answer = frames.Answers.InMemory();
             FixedStateSettings place = new(state) { Noise = requested.Noise };
             IReadOnlyList<string> warnings = frames.CollectWarnings();
             await frames.DrawAsync(requested, place, AnswerForm.Of(AnswerForm.Png), answer, cancellation).ConfigureAwait(false);
+            settings.Record?.Add(camera.Id, () => ArgumentsOf(requested), state); // what was refused can't be drawn again
             foreach (string warning in warnings)
             {
                 note(warning);

@@ -1,0 +1,27 @@
+namespace Msisf.Server;
+
+/// <summary>
+/// Who asks what is worked on: clients share the server evenly. The name that a client gives itself, so that programs of one computer are
+/// told apart; else its address.
+/// </summary>
+internal static class AskingClient
+{
+    /// <summary>Header with a name that a client makes up for itself.</summary>
+    public const string Header = "X-Msisf-Client";
+
+    /// <summary>Characters of the name that count.</summary>
+    private const int Longest = 64;
+
+    private static readonly AsyncLocal<string?> Current = new();
+
+    /// <summary>The client of the request that is answered; empty for work of the server's own.</summary>
+    public static string Name => Current.Value ?? string.Empty;
+
+    /// <summary>Notes whose request it is, for all that is done to answer it.</summary>
+    public static Task NoteAsync(HttpContext context, RequestDelegate next)
+    {
+        string named = context.Request.Headers[Header].ToString();
+        Current.Value = $"{context.Connection.RemoteIpAddress} {named[..Math.Min(named.Length, Longest)]}";
+        return next(context);
+    }
+}

@@ -1,0 +1,73 @@
+using System.Globalization;
+using System.Net;
+using System.Text;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Server.Tests;
+
+/// <summary>One client asks for more than the server can draw at once; others notice little of it.</summary>
+public sealed class FairnessTests(RunningServer server) : IClassFixture<RunningServer>
+{
+    /// <summary>One that is drawn at once and as many as may wait: more than this would be refused.</summary>
+    private const int Requests = MostWaiting + 1;
+
+    private const int MostWaiting = 64;
+
+    /// <summary>Requests of the busy client that may be answered before the other's: those that are drawn, and a turn more.</summary>
+    private static readonly int MostBefore = 3 * Environment.ProcessorCount;
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("other", 1024, 1024)] // the same image: by its name
+    [InlineData(null, 64, 64)] // a small one, of the same address
+    public async Task ManyRequestsOfOne_LetTheOthersBeAnsweredFirst(string? name, int width, int height)
+    {
+        using HttpClient busy = new() { BaseAddress = server.Client.BaseAddress };
+        (await AskAsync(busy, null, 16, 16)).Dispose(); // the model is open, and all is compiled
+        int answered = 0;
+        Task<HttpStatusCode>[] many =
+        [
+            .. Enumerable.Range(0, Requests).Select(async _ =>
+            {
+                using HttpResponseMessage answer = await AskAsync(busy, name is null ? null : "busy", 1024, 1024);
+                Interlocked.Increment(ref answered);
+                return answer.StatusCode;
+            }),
+        ];
+        await UntilMostWaitAsync();
+        int before = Volatile.Read(ref answered);
+
+        using HttpResponseMessage other = await AskAsync(server.Client, name, width, height);
+        int meanwhile = Volatile.Read(ref answered) - before;
+        HttpStatusCode[] codes = await Task.WhenAll(many);
+
+        Assert.Equal(HttpStatusCode.OK, other.StatusCode);
+        // On a slow computer the last ones exceed --max-seconds; none is refused because too many wait.
+        Assert.All(codes, code => Assert.True(code is HttpStatusCode.OK or HttpStatusCode.ServiceUnavailable, $"{code}"));
+        Assert.InRange(meanwhile, 0, MostBefore);
+    }
+
+    private Task UntilMostWaitAsync() => Within.Seconds(60.0, "most requests to wait", () =>
+    {
+        string metrics = server.Client.GetStringAsync("/metrics").GetAwaiter().GetResult();
+        string line = metrics.Split('\n').Single(line => line.StartsWith("msisf_waiting ", StringComparison.Ordinal));
+        return int.Parse(line.Split(' ')[1], CultureInfo.InvariantCulture) > MostWaiting / 2;
+    });
+
+    private static async Task<HttpResponseMessage> AskAsync(HttpClient client, string? name, int width, int height)
+    {
+        using HttpRequestMessage request = new(HttpMethod.Post, "/v1/render")
+        {
+            Content = new StringContent(
+                FormattableString.Invariant(
+                    $$"""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "width": {{width}}, "height": {{height}}}"""),
+                Encoding.UTF8, "application/json"),
+        };
+        if (name is not null)
+        {
+            request.Headers.Add("X-Msisf-Client", name);
+        }
+
+        return await client.SendAsync(request);
+    }
+}
