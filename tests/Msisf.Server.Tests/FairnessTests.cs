@@ -23,38 +23,37 @@ public sealed class FairnessTests(RunningServer server) : IClassFixture<RunningS
     public async Task ManyRequestsOfOne_LetTheOthersBeAnsweredFirst(string? name, int width, int height)
     {
         using HttpClient busy = new() { BaseAddress = server.Client.BaseAddress };
-        (await AskAsync(busy, null, 16, 16)).Dispose(); // the model is open, and all is compiled
+        using CancellationTokenSource enough = new();
+        (await AskAsync(busy, null, 16, 16, default)).Dispose(); // the model is open, and all is compiled
         int answered = 0;
-        Task<HttpStatusCode>[] many =
+        Task[] many =
         [
-            .. Enumerable.Range(0, Requests).Select(async _ =>
-            {
-                using HttpResponseMessage answer = await AskAsync(busy, name is null ? null : "busy", 1024, 1024);
-                Interlocked.Increment(ref answered);
-                return answer.StatusCode;
-            }),
+            .. Enumerable.Range(0, Requests)
+                .Select(_ => AskAsync(busy, name is null ? null : "busy", 1024, 1024, enough.Token))
+                .Select(asked => asked.ContinueWith(
+                    answer => answer.IsCompletedSuccessfully ? Interlocked.Increment(ref answered) : 0, TaskScheduler.Default)),
         ];
         await UntilMostWaitAsync();
         int before = Volatile.Read(ref answered);
 
-        using HttpResponseMessage other = await AskAsync(server.Client, name, width, height);
+        using HttpResponseMessage other = await AskAsync(server.Client, name, width, height, default);
         int meanwhile = Volatile.Read(ref answered) - before;
-        HttpStatusCode[] codes = await Task.WhenAll(many);
+        await enough.CancelAsync();
+        await Task.WhenAll(many);
 
         Assert.Equal(HttpStatusCode.OK, other.StatusCode);
-        // On a slow computer the last ones exceed --max-seconds; none is refused because too many wait.
-        Assert.All(codes, code => Assert.True(code is HttpStatusCode.OK or HttpStatusCode.ServiceUnavailable, $"{code}"));
         Assert.InRange(meanwhile, 0, MostBefore);
     }
 
     private Task UntilMostWaitAsync() => Within.Seconds(60.0, "most requests to wait", () =>
     {
         string metrics = server.Client.GetStringAsync("/metrics").GetAwaiter().GetResult();
-        string line = metrics.Split('\n').Single(line => line.StartsWith("msisf_waiting ", StringComparison.Ordinal));
-        return int.Parse(line.Split(' ')[1], CultureInfo.InvariantCulture) > MostWaiting / 2;
+        string waiting = metrics.Split('\n').Single(line => line.StartsWith("msisf_waiting ", StringComparison.Ordinal));
+        return int.Parse(waiting.Split(' ')[1], CultureInfo.InvariantCulture) > MostWaiting / 2;
     });
 
-    private static async Task<HttpResponseMessage> AskAsync(HttpClient client, string? name, int width, int height)
+    private static async Task<HttpResponseMessage> AskAsync(
+        HttpClient client, string? name, int width, int height, CancellationToken cancellation)
     {
         using HttpRequestMessage request = new(HttpMethod.Post, "/v1/render")
         {
@@ -68,6 +67,6 @@ public sealed class FairnessTests(RunningServer server) : IClassFixture<RunningS
             request.Headers.Add("X-Msisf-Client", name);
         }
 
-        return await client.SendAsync(request);
+        return await client.SendAsync(request, cancellation);
     }
 }

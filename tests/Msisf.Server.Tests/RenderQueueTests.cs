@@ -90,8 +90,8 @@ public sealed class RenderQueueTests
         await Within.Seconds(30.0, "both places", () => queue.Running == 2);
         Task[] waiting =
         [
-            .. new (string Client, int Thousands)[] { ("a", 900), ("a", 800), ("a", 500), ("c", 1000), ("a", 400) }.Select(
-                work => Named(work.Client, work.Thousands, $"{work.Client}{work.Thousands}", null)),
+            Named("a", 900, "a900", null), Named("a", 800, "a800", null), Named("a", 500, "a500", null), Named("c", 1000, "c1000", null),
+            Named("a", 400, "a400", null),
         ];
         int waited = queue.Waiting;
 
