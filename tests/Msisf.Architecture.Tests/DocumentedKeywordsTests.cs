@@ -41,6 +41,7 @@ public sealed partial class DocumentedKeywordsTests
     [InlineData("opencv", "k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4", "model: opencv\n  {0}: 1e-3")]
     [InlineData("fisheye", "k1 k2 k3 k4", "model: fisheye\n  {0}: 1e-3")]
     [InlineData("owen", "e1 e2 e3 e4 e5 e6", "model: owen\n  {0}: 1e-5")]
+    [InlineData("brown", "k0 k1 k2 k3 p1 p2 s1 s2 s3 s4 x0 y0", "model: brown\n  {0}: 1e-5")]
     public void Lens_EachCoefficient_IsWhereThePageSays(string name, string coefficients, string section)
     {
         string[] order = coefficients.Split();

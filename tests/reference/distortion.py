@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Distorted points by the published formulas, 50 digits: OpenCV's rational model with tangential and thin prism terms and its fisheye
-(OpenCV 4, Camera Calibration and 3D Reconstruction), Owen's model as NASA's GIANT has it, and the radial and polynomial models of
-instrument kernels. Prints rows for tests/Msisf.Core.Tests/Camera/Lenses/DistortionTests.cs.
+(OpenCV 4, Camera Calibration and 3D Reconstruction), Owen's model as NASA's GIANT has it, and the radial, polynomial and Brown's models
+of instrument kernels. Prints rows for tests/Msisf.Core.Tests/Camera/Lenses/DistortionTests.cs.
 
     python3 tests/reference/distortion.py
 """
@@ -54,6 +54,15 @@ def polynomial(x, y, f, radial, *c):
     return x + add[0] / f, y + add[1] / f
 
 
+def brown(x, y, f, k0, k1, k2, k3, p1, p2, s1, s2, s3, s4, x0, y0):
+    x, y = f * x, f * y  # mm
+    a, b = x - x0, y - y0
+    r2 = a * a + b * b
+    radial = k0 + k1 * r2 + k2 * r2**2 + k3 * r2**3
+    return ((x + a * radial + p1 * (r2 + 2 * a * a) + 2 * p2 * a * b + s1 * r2 + s2 * r2**2) / f,
+            (y + b * radial + 2 * p1 * a * b + p2 * (r2 + 2 * b * b) + s3 * r2 + s4 * r2**2) / f)
+
+
 KAGUYA_LIKE = m("-0.02 1.3e-4 -2.7e-6 -6.2e-7 -0.07 -9.8e-4 8.6e-6 3.7e-7".split())
 MODELS = {
     "opencv": lambda x, y: opencv(x, y, *m("-0.15 0.04 0.003 -0.002 -0.005 0.02 0.01 0.002 0.001 -0.0005 -0.002 0.0007".split())),
@@ -61,6 +70,7 @@ MODELS = {
     "owen": lambda x, y: owen(x, y, mpf(10), *m("1e-4 -5e-4 2e-6 -1e-6 3e-4 -2e-4".split())),
     "radial-factor": lambda x, y: factor(x, y, mpf("6.0308669"), *m("0.0113109452166359 0.000144463288593614 4.88754251291127e-6".split())),
     "radial-division": lambda x, y: division(x, y, mpf("699.62"), mpf("1.81e-8")),
+    "brown": lambda x, y: brown(x, y, mpf(40), *m("3e-3 2e-5 -4e-8 5e-12 1e-4 -2e-4 3e-5 -1e-8 -2e-5 2e-8 0.4 -0.7".split())),
     "polynomial-radius": lambda x, y: polynomial(x, y, mpf("72.45"), True, *KAGUYA_LIKE),
     "polynomial-x": lambda x, y: polynomial(x, y, mpf("72.45"), False, *KAGUYA_LIKE),
 }

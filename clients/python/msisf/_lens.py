@@ -109,8 +109,18 @@ def _polynomial(x: NDArray[Any], y: NDArray[Any], argument: NDArray[Any], k: Seq
     return x + k[0] + s * (k[1] + s * (k[2] + s * k[3])), y + k[4] + s * (k[5] + s * (k[6] + s * k[7]))
 
 
+def _brown(x: "NDArray[Any]", y: "NDArray[Any]", k: Sequence[float]) -> Plane:
+    k0, k1, k2, k3, p1, p2, s1, s2, s3, s4, x0, y0 = k
+    a, b = x - x0, y - y0
+    q = a * a + b * b
+    factor = k0 + q * (k1 + q * (k2 + q * k3))
+    return (x + a * factor + p1 * (q + 2.0 * a * a) + 2.0 * p2 * a * b + q * (s1 + q * s2),
+            y + b * factor + 2.0 * p1 * a * b + p2 * (q + 2.0 * b * b) + q * (s3 + q * s4))  # fmt: skip
+
+
 _FROM_IDEAL: Dict[str, Formula] = {"opencv": _opencv, "owen": _owen, "fisheye": _fisheye}
 _FROM_MEASURED: Dict[str, Formula] = {
+    "brown": _brown,
     "radial-factor": _radial,
     "radial-division": _division,
     "polynomial-radius": lambda x, y, k: _polynomial(x, y, np.sqrt(x * x + y * y), k),

@@ -118,8 +118,25 @@ def polynomial(lens, focal):
     return True, ideal
 
 
+def brown(lens, focal):
+    k0, k1, k2, k3, p1, p2, s1, s2, s3, s4, x0, y0 = (
+        lens.get(name, 0.0) for name in ("k0", "k1", "k2", "k3", "p1", "p2", "s1", "s2", "s3", "s4", "x0", "y0")
+    )
+
+    def ideal(at):
+        x, y = (focal * at - [x0, y0]).T
+        q = x * x + y * y
+        c = k0 + k1 * q + k2 * q**2 + k3 * q**3
+        u = c * x + p1 * (q + 2 * x * x) + 2 * p2 * x * y + s1 * q + s2 * q * q
+        v = c * y + 2 * p1 * x * y + p2 * (q + 2 * y * y) + s3 * q + s4 * q * q
+        return at + np.stack([u, v], axis=1) / focal
+
+    return True, ideal
+
+
 LENSES = {
     "opencv": opencv, "brown-conrady": opencv, "owen": owen, "fisheye": fisheye, "radial": radial, "polynomial": polynomial,
+    "brown": brown,
 }  # fmt: skip
 
 

@@ -21,6 +21,8 @@ LENSES = {
                                                         "x": [0.01, 0.002, -0.03, 0.001], "y": [-0.02, 0.01, 0.02]}},
     "polynomial x": {**MILLIMETRES, "distortion": {"model": "polynomial", "argument": "x",
                                                    "x": [0.01, 0.002, -0.03, 0.001], "y": [-0.02, 0.01, 0.02]}},
+    "brown": {**MILLIMETRES, "distortion": {"model": "brown", "k0": 0.01, "k1": 0.03, "k2": 0.004, "k3": 0.0005, "p1": 0.003, "p2": -0.002,
+                                            "s1": 0.002, "s2": 0.001, "s3": -0.003, "s4": -0.001, "x0": 0.1, "y0": -0.05}},
 }  # fmt: skip
 PROMISED = 1e-9  # px
 

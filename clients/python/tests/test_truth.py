@@ -39,6 +39,9 @@ CAMERAS = {
         "model": "polynomial", "argument": "radius", "x": [0.01, 2e-3, -1e-3, 1e-4], "y": [-0.02, 1e-3, 2e-3, -1e-4]}},
     "polynomial of x": {**IN_MM, "distortion": {
         "model": "polynomial", "argument": "x", "x": [0.01, 2e-3, -1e-3, 1e-4], "y": [-0.02, 1e-3, 2e-3, -1e-4]}},
+    "brown": {**IN_MM, "skew": 1, "distortion": {
+        "model": "brown", "k0": 0.01, "k1": -3e-3, "k2": 1e-4, "k3": 1e-6, "p1": 2e-3, "p2": -1e-3, "s1": 1e-3, "s2": 1e-4, "s3": -2e-3,
+        "s4": -1e-4, "x0": 0.1, "y0": -0.2}},
 }  # fmt: skip
 
 # Electrons that are in proportion to the light, up to the highest DN.

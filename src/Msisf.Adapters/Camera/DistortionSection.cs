@@ -18,6 +18,7 @@ internal static class DistortionSection
         ["fisheye"] = ["k1", "k2", "k3", "k4"],
         ["radial"] = ["k", "form"],
         ["polynomial"] = ["x", "y", "argument"],
+        ["brown"] = ["k0", "k1", "k2", "k3", "p1", "p2", "s1", "s2", "s3", "s4", "x0", "y0"],
     };
 
     /// <summary>Reads the section.</summary>
@@ -38,7 +39,7 @@ internal static class DistortionSection
         string[] keys = KeysOfModels[model];
         section = file.Section(Section, $"the distortion model '{model}'", ["model", .. keys])!;
         double Value(string key) => section.Number(key) ?? 0.0;
-        if (model is "brown-conrady" or "opencv" or "owen" or "fisheye" && !keys.Any(section.Has))
+        if (model is "brown-conrady" or "opencv" or "owen" or "fisheye" or "brown" && !keys.Any(section.Has))
         {
             throw section.Missing(keys[0], $"at least one coefficient of {string.Join(", ", keys)}; the others are 0");
         }
@@ -55,6 +56,12 @@ internal static class DistortionSection
             "fisheye" => new FisheyeDistortion([Value("k1"), Value("k2"), Value("k3"), Value("k4")]),
             "radial" => Radial(section, focalLength),
             "polynomial" => Polynomial(section, focalLength),
+            "brown" => new BrownDistortion(
+                [Value("k0"), Value("k1"), Value("k2"), Value("k3")],
+                [Value("p1"), Value("p2")],
+                [Value("s1"), Value("s2"), Value("s3"), Value("s4")],
+                (Value("x0"), Value("y0")),
+                Millimetres(section, focalLength, "brown")),
             _ => null,
         };
         return distortion is null or { IsNone: true } ? null : distortion;

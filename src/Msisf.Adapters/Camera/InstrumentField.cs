@@ -81,5 +81,5 @@ internal sealed class InstrumentField(KernelPool pool, string prefix)
 
     private BadInputException Wrong(string what) => new(
         $"{pool.Existing(prefix + "FOV_SHAPE").Source}: the field of view {what}, and there is no {prefix}FOCAL_LENGTH. "
-            + "Give the camera with --camera instead.");
+            + "Give the camera with --camera FILE instead.");
 }

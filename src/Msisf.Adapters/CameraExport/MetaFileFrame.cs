@@ -89,7 +89,7 @@ public static class MetaFileFrame
         string model = Text(element, "model");
         double[] c = Numbers(element, model switch
         {
-            "opencv" => 12,
+            "opencv" or "brown" => 12,
             "fisheye" => 4,
             "owen" => 6,
             "radial-factor" or "radial-division" => 3,
@@ -99,6 +99,7 @@ public static class MetaFileFrame
         return model switch // coefficients are in units of the focal length, which is 1 then
         {
             "opencv" => new OpenCvDistortion([c[0], c[1], .. c.AsSpan(4, 4)], c.AsSpan(2, 2), c.AsSpan(8)),
+            "brown" => new BrownDistortion(c.AsSpan(0, 4), c.AsSpan(4, 2), c.AsSpan(6, 4), (c[10], c[11]), 1.0),
             "fisheye" => new FisheyeDistortion(c),
             "owen" => new OwenDistortion(c, 1.0),
             "radial-factor" or "radial-division" => new RadialDistortion(c, model == "radial-division", 1.0),

@@ -10,8 +10,8 @@ using Xunit;
 namespace Msisf.Adapters.Tests.Camera;
 
 /// <summary>
-/// Cameras by the keywords of instrument kernels. What is expected is ISIS's way from a direction to a pixel, by hand: mm in the focal
-/// plane, distortion, ITRANSS and ITRANSL.
+/// Cameras by the keywords of instrument kernels that no row of the table of lenses names. What is expected is ISIS's way from a direction
+/// to a pixel, by hand: mm in the focal plane, ITRANSS and ITRANSL.
 /// </summary>
 public sealed class InstrumentKernelTests : IDisposable
 {
@@ -31,12 +31,14 @@ public sealed class InstrumentKernelTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    /// <summary>Samples along +y, lines along -x; skewed samples; ISIS's three coefficients, whose first scales.</summary>
+    /// <summary>Samples along +y, lines along -x; skewed samples; the constants of ITRANSS and ITRANSL, whatever names the axis.</summary>
     [Theory]
-    [InlineData("", 0.0, 0.0, 0.0, 0.0)]
-    [InlineData("INS-77_ITRANSS = ( 3.0 4.0 50.0 )\n", 4.0, 0.0, 0.0, 0.0)]
-    [InlineData("INS-77_OD_K = ( 0.001 2E-4 1E-6 )\n", 0.0, 0.001, 2e-4, 1e-6)]
-    public void Camera_OfIsissKeywords_HasIsissPixels(string more, double skew, double k0, double k1, double k2)
+    [InlineData("", 0.0)]
+    [InlineData("INS-77_ITRANSS = ( 3.0 4.0 50.0 )\n", 4.0)]
+    [InlineData("INS-77_BORESIGHT_SAMPLE = 200.5\nINS-77_BORESIGHT_LINE = 150.5\nINS-77_CCD_CENTER = ( 9 9 )\n", 0.0)]
+    [InlineData("INS-77_TRANSX = ( -0.04 0.0 -0.02 )\nINS-77_TRANSY = ( -0.06 0.02 0.0 )\n", 0.0)]
+    [InlineData("INS-77_OD_K = ( 0 0 0 )\nINS-77_PP = ( 0 0 )\nINS-77_CONSTANT_TIME_OFFSET = 3\n", 0.0)]
+    public void Camera_OfIsissKeywords_HasIsissPixels(string more, double skew)
     {
         InstrumentKernel kernel = Kernel(Frame + Transform + more);
         CameraModel model = kernel.Camera().Model;
@@ -44,18 +46,49 @@ public sealed class InstrumentKernelTests : IDisposable
 
         foreach ((double x, double y) in ((double, double)[])[(0.0, 0.0), (1.1, -0.7), (-2.3, 3.1)])
         {
-            // ISIS takes the distortion off what it measured in the focal plane (mm), and goes on with what is left.
-            double r2 = (x * x) + (y * y);
-            double factor = 1.0 - (k0 + (k1 * r2) + (k2 * r2 * r2));
-            Vector3D direction = new(x * factor, y * factor, 50.0);
             double sample = 200.5 + 3.0 + (skew * x) + (50.0 * y);
             double line = 150.5 - 2.0 - (50.0 * x);
 
-            Vector3D inCamera = frameFromImage.Conjugate * direction;
+            Vector3D inCamera = frameFromImage.Conjugate * new Vector3D(x, y, 50.0);
             Assert.True(model.At(new CameraState(default, UnitQuaternion.Identity)).TryProjectPoint(inCamera, out RenderingPoint seen));
             Assert.Equal(sample, seen.X, 1e-6);
             Assert.Equal(line, seen.Y, 1e-6);
         }
+    }
+
+    /// <summary>What turns rays in a way that no row of the table knows is named, and what to do.</summary>
+    [Theory]
+    [InlineData("OD_K = ( 0.001 2E-4 1E-6 )")]
+    [InlineData("OD_K = 1E-5")]
+    [InlineData("OD_CENTER = ( 1 2 )")]
+    [InlineData("DISTORTION_COEF_X = ( 0 1E-4 )")]
+    [InlineData("DISTORTION_C3 = 1")]
+    [InlineData("DECENTER = ( 1E-5 0 )")]
+    [InlineData("PP = ( 0 0.1 )")]
+    [InlineData("KAPPA = 0.3")]
+    [InlineData("K1 = 1E-4")]
+    [InlineData("P2 = 1E-4")]
+    [InlineData("ALPHA0 = 1E-4")]
+    [InlineData("ADD_OFFSET = ( 3 4 )")]
+    [InlineData("FILTER_OFFSET = 30")]
+    [InlineData("POINT_OF_SYMMETRY = ( 4.6 -4.6 )")]
+    [InlineData("PERSPECTIVE_FACTORS = ( 1E-6 1E-6 )")]
+    [InlineData("EULER_ANGLES = ( 0 0.1 0 )")]
+    [InlineData("BORESIGHT = ( 0.01 0 1 )")]
+    [InlineData("TRANSX = ( 0.0 0.0 -0.021 )\nINS-77_TRANSY = ( 0.0 0.02 0.0 )")]
+    [InlineData("TRANSX = ( 0.1 0.0 -0.02 )\nINS-77_TRANSY = ( 0.0 0.02 0.0 )")]
+    [InlineData("PIXEL_PITCH = 0.00002")]
+    [InlineData("PIXEL_PITCH = 0.002")]
+    [InlineData("PIXEL_PITCH = 20")]
+    public void Camera_KeywordThatTurnsRays_IsNamed(string keyword)
+    {
+        string data = Frame + Transform + $"INS-77_{keyword}\n";
+
+        BadInputException error = Assert.Throws<BadInputException>(() => Kernel(data).Camera());
+
+        Assert.Matches(@"eye\.ti, line \d+: ", error.Message);
+        Assert.Contains($" {keyword[..keyword.IndexOf(' ', StringComparison.Ordinal)]} of EYE ", error.Message, StringComparison.Ordinal);
+        Assert.EndsWith("Give the camera with --camera FILE instead.", error.Message, StringComparison.Ordinal);
     }
 
     /// <summary>NAIF's kernels without ISIS's additions: the pitch, and the axes that the user gives.</summary>
@@ -108,19 +141,28 @@ public sealed class InstrumentKernelTests : IDisposable
     [InlineData("INS-77_ITRANSS = ( 3.0 0.0 50.0 )\n", "", false, "No kernel has INS-77_ITRANSS of EYE, which says how its image lies")]
     [InlineData("INS-77_FOCAL_LENGTH = 50.0\n", "", false, "No kernel has INS-77_FOCAL_LENGTH of EYE. Add its instrument kernel (IK)")]
     [InlineData("INS-77_CCD_CENTER = ( 200.5 150.5 )\n", "", false, "No kernel has INS-77_CCD_CENTER of EYE")]
-    [InlineData("INS-77_PIXEL_PITCH = 0.02\n", "", true, "No kernel has INS-77_PIXEL_PITCH of EYE")]
-    [InlineData("PITCH = 0.02", "PITCH = -0.02", true, "PIXEL_PITCH of EYE is not above 0")]
+    [InlineData("PITCH = 0.02", "PITCH = -0.02", false, "PIXEL_PITCH of EYE is not above 0")]
+    [InlineData("INS-77_ITRANSL = ( -2.0 -50.0 0.0 )\n", "", false, "ITRANSS of EYE has no ITRANSL beside it")]
+    [InlineData("( -2.0 -50.0 0.0 )", "( -2.0 0.0 50.0 )", false, "ITRANSS of EYE is along ITRANSL")]
+    [InlineData("( 0 0 1 )", "( 0 1 0 )", true, "BORESIGHT of EYE is (0, 1, 0), off the axis of its image")]
     [InlineData("( 0 0 1 )", "( 0 1 0 )", false, "the boresight of EYE is (0, 1, 0), not near +z")]
     [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 50.0 0.0 )", false, "describe an image that is mirrored as seen along +z. Say how the image")]
     [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 0.0 0.0 )", false, "ITRANSL of EYE has no direction")]
     [InlineData("( -2.0 -50.0 0.0 )", "( 2.0 0.0 )", false, "INS-77_ITRANSL has 2 numbers, 3 expected")]
-    [InlineData("PIXEL_LINES = 300\n", "PIXEL_LINES = 300\nINS-77_OD_K = ( 1 2 )\n", false, "OD_K of EYE has 2 numbers; 1 (LROC's) and 3")]
     [InlineData("PIXEL_LINES = 300\n", "PIXEL_LINES = 300.5\n", false, "INS-77_PIXEL_LINES is 300.5, a whole number expected")]
     [InlineData("INS-77_FOV_FRAME = 'EYE'\n", "", false, "No kernel says which frame instrument -77 has (INS-77_FOV_FRAME")]
     public void Camera_KeywordMissingOrWrong_IsNamed(string right, string wrong, bool hasAxes, string expected) => Assert.Contains(
         expected,
         Assert.Throws<BadInputException>(
             () => Kernel((Frame + Transform).Replace(right, wrong, StringComparison.Ordinal)).Camera(hasAxes ? Right : null)).Message,
+        StringComparison.Ordinal);
+
+    [Fact]
+    public void Camera_WithAxesAndNothingElse_NeedsThePitch() => Assert.Contains(
+        "No kernel has INS-77_PIXEL_PITCH of EYE",
+        Assert.Throws<BadInputException>(() => Kernel(
+            Frame.Replace("INS-77_PIXEL_PITCH = 0.02\n", "", StringComparison.Ordinal).Replace("( 0 0 1 )", "( 1 0 0 )")).Camera(Right))
+            .Message,
         StringComparison.Ordinal);
 
     private InstrumentKernel WithField(string field) =>

@@ -9,7 +9,7 @@ internal static class LensCases
     public static IReadOnlyList<string> Names { get; } =
     [
         "principal-point", "barrel", "pincushion", "rational", "prism", "owen", "fisheye", "radial-factor", "radial-division", "polynomial",
-        "polynomial-of-x",
+        "polynomial-of-x", "brown",
     ];
 
     /// <summary>A camera.</summary>
@@ -43,6 +43,9 @@ internal static class LensCases
                 new FisheyeDistortion([0.02, -0.005, 0.001, -0.0002])),
             "radial-factor" => With(new RadialDistortion([0.12 / t2, 0.01 / (t2 * t2), 0.001 / (t2 * t2 * t2)], isDivision: false, 1.0)),
             "radial-division" => With(new RadialDistortion([0.08 / t2], isDivision: true, 1.0)),
+            "brown" => With(new BrownDistortion(
+                [0.01, 0.05 / t2, 0.01 / (t2 * t2), 0.001 / (t2 * t2 * t2)], [0.01 / t, -0.015 / t],
+                [0.01 / t, -0.002 / (t * t2), -0.01 / t, 0.001 / (t * t2)], (0.05 * t, -0.1 * t), 1.0)),
             "polynomial" => With(new PolynomialDistortion(
                 [-0.01 * t, 0.02, 0.01 / t, -0.005 / t2], [0.02 * t, -0.01, 0.02 / t, 0.002 / t2], isRadial: true, 1.0)),
             "polynomial-of-x" => With(new PolynomialDistortion(

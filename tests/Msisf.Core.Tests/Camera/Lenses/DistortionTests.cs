@@ -35,6 +35,10 @@ public sealed class DistortionTests
     [InlineData("radial-division", -0.55, 0.4, -0.54775559325522320729, 0.39836770418561687803)]
     [InlineData("radial-division", 0.01, 0.002, 0.0099999907862601391224, 0.0019999981572520278245)]
     [InlineData("radial-division", 0.7, 0.65, 0.69438645612131053624, 0.64478742354121692651)]
+    [InlineData("brown", 0.3, -0.2, 0.30368109590421060625, -0.20295343280614654531)]
+    [InlineData("brown", -0.55, 0.4, -0.53947010827461395, 0.38993864478813015469)]
+    [InlineData("brown", 0.01, 0.002, 0.01000197720746236, 0.0020493069723798001611)]
+    [InlineData("brown", 0.7, 0.65, 0.67415331035053020625, 0.61386244733894362344)]
     [InlineData("polynomial-radius", 0.3, -0.2, 0.29959284985248570175, -0.20114749661563592451)]
     [InlineData("polynomial-radius", -0.55, 0.4, -0.55130172849355272331, 0.39926638046426658105)]
     [InlineData("polynomial-radius", 0.01, 0.002, 0.00972524949956379483, 0.0010238892059705358702)]
@@ -66,6 +70,7 @@ public sealed class DistortionTests
     [InlineData("owen")]
     [InlineData("radial-factor")]
     [InlineData("radial-division")]
+    [InlineData("brown")]
     [InlineData("polynomial-radius")]
     [InlineData("polynomial-x")]
     public void Apply_Slopes_AreThoseOfTheFormula(string model)
@@ -117,6 +122,8 @@ public sealed class DistortionTests
         "radial-factor" => new RadialDistortion(
             [0.0113109452166359, 0.000144463288593614, 4.88754251291127e-6], isDivision: false, 6.0308669),
         "radial-division" => new RadialDistortion([1.81e-8], isDivision: true, 699.62),
+        "brown" => new BrownDistortion(
+            [3e-3, 2e-5, -4e-8, 5e-12], [1e-4, -2e-4], [3e-5, -1e-8, -2e-5, 2e-8], (0.4, -0.7), 40.0),
         _ => new PolynomialDistortion(
             [-0.02, 1.3e-4, -2.7e-6, -6.2e-7], [-0.07, -9.8e-4, 8.6e-6, 3.7e-7], isRadial: model == "polynomial-radius", 72.45),
     });
