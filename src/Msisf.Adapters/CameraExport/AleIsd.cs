@@ -4,7 +4,7 @@ using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;
 
-/// <summary>Writes image support data (ISD), as ALE does; km, s, and pixels along a row in place of mm.</summary>
+/// <summary>Writes image support data (ISD), as ALE does; km, s, and the lens' unit in place of mm.</summary>
 internal static class AleIsd
 {
     private const double MetresPerKilometre = 1000.0;
@@ -44,7 +44,7 @@ internal static class AleIsd
                 WriteExposures(json, frame, ScanTimes.Of(frame));
             }
 
-            json.Object("focal_length_model", () => json.Real("focal_length", camera.FocalX));
+            json.Object("focal_length_model", () => json.Real("focal_length", sensor.FocalLength));
             json.Array("focal2pixel_lines", sensor.Lines);
             json.Array("focal2pixel_samples", sensor.Samples);
             json.Object("detector_center", () =>

@@ -96,11 +96,12 @@ public sealed class CameraFormat
             return;
         }
 
+        string Missing() => wrong.IsCsm && CsmLens.Difference(camera) is { } difference ? $" ({difference})" : string.Empty;
         string[] able = [.. All.Where(format => format.HasCamera && Has(format)).Select(format => format.Word)];
         string[] traits =
         [
             .. scan is not null ? ["a camera that scans"] : (string[])[],
-            .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients"] : (string[])[],
+            .. camera.Distortion is { } lens ? [$"the lens '{lens.Name}' with these coefficients{Missing()}"] : (string[])[],
             .. camera.Skew != 0.0 ? ["skew pixels"] : (string[])[],
         ];
         throw new BadInputException(
@@ -135,7 +136,13 @@ public sealed class CameraFormat
         IEnumerable<CameraFormat> formats, ExportedFrame frame, Action<string> note, Action<string> warn)
     {
         ExportedFrame written = frame;
-        if (frame.Scan is { } scan && formats.Any(format => format.IsCsm))
+        bool isCsm = formats.Any(format => format.IsCsm);
+        if (isCsm && CsmLens.Difference(frame.Camera.Model) is { } difference)
+        {
+            (CsmLens.Of(frame.Camera.Model).Misfit > CsmScan.Promised ? warn : note)($"Camera model of {frame.Name}: {difference}.");
+        }
+
+        if (frame.Scan is { } scan && isCsm)
         {
             CsmScan csm = CsmScan.Of(frame.Camera.Model, scan);
             written = frame with { Csm = csm };

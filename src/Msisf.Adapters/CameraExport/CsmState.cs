@@ -4,7 +4,7 @@ using static Msisf.Adapters.CameraExport.ExportedNumber;
 
 namespace Msisf.Adapters.CameraExport;
 
-/// <summary>Writes the state of USGSCSM's camera: the model's name, then JSON; m, s, and pixels along a row in place of mm.</summary>
+/// <summary>Writes the state of USGSCSM's camera: the model's name, then JSON; m, s, and the lens' unit in place of mm.</summary>
 internal static class CsmState
 {
     public static void Write(TextWriter writer, ExportedFrame frame)
@@ -30,7 +30,7 @@ internal static class CsmState
             json.WriteString("m_collectionIdentifier", string.Empty);
             json.WriteNumber("m_nLines", camera.Height);
             json.WriteNumber("m_nSamples", camera.Width);
-            json.Real("m_focalLength", camera.FocalX);
+            json.Real("m_focalLength", sensor.FocalLength);
             json.Real("m_focalLengthEpsilon", 0.0);
             json.Array("m_iTransS", s);
             json.Array("m_iTransL", l);
@@ -48,7 +48,7 @@ internal static class CsmState
 }
 
 /// <summary>
-/// Writes the state of USGSCSM's line-scan or push-frame camera: the model's name, then JSON; m, s, and pixels along a row in place of mm.
+/// Writes the state of USGSCSM's line-scan or push-frame camera: the model's name, then JSON; m, s, and the lens' unit in place of mm.
 /// </summary>
 internal static class CsmScanState
 {
@@ -87,7 +87,7 @@ internal static class CsmScanState
             }
 
             json.Real("m_centerEphemerisTime", times.Center);
-            json.Real("m_focalLength", frame.Camera.Model.FocalX);
+            json.Real("m_focalLength", sensor.FocalLength);
             json.Real("m_zDirection", 1.0);
             json.Array("m_iTransS", sensor.Samples);
             json.Array("m_iTransL", sensor.Lines);

@@ -51,6 +51,10 @@ public sealed class ScanModelTests : IDisposable
         new("radial", LineScan + "distortion: {model: radial, form: factor, k: [0.004, 0.0003]}\n", "--lines 30", Tumbling),
         new("polynomial", LineScan + "distortion: {model: polynomial, argument: radius, x: [0.01, 0.002, -0.003, 0.0005], "
             + "y: [-0.02, 0.001, 0.002]}\n", "--lines 30", Tumbling),
+        new("along-row", LineScan + "distortion: {model: polynomial, argument: x, x: [0.01, 0.002, -0.003, 0.0005], "
+            + "y: [-0.02, 0.001, 0.002]}\n", "--lines 30", Tumbling),
+        new("wide", OnAxis.Replace("width: 40", "width: 300", StringComparison.Ordinal).Replace("23.5", "140", StringComparison.Ordinal)
+            + "distortion: {model: radial, form: division, k: [0.002]}\n", "--lines 12", Tumbling),
         new("division", OnAxis + "distortion: {model: radial, form: division, k: [0.004]}\n", "--lines 30", Tumbling),
         new("three", LineScan, "--lines 3", Tumbling),
         new("one", LineScan, "--lines 1", Tumbling),

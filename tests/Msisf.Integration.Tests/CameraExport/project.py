@@ -97,7 +97,8 @@ def lens_csm(kind, k, x, y, f):
         a, b = opencv(x / f, y / f, k)
         return a*f, b*f
     if kind == 4:
-        return inverse(lambda a, b: (a, b / (1 + k[0]*b*b)), x, y)
+        a, b = inverse(lambda a, b: (a, b / (1 + k[0]*b*b)), x, y)
+        return a, np.where(np.abs(y) > 40, y, b)  # the unit is meant to be mm
     if kind == 1:
         terms = np.array([np.ones_like(x), x, y, x*x, x*y, y*y, x**3, x*x*y, x*y*y, y**3])
         return np.tensordot(k[:10], terms, 1), np.tensordot(k[10:], terms, 1)
