@@ -1,16 +1,23 @@
 using System.Security.Cryptography;
 using System.Text;
+using Msisf.Adapters.CameraImport;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 
 namespace Msisf.Adapters.Camera;
 
-/// <summary>Reads camera files (docs/cameras.md): the keys of the top level; each section has a class of its own.</summary>
+/// <summary>
+/// Reads camera files (docs/cameras.md): the keys of the top level; each section has a class of its own. Files of other programs become
+/// such keys first (<see cref="CameraFormats"/>).
+/// </summary>
 public static class CameraFileReader
 {
     /// <summary>px: maximum width and height.</summary>
     public const int MaxSide = 16384;
+
+    /// <summary>Bytes: the states of a long scan have some million; of a cube no more than this is read.</summary>
+    private const int LargestFile = 64 << 20;
 
     private const double MetresPerMillimetre = 1e-3;
 
@@ -28,6 +35,7 @@ public static class CameraFileReader
         [("msis", 1.0), ("opencv", 0.0), ("colmap", 0.5), ("isis", 1.0), ("matlab", 1.0)];
 
     /// <summary>Reads a file.</summary>
+    /// <param name="path">The file; of one with several cameras <c>FILE,camera=NAME</c>.</param>
     /// <param name="preset">Name of the preset; null for a file of the user, which is named by its file name.</param>
     /// <param name="size">Width and height, px, for a file that does not say them; null where they are not known.</param>
     /// <exception cref="BadInputException">There is no such file, or what is wrong in it, by file, line and column.</exception>
@@ -35,15 +43,15 @@ public static class CameraFileReader
     {
         byte[] content = FileErrors.ToBadInput($"{path}: the camera file can't be read", () =>
         {
-            using FileStream stream = File.OpenRead(path);
-            byte[] bytes = new byte[ConfigFileReader.LargestSize + 1];
+            using FileStream stream = File.OpenRead(CameraFormats.Split(path).Path);
+            byte[] bytes = new byte[stream.CanSeek ? Math.Min(stream.Length, LargestFile) : LargestFile];
             return bytes[..stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false)];
         });
         return Parse(content, path, preset, size: size);
     }
 
     /// <summary>Reads a file's content.</summary>
-    /// <param name="path">For messages.</param>
+    /// <param name="path">For messages; of a file with several cameras <c>FILE,camera=NAME</c>.</param>
     /// <param name="preset">Name of the preset; null for a file of the user.</param>
     /// <param name="mayNameFiles">Whether it may name another file, the PSF's kernel.</param>
     /// <param name="size">Width and height, px, for a file that does not say them; null where they are not known.</param>
@@ -51,8 +59,11 @@ public static class CameraFileReader
     public static CameraFile Parse(
         byte[] content, string path, string? preset = null, bool mayNameFiles = true, (int? Width, int? Height) size = default)
     {
+        (string filePath, string? camera) = CameraFormats.Split(path);
         using MemoryStream stream = new(content);
-        SettingsSection file = new(path, "a camera", (1, 1), ConfigFileReader.Read(stream, path, levels: 1), Keys);
+        SettingsSection file = new(
+            filePath, "a camera", (1, 1),
+            CameraFormats.Read(content, filePath, camera) ?? ConfigFileReader.Read(stream, filePath, levels: 1), Keys);
         int? ownWidth = file.Whole("width", 1, MaxSide);
         int? ownHeight = file.Whole("height", 1, MaxSide);
         int width = ownWidth ?? size.Width ?? throw file.Missing("width", "how many pixels a row of the image has; or give --width");

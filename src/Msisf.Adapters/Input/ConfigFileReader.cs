@@ -7,9 +7,8 @@ namespace Msisf.Adapters.Input;
 /// <summary>
 /// Reads configuration files: one YAML map from keys to values or lists of values; in files that have sections also to such maps.
 /// Everything
-/// else in YAML (anchors, aliases, tags, several documents) is refused. No other class names YamlDotNet, so that it is loaded only when
-/// there
-/// is a file to read.
+/// else in YAML (anchors, aliases, tags, several documents) is refused. Only this class and <see cref="FileTree"/> name YamlDotNet, so that
+/// it is loaded only when there is a file to read.
 /// </summary>
 public sealed class ConfigFileReader
 {

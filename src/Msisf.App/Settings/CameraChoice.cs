@@ -1,4 +1,5 @@
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.CameraImport;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
@@ -92,7 +93,8 @@ internal static class CameraChoice
             return null;
         }
 
-        foreach (string path in folders.Select(folder => Path.Combine(folder, text[..mark])).Where(File.Exists))
+        foreach (string path in folders.Select(folder => Path.Combine(folder, text[..mark]))
+            .Where(path => File.Exists(CameraFormats.Split(path).Path)))
         {
             try
             {
@@ -123,7 +125,8 @@ internal static class CameraChoice
         }
 
         int mark = given.LastIndexOf(ChecksumMark);
-        (string path, string? checksum) = File.Exists(given) || mark < 0 ? (given, null) : (given[..mark], given[(mark + 1)..]);
+        (string named, string? checksum) = File.Exists(given) || mark < 0 ? (given, null) : (given[..mark], given[(mark + 1)..]);
+        string path = CameraFormats.Split(named).Path;
         if (Directory.Exists(path))
         {
             throw new BadInputException($"--camera {path}: is a folder; a camera file is needed.");
@@ -138,7 +141,7 @@ internal static class CameraChoice
                     + $"('msis cameras' lists the presets)");
         }
 
-        CameraFile camera = CameraFileReader.Read(path, size: size);
+        CameraFile camera = CameraFileReader.Read(named, size: size);
         return checksum is null || camera.Sha256.StartsWith(checksum, StringComparison.OrdinalIgnoreCase)
             ? camera
             : throw new BadInputException(
