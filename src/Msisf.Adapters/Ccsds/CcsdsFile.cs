@@ -16,9 +16,6 @@ namespace Msisf.Adapters.Ccsds;
 /// <param name="note">Receives a sentence for what was put right.</param>
 public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, Action<string>? note = null)
 {
-    /// <summary>Characters in which the name of the format stands, below comments of XML.</summary>
-    private const int HeadLength = 4096;
-
     /// <summary>Reads files by the kernels of a run.</summary>
     /// <param name="kernels">The engine with its kernels.</param>
     /// <param name="note">Receives a sentence for what was put right.</param>
@@ -30,21 +27,8 @@ public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoo
     }
 
     /// <summary>Whether a file begins as an OEM does.</summary>
-    /// <param name="stream">The file, from its start.</param>
-    public static bool IsOem(Stream stream)
-    {
-        try
-        {
-            using StreamReader reader = new(Decompressed(stream), Encoding.UTF8);
-            char[] start = new char[HeadLength];
-            int count = reader.ReadBlock(start);
-            return start.AsSpan(0, count).Contains("CCSDS_OEM_VERS", StringComparison.Ordinal);
-        }
-        catch (InvalidDataException)
-        {
-            return false; // gzip in name only: whoever reads it as something else says what is wrong
-        }
-    }
+    /// <param name="head">Its first characters; the name of the format stands below comments of XML.</param>
+    public static bool IsOem(string head) => head.Contains("CCSDS_OEM_VERS", StringComparison.Ordinal);
 
     /// <summary>Reads the states of an OEM.</summary>
     /// <param name="stream">The file; read once from start to end.</param>
@@ -99,7 +83,8 @@ public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoo
         }
     }
 
-    private static Stream Decompressed(Stream stream)
+    /// <summary>The text of a file, which may be compressed by gzip.</summary>
+    internal static Stream Decompressed(Stream stream)
     {
         byte[] start = new byte[2];
         int count = stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);

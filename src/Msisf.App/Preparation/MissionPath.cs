@@ -1,6 +1,7 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.Trajectories;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
@@ -30,9 +31,9 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         ITrajectory trajectory = settings.Position switch
         {
             KernelPosition position => MissionOptions.Spacecraft.NamedInErrors(() => new KernelTrajectory(kernels, position.Spacecraft)),
-            OemPosition oem => new SampledTrajectory(
-                OpenFile(MissionOptions.Oem, oem.Path, stream => new CcsdsFile(kernels, note).ReadOem(stream, oem.Path)),
-                oem.Path, kernels.Engine),
+            FilePosition file => new SampledTrajectory(
+                OpenFile(file.Option, file.Path, () => TrajectoryFile.Read(file.Path, file.Path, kernels, note)), file.Path,
+                kernels.Engine),
             SampledPosition sampled => new SampledTrajectory(sampled.Blocks(kernels), sampled.Name, kernels.Engine),
             _ => throw new ArgumentException($"no trajectory is known of {settings.Position.GetType().Name}", nameof(settings)),
         };
@@ -42,7 +43,12 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
             QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
             AemChoice aem => new SampledAttitude(
-                OpenFile(MissionOptions.Aem, aem.Path, stream => new CcsdsFile(kernels, note).ReadAem(stream, aem.Path, aem.IsRounded)),
+                OpenFile(MissionOptions.Aem, aem.Path, () =>
+                {
+                    using FileStream stream = new(
+                        aem.Path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 16, FileOptions.SequentialScan);
+                    return new CcsdsFile(kernels, note).ReadAem(stream, aem.Path, aem.IsRounded);
+                }),
                 aem.Axes?.InstrumentFromCamera ?? UnitQuaternion.Identity, aem.Path, kernels.Engine.TimeScale),
             _ => throw new ArgumentException($"no attitude is known of {settings.Attitude.GetType().Name}", nameof(settings)),
         };
@@ -92,7 +98,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         return new KernelAttitude(kernels, instrument.Frame, choice.Axes ?? instrument.Axes());
     }
 
-    private static T OpenFile<T>(PathSpec option, string path, Func<Stream, T> read)
+    private static T OpenFile<T>(PathSpec option, string path, Func<T> read)
     {
         if (!File.Exists(path))
         {
@@ -100,11 +106,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             throw new BadInputException($"{option.Name} {path}: {what}.");
         }
 
-        return option.NamedInErrors(() => FileErrors.ToBadInput($"{path}: can't be read", () =>
-        {
-            using FileStream stream = new(path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 16, FileOptions.SequentialScan);
-            return read(stream);
-        }));
+        return option.NamedInErrors(() => FileErrors.ToBadInput($"{path}: can't be read", read));
     }
 
     /// <summary>Times in an interval of the cover; those at its ends are rounded inwards, because a date holds 0.6 microseconds.</summary>

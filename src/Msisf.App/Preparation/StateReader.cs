@@ -1,6 +1,7 @@
 using System.Text;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
+using Msisf.Adapters.Trajectories;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -132,12 +133,24 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
 
         try
         {
+            RequireStates(file.Path);
             using StreamReader reader = new(file.Path, Encoding.UTF8);
             return States(reader, file, scene);
         }
         catch (Exception exception) when (exception.IsFileError())
         {
             throw new BadInputException($"{file.Option.Name} {file.Path}: can't be read: {exception.Message}", exception);
+        }
+    }
+
+    /// <summary>Refuses files that are known to be something else.</summary>
+    private static void RequireStates(string path)
+    {
+        KnownFormats.Refuse(path, FormatUse.States);
+        if (TrajectoryFile.IsOne(path))
+        {
+            throw new BadInputException(
+                $"{path}: this is a trajectory without attitudes (OEM, STK or Horizons). Give it with {MissionOptions.Oem.Name}.");
         }
     }
 
@@ -217,9 +230,9 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
 
     private SpacecraftState[] OnMission(MissionSettings settings, ISceneGeometry scene, CancellationToken cancellation)
     {
-        if (settings.Position is OemPosition && !Body.IsMoon)
+        if (settings.Position is FilePosition file && !Body.IsMoon)
         {
-            throw MissionOptions.Oem.Wrong($"reads trajectories about Moon and Earth, but {Body.NameInText} is drawn. Give an SPK.");
+            throw file.Option.Wrong($"reads trajectories about Moon and Earth, but {Body.NameInText} is drawn. Give an SPK.");
         }
 
         OpenedEphemeris kernels = Kernels?.Invoke() ?? throw new InvalidOperationException("no kernels are given");

@@ -1,9 +1,9 @@
 using Msisf.Adapters.Camera;
-using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Trajectories;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Series;
@@ -147,24 +147,19 @@ internal static class ServedBatch
         {
             Kernels = () => ephemeris.Of(requested.Settings).Kernels(),
         };
-        TrajectorySettings trajectory = IsOem(path)
-            ? OfOem(path, () => ephemeris.Of(requested.Settings).Kernels(), geometry)
+        TrajectorySettings trajectory = TrajectoryFile.IsOne(path)
+            ? OfTrajectory(path, () => ephemeris.Of(requested.Settings).Kernels(), geometry)
             : new BatchFileSettings(path, CameraOptions.BatchFile);
         return [.. reader.Read(trajectory, cancellation).Select(
             (state, index) => new ServedFrame(
                 index + 1, state with { Motion = null }, new Dictionary<string, string>(), new Dictionary<string, string>()))];
     }
 
-    private static bool IsOem(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
-    {
-        using FileStream stream = File.OpenRead(path);
-        return CcsdsFile.IsOem(stream);
-    });
-
     /// <summary>Evenly over the file's cover, the nadir in the middle.</summary>
-    private static MissionSettings OfOem(string path, Func<OpenedEphemeris> kernels, RunGeometry geometry)
+    private static MissionSettings OfTrajectory(string path, Func<OpenedEphemeris> kernels, RunGeometry geometry)
     {
-        MissionSettings settings = new(new OemPosition(path), new PointedChoice(new CameraPointing()), Times: null, LeastStep);
+        MissionSettings settings = new(
+            new FilePosition(path, MissionOptions.Oem), new PointedChoice(new CameraPointing()), Times: null, LeastStep);
         double seconds = MissionPath.Open(settings, kernels(), geometry, _ => { }).Path.Cover.Intervals.Sum(
             interval => interval.End - interval.Start);
         return settings with { Every = Math.Max(LeastStep, seconds / MostFrames) };

@@ -1,8 +1,8 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Camera;
-using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.Raster.Albedo;
+using Msisf.Adapters.Trajectories;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
@@ -67,14 +67,11 @@ internal sealed class ServedNames : IDisposable
     public string Catalogue(string option, string name) =>
         _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);
 
-    /// <summary>The trajectory of a name of <c>--folders</c>; its file (OEM) is read once, when it is first needed.</summary>
+    /// <summary>The trajectory of a name of <c>--folders</c>; its file is read once, when it is first needed.</summary>
     public SampledPosition Trajectory(string name) => _folders.TryGetValue(name, out string? path) && !Directory.Exists(path)
         ? new SampledPosition(name, kernels => _trajectories.GetOrAdd(
-            name, _ => FileErrors.ToBadInput($"{name}: can't be read", () =>
-            {
-                using FileStream stream = File.OpenRead(path);
-                return new CcsdsFile(kernels, _note).ReadOem(stream, name);
-            })))
+            name, _ => FileErrors.ToBadInput(
+                $"{name}: can't be read", () => TrajectoryFile.Read(path, name, kernels, _note))))
         : throw new UsageException(
             $"'{RequestStates.Key}' is {NumberText.Shown(name)}, which is no trajectory of this server; GET /v1/folders lists them, and "
                 + "--folders names them.");

@@ -38,7 +38,8 @@ internal static class MissionOptions
 
     public static PathSpec Oem { get; } = new(
         "--oem", DecidesBytes.ByStatesOfRun, PathKind.File,
-        "Trajectory as a CCSDS orbit ephemeris message (OEM 1.0, 2.0 or 3.0; lines or XML; .gz too)");
+        "Trajectory as a CCSDS orbit ephemeris message (OEM 1.0, 2.0 or 3.0; lines or XML), an ephemeris of STK (.e), or a table of "
+            + "vectors of JPL Horizons; .gz too");
 
     public static PathSpec Aem { get; } = new(
         "--aem", DecidesBytes.ByStatesOfRun, PathKind.File,

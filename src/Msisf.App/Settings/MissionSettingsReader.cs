@@ -31,8 +31,8 @@ internal sealed class MissionSettingsReader(
         };
     }
 
-    private PositionSource Position(OptionSpec way) => way == MissionOptions.Oem
-        ? new OemPosition(MissionOptions.Oem.Read(values))
+    private PositionSource Position(OptionSpec way) => way is PathSpec file
+        ? new FilePosition(file.Read(values), file)
         : new KernelPosition(MissionOptions.Spacecraft.Read(values));
 
     private AttitudeChoice Attitude(OptionSpec way)

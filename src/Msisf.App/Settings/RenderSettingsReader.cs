@@ -74,7 +74,7 @@ internal static class RenderSettingsReader
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadAll(values),
             TrajectoryKernels = [.. MissionOptions.Spk.ReadAll(values), .. MissionOptions.Ck.ReadAll(values)],
-            IsMission = MissionOptions.Ways.Any(values.IsGiven),
+            IsMission = TrajectorySettingsReader.IsMission(values),
             PovPath = PovOptions.Program.ReadIfGiven(values),
             PovOptions = PovOptions.MoreOptions.NamedInErrors(
                 () => PovRayOptions.Parse(PovOptions.MoreOptions.ReadIfGiven(values) ?? string.Empty)),

@@ -36,7 +36,8 @@ internal static class ScanOptions
 
     public static PathSpec Trajectory { get; } = new(
         "--trajectory", DecidesBytes.ByStatesOfRun, PathKind.File,
-        "States as in --batch-file that are samples of one motion; images are taken between them, at --time, or from the first one on");
+        "States as in --batch-file that are samples of one motion; images are taken between them, at --time, or from the first one on. A "
+            + "file that --oem reads does as well");
 
     public static ChoiceSpec<InterpolationMethod> Positions { get; } = new(
         "--trajectory-positions", DecidesBytes.ByStates,

@@ -95,9 +95,10 @@ internal abstract record PositionSource;
 /// <param name="Spacecraft">Its name or number.</param>
 internal sealed record KernelPosition(string Spacecraft) : PositionSource;
 
-/// <summary>An orbit ephemeris message.</summary>
+/// <summary>A file of states: an OEM, or one of another program (<see cref="Adapters.Trajectories.TrajectoryFile"/>).</summary>
 /// <param name="Path">The file.</param>
-internal sealed record OemPosition(string Path) : PositionSource;
+/// <param name="Option">The option that named it, for messages.</param>
+internal sealed record FilePosition(string Path, PathSpec Option) : PositionSource;
 
 /// <summary>States that are read, or can be.</summary>
 /// <param name="Name">What they are called in messages.</param>

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Input;
+using Msisf.Adapters.Trajectories;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
@@ -57,6 +58,10 @@ internal sealed class TrajectorySettingsReader
         ? NativeOptions.NoiseSeed.Named(() => NoiseSeedText.Parse(text, step: 1))
         : null;
 
+    /// <summary>Whether a mission's files say where the camera is; --trajectory takes those of --oem too.</summary>
+    public static bool IsMission(OptionValues values) => MissionOptions.Ways.Any(values.IsGiven)
+        || (ScanOptions.Trajectory.ReadIfGiven(values) is { } path && File.Exists(path) && TrajectoryFile.IsOne(path));
+
     private TrajectorySettings? ReadIfGiven() => ReadPlaces() is { } settings
         ? settings with
         {
@@ -80,13 +85,15 @@ internal sealed class TrajectorySettingsReader
             return null;
         }
 
-        if (way == ScanOptions.Trajectory)
+        bool isMission = IsMission(_values);
+        if (way == ScanOptions.Trajectory && !isMission)
         {
             return Sampled();
         }
 
         _values.Refuse(
-            ScanOptions.OfTrajectory, $"is not allowed with {way.Name}, but with {ScanOptions.Trajectory.Name} only. Remove it.");
+            isMission ? [.. ScanOptions.OfTrajectory.Except([way])] : ScanOptions.OfTrajectory,
+                $"is not allowed with {way.Name}, but with {ScanOptions.Trajectory.Name} only. Remove it.");
         if (way != _batchFile)
         {
             _values.Refuse(BatchOptions.All, $"is not allowed with {way.Name}, but with {_batchFile.Name} only. Remove it.");
@@ -98,7 +105,7 @@ internal sealed class TrajectorySettingsReader
             _values.Refuse([CameraOptions.Normalize], "has no meaning: nothing gives a quaternion. Remove it.");
         }
 
-        if (MissionOptions.Ways.Contains(way))
+        if (isMission)
         {
             return new MissionSettingsReader(_values, Attitude, Times).Read(way);
         }
