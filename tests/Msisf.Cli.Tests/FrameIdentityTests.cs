@@ -155,6 +155,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--crater-rim", "--craters FILE:craters.csv", "--crater-rim terrain" },
         { "--crater-size", "--craters FILE:craters.csv", "--crater-size 1" },
         { "--landmarks", "", "--landmarks FILE:landmarks.csv" },
+        { "--columns", "--landmarks FILE:landmarks.csv", "--columns id=lat" },
         { "--flow", "", "--flow {55289,1.9E6,9E3,0,0,0,0.28,0.96}" },
         { "--stereo", "", "--stereo 100" },
         { "--flow-format", "--stereo 100", "--flow-format npy" },

@@ -1,4 +1,3 @@
-using System.Text;
 using Msisf.Core.Navigation;
 using Msisf.Core.Terrain;
 
@@ -6,7 +5,7 @@ namespace Msisf.Adapters.Catalogues;
 
 /// <summary>
 /// Reads catalogues of craters in CSV: those of Head et al. (2010) and Povilaitis et al. (2018) as DeepMoon has them, Robbins (2018), and
-/// the IAU's list of names. Columns are known by their names; diameters are in km.
+/// the IAU's list of names, and lists like them. Columns are known by their names; diameters are in km, or in m where the name says it.
 /// </summary>
 public static class CraterCatalogueReader
 {
@@ -16,10 +15,13 @@ public static class CraterCatalogueReader
     /// <summary>Craters that a run can have: about 0.3 kB of memory each. Robbins's catalogue has 1.3 million.</summary>
     public const int MostCratersOfRun = 2_000_000;
 
+    private const string Needed = "A catalogue of craters";
+
     /// <summary>Reads a catalogue to look at.</summary>
     /// <returns>The largest craters, at most <see cref="MostCraters"/>, the largest first.</returns>
     /// <exception cref="BadInputException">It can't be read, or a value is wrong; the message names file and line.</exception>
-    public static IReadOnlyList<Crater> ReadLargest(string path) => Open(path, reader => ReadLargest(reader, path));
+    public static IReadOnlyList<Crater> ReadLargest(string path) =>
+        ListTable.Read(path, Needed, reader => ReadLargest(reader, path));
 
     /// <summary>Reads a catalogue to look at.</summary>
     /// <param name="fileName">For messages.</param>
@@ -48,22 +50,25 @@ public static class CraterCatalogueReader
     /// <summary>Reads all of a catalogue for a run.</summary>
     /// <param name="path">The file.</param>
     /// <param name="referenceRadius">m: radius of the body; no crater is wider than the body.</param>
+    /// <param name="columns">Which columns the user names; null for none.</param>
     /// <returns>The craters, in the order of the lines; at least one.</returns>
     /// <exception cref="BadInputException">
     /// It can't be read, a value is wrong, an identity is there twice, or there are too many craters.
     /// </exception>
-    public static IReadOnlyList<Crater> ReadAll(string path, double referenceRadius) =>
-        Open(path, reader => ReadAll(reader, path, referenceRadius));
+    public static IReadOnlyList<Crater> ReadAll(string path, double referenceRadius, ListColumns? columns = null) =>
+        ListTable.Read(path, Needed, reader => ReadAll(reader, path, referenceRadius, columns));
 
     /// <summary>Reads all of a catalogue for a run.</summary>
     /// <param name="fileName">For messages.</param>
     /// <param name="referenceRadius">m: radius of the body.</param>
-    /// <inheritdoc cref="ReadAll(string, double)"/>
-    public static IReadOnlyList<Crater> ReadAll(TextReader reader, string fileName, double referenceRadius)
+    /// <param name="columns">Which columns the user names; null for none.</param>
+    /// <inheritdoc cref="ReadAll(string, double, ListColumns)"/>
+    public static IReadOnlyList<Crater> ReadAll(
+        TextReader reader, string fileName, double referenceRadius, ListColumns? columns = null)
     {
         List<Crater> craters = [];
         Dictionary<string, int> lines = new(StringComparer.Ordinal);
-        foreach ((Crater crater, int line) in Lines(reader, fileName, 2.0 * referenceRadius))
+        foreach ((Crater crater, int line) in Lines(reader, fileName, 2.0 * referenceRadius, columns))
         {
             if (!lines.TryAdd(crater.Identity, line))
             {
@@ -83,21 +88,13 @@ public static class CraterCatalogueReader
         return craters.Count > 0 ? craters : throw new BadInputException($"{fileName}: no craters below the heading. Give a catalogue.");
     }
 
-    private static IReadOnlyList<Crater> Open(string path, Func<TextReader, IReadOnlyList<Crater>> read) => !File.Exists(path)
-        ? throw new BadInputException(
-            $"{path}: {(Directory.Exists(path) ? "is a folder" : "there is no such file")}. A catalogue of craters in CSV is needed.")
-        : FileErrors.ToBadInput($"{path}: can't be read", () =>
-        {
-            using StreamReader reader = new(path, Encoding.UTF8);
-            return read(reader);
-        });
-
-    private static IEnumerable<(Crater Crater, int Line)> Lines(TextReader reader, string fileName, double maxDiameter)
+    private static IEnumerable<(Crater Crater, int Line)> Lines(
+        TextReader reader, string fileName, double maxDiameter, ListColumns? given = null)
     {
-        IReadOnlyList<string> header = CsvRow.HeaderOf(reader);
-        CraterColumns columns = new(header, fileName);
+        ListTable table = ListTable.Open(reader, fileName, given, CraterColumns.AreIn);
+        CraterColumns columns = new(table.Header, fileName);
         int number = 0;
-        foreach (CsvRow row in CsvRow.Of(reader, fileName, header))
+        foreach (CsvRow row in table.Rows)
         {
             yield return (columns.Read(row, ++number, maxDiameter), row.Line);
         }

@@ -7,11 +7,26 @@ internal sealed class CraterColumns
 {
     private const double MetresPerKilometre = 1000.0;
 
-    private readonly string _fileName;
-    private readonly IReadOnlyList<string> _header;
+    private static readonly string[] Kilometres = ["", "km", "kilometer", "kilometers", "kilometre", "kilometres"];
+
+    private static readonly string[] Metres = ["m", "meter", "meters", "metre", "metres"];
+
+    private static readonly string[] Latitudes =
+        ["latelliimg", "latcircimg", "lat", "latitude", "centerlatitude", "centrelatitude", "centerlat", "latdeg", "latitudedeg", "clat"];
+
+    private static readonly string[] Longitudes =
+    [
+        "lonelliimg", "loncircimg", "lon", "long", "longitude", "centerlongitude", "centrelongitude", "centerlon", "londeg",
+        "longitudedeg", "clon", "lng",
+    ];
+
+    private static readonly string[] Diameters =
+        ["diamellimajorimg", "diamcircimg", "diamkm", "diameter", "diameterkm", "majorkm", "diam", "dkm"];
+
     private readonly int[] _latitude;
     private readonly int[] _longitude;
     private readonly int[] _diameter;
+    private readonly double _unit;
     private readonly int _minor;
     private readonly int _angle;
     private readonly int _name;
@@ -19,31 +34,39 @@ internal sealed class CraterColumns
     private readonly int[] _errors;
 
     /// <summary>Finds the columns.</summary>
-    /// <param name="header">The names of the columns, in small letters.</param>
+    /// <param name="header">The names of the columns.</param>
     /// <param name="fileName">For messages.</param>
     /// <exception cref="BadInputException">A column is missing.</exception>
-    public CraterColumns(IReadOnlyList<string> header, string fileName)
+    public CraterColumns(ListHeader header, string fileName)
     {
-        _fileName = fileName;
-        _header = header;
-        _latitude = Required(
-            "latitude", ["lat_elli_img", "lat_circ_img", "lat", "latitude", "center latitude", "center_latitude"]);
-        _longitude = Required(
-            "longitude", ["lon_elli_img", "lon_circ_img", "lon", "long", "longitude", "center longitude", "center_longitude"]);
-        _diameter = Required(
-            "diameter in km",
-            ["diam_elli_major_img", "diam_circ_img", "diam_km", "diameter (km)", "diameter", "diameter_km", "major_km"]);
-        _minor = Place(["diam_elli_minor_img", "minor_km"]);
-        _angle = Place(["diam_elli_angle_img", "angle_deg"]);
-        _name = Place(["name", "feature name", "feature_name", "clean feature name", "clean_feature_name"]);
-        _identity = Place(["crater_id", "id"]);
+        _latitude = Required("the latitude", All("lat", Latitudes));
+        _longitude = Required("the longitude", All("lon", Longitudes));
+        int inMetres = InMetres(header);
+        int[] inKilometres = Kilometre(header);
+        _unit = inKilometres.Length > 0 ? 1.0 : 1.0 / MetresPerKilometre;
+        _diameter = Required("the diameter in km", inKilometres.Length > 0 ? inKilometres : inMetres >= 0 ? [inMetres] : []);
+        _minor = header.PlaceIn(Kilometres, "minor_km", "diamelliminorimg", "minorkm");
+        _angle = header.PlaceOf("angle_deg", "diamelliangleimg", "angledeg");
+        _name = header.PlaceOf("name", "name", "featurename", "cleanfeaturename", "cratername");
+        _identity = header.PlaceOf("id", "craterid", "id");
         _errors =
         [
-            Place(["lat_elli_sd_img", "lat_sd"]), Place(["lon_elli_sd_img", "lon_sd"]),
-            Place(["diam_elli_major_sd_img", "diam_circ_sd_img", "diam_km_sd", "major_km_sd"]),
-            Place(["diam_elli_minor_sd_img", "minor_km_sd"]), Place(["diam_elli_angle_sd_img", "angle_deg_sd"]),
+            header.PlaceOf(string.Empty, "latellisdimg", "latsd"), header.PlaceOf(string.Empty, "lonellisdimg", "lonsd"),
+            header.PlaceOf(string.Empty, "diamellimajorsdimg", "diamcircsdimg", "diamkmsd", "majorkmsd"),
+            header.PlaceOf(string.Empty, "diamelliminorsdimg", "minorkmsd"),
+            header.PlaceOf(string.Empty, "diamellianglesdimg", "angledegsd"),
         ];
+
+        int[] All(string key, string[] names) => Places(header, key, ListHeader.UnitsOfAngles, names);
+
+        int[] Required(string what, int[] places) => places.Length > 0 && header.Missing is null
+            ? places
+            : throw header.NoColumn(fileName, what, "lat=COLUMN,lon=COLUMN,diam_km=COLUMN");
     }
+
+    /// <summary>Whether columns are those of a catalogue of craters.</summary>
+    public static bool AreIn(ListHeader header) => header.PlaceOf("lat", Latitudes) >= 0 && header.PlaceOf("lon", Longitudes) >= 0
+        && (Kilometre(header).Length > 0 || InMetres(header) >= 0);
 
     /// <summary>Reads a crater.</summary>
     /// <param name="row">The line.</param>
@@ -55,8 +78,8 @@ internal sealed class CraterColumns
         // Robbins's ellipse is missing where the rim has too few points; then the circle stands for it.
         int column = Array.FindIndex(_diameter, place => row.HasNumber(place));
         bool isEllipse = column <= 0 && row.HasNumber(_minor);
-        double major = Diameter(Of(_diameter, column));
-        double minor = isEllipse ? Diameter(_minor) : major;
+        double major = Diameter(Of(_diameter, column), _unit);
+        double minor = isEllipse ? Diameter(_minor, 1.0) : major;
         double angle = isEllipse && _angle >= 0 ? row.Number(_angle, -360.0, 360.0) : 0.0;
         if (minor > major)
         {
@@ -76,12 +99,12 @@ internal sealed class CraterColumns
             Errors = Errors(isEllipse),
         };
 
-        double Diameter(int place)
+        double Diameter(int place, double unit)
         {
             const string more = ", above 0";
             double limit = maxDiameter / MetresPerKilometre;
-            double kilometres = row.Number(place, 0.0, limit, more);
-            return kilometres > 0.0 ? MetresPerKilometre * kilometres : throw row.Wrong(place, 0.0, limit, more);
+            double kilometres = unit * row.Number(place, 0.0, limit / unit, more);
+            return kilometres > 0.0 ? MetresPerKilometre * kilometres : throw row.Wrong(place, 0.0, limit / unit, more);
         }
 
         CraterErrors? Errors(bool ofEllipse) => Array.TrueForAll(_errors[..3], place => row.HasNumber(place))
@@ -102,13 +125,19 @@ internal sealed class CraterColumns
         return east >= 360.0 ? 0.0 : east;
     }
 
-    /// <summary>The places of all columns for something, in the order of the names.</summary>
-    private int[] Required(string what, string[] names)
-    {
-        int[] places = [.. names.Select(name => CsvRow.PlaceOf(_header, name)).Where(place => place >= 0)];
-        return places.Length > 0 ? places : throw new BadInputException(
-            $"{_fileName}, line 1: no column for the {what}; it may be called {string.Join(", ", names)}. Name the columns there.");
-    }
+    private static int[] Kilometre(ListHeader header) => header.PlaceOf("diam_m") >= 0 ? []
+        : [
+            .. Places(header, "diam_km", Kilometres, Diameters), .. Places(header, "major_km", Kilometres, []),
+            .. Places(header, "diam_km", Kilometres[1..], ["d"]),
+        ];
 
-    private int Place(string[] names) => CsvRow.PlaceOf(_header, names);
+    private static int InMetres(ListHeader header) =>
+        header.PlaceIn(Metres, "diam_m", "diameter", "diam", "d") is >= 0 and var place ? place
+            : header.PlaceIn(Kilometres[..1], "diam_m", "diamm", "diameterm", "dm");
+
+    /// <summary>The place that the user names, or those of all columns for something, in the order of the names.</summary>
+    private static int[] Places(ListHeader header, string key, string[] units, string[] names) =>
+        header.PlaceOf(key) is >= 0 and var given
+            ? [given]
+            : [.. names.Select(name => header.PlaceIn(units, key, name)).Where(place => place >= 0)];
 }

@@ -8,8 +8,8 @@ public static class CsvLine
     /// <summary>Whether a line ends within quotes, so that its last field goes on in the next one.</summary>
     public static bool IsOpen(string line) => line.AsSpan().Count('"') % 2 == 1;
 
-    /// <summary>The fields of a line; those in double quotes may hold commas, and a quote as two of them.</summary>
-    public static List<string> Fields(string line)
+    /// <summary>The fields of a line; those in double quotes may hold the separator, and a quote as two of them.</summary>
+    public static List<string> Fields(string line, char separator)
     {
         List<string> fields = [];
         StringBuilder field = new();
@@ -24,7 +24,7 @@ public static class CsvLine
                     field.Append('"');
                 }
             }
-            else if (letter == ',' && !isQuoted)
+            else if (letter == separator && !isQuoted)
             {
                 fields.Add(field.ToString());
                 field.Clear();

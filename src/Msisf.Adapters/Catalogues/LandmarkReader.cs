@@ -1,4 +1,3 @@
-using System.Text;
 using Msisf.Core.Navigation;
 using Msisf.Core.Terrain;
 
@@ -10,6 +9,8 @@ namespace Msisf.Adapters.Catalogues;
 /// </summary>
 public static class LandmarkReader
 {
+    private const string Needed = "A list of places";
+
     /// <summary>Each is followed by three rays in each frame.</summary>
     public const int MostLandmarks = 1_000_000;
 
@@ -20,38 +21,32 @@ public static class LandmarkReader
     /// <param name="path">The file.</param>
     /// <param name="referenceRadius">m: heights count over it.</param>
     /// <param name="most">How many it may have.</param>
+    /// <param name="given">Which columns the user names; null for none.</param>
     /// <returns>At least one.</returns>
     /// <exception cref="BadInputException">It can't be read, a value is wrong, or an identity is there twice.</exception>
-    public static IReadOnlyList<Landmark> Read(string path, double referenceRadius, int most = MostLandmarks) => !File.Exists(path)
-        ? throw new BadInputException(
-            $"{path}: {(Directory.Exists(path) ? "is a folder" : "there is no such file")}. A list of places in CSV is needed.")
-        : FileErrors.ToBadInput($"{path}: can't be read", () =>
-        {
-            using StreamReader reader = new(path, Encoding.UTF8);
-            return Read(reader, path, referenceRadius, most);
-        });
+    public static IReadOnlyList<Landmark> Read(
+        string path, double referenceRadius, int most = MostLandmarks, ListColumns? given = null) =>
+        ListTable.Read(path, Needed, reader => Read(reader, path, referenceRadius, most, given));
 
     /// <summary>Reads a list.</summary>
     /// <param name="fileName">For messages.</param>
     /// <param name="referenceRadius">m: heights count over it.</param>
     /// <param name="most">How many it may have.</param>
-    /// <inheritdoc cref="Read(string, double, int)"/>
-    public static IReadOnlyList<Landmark> Read(TextReader reader, string fileName, double referenceRadius, int most = MostLandmarks)
+    /// <param name="given">Which columns the user names; null for none.</param>
+    /// <inheritdoc cref="Read(string, double, int, ListColumns)"/>
+    public static IReadOnlyList<Landmark> Read(
+        TextReader reader, string fileName, double referenceRadius, int most = MostLandmarks, ListColumns? given = null)
     {
-        IReadOnlyList<string> header = CsvRow.HeaderOf(reader);
-        Columns columns = new(
-            CsvRow.PlaceOf(header, "id"), CsvRow.PlaceOf(header, "name"), CsvRow.PlaceOf(header, "lat", "latitude"),
-            CsvRow.PlaceOf(header, "lon", "long", "longitude"), CsvRow.PlaceOf(header, "height", "height_m"), CsvRow.PlaceOf(header, "x"),
-            CsvRow.PlaceOf(header, "y"), CsvRow.PlaceOf(header, "z"));
-        if (!columns.HasPosition && (columns.Latitude < 0 || columns.Longitude < 0))
+        ListTable table = ListTable.Open(reader, fileName, given, header => Columns.Of(header).AreThere);
+        Columns columns = Columns.Of(table.Header);
+        if (table.Header.Missing is not null || !columns.AreThere)
         {
-            throw new BadInputException(
-                $"{fileName}, line 1: no columns lat and lon, nor x, y and z, which say where the landmarks are. Name the columns there.");
+            throw table.Header.NoColumn(fileName, "latitude and longitude, nor x, y and z", "lat=COLUMN,lon=COLUMN");
         }
 
         List<Landmark> landmarks = [];
         Dictionary<string, int> lines = new(StringComparer.Ordinal);
-        foreach (CsvRow row in CsvRow.Of(reader, fileName, header))
+        foreach (CsvRow row in table.Rows)
         {
             Landmark landmark = Of(row, columns, landmarks.Count + 1, referenceRadius);
             if (!lines.TryAdd(landmark.Identity, row.Line))
@@ -73,13 +68,15 @@ public static class LandmarkReader
             : throw new BadInputException($"{fileName}: no landmarks below the heading. Give a list.");
     }
 
-    /// <summary>The names of a list's columns, in small letters.</summary>
+    /// <summary>The names of a list's columns that are not used, in small letters.</summary>
     /// <param name="path">The file.</param>
+    /// <param name="given">Which columns the user names; null for none.</param>
     /// <exception cref="BadInputException">It can't be read.</exception>
-    public static IReadOnlyList<string> ColumnsOf(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
+    public static IReadOnlyList<string> UnusedColumnsOf(string path, ListColumns? given) => ListTable.Read(path, Needed, reader =>
     {
-        using StreamReader reader = new(path, Encoding.UTF8);
-        return CsvRow.HeaderOf(reader);
+        ListHeader header = ListTable.Open(reader, path, given, found => Columns.Of(found).AreThere).Header;
+        int[] used = Columns.Of(header).All;
+        return (IReadOnlyList<string>)[.. header.Names.Where((name, place) => name.Length > 0 && !used.Contains(place))];
     });
 
     private static Landmark Of(CsvRow row, Columns columns, int number, double referenceRadius)
@@ -108,6 +105,19 @@ public static class LandmarkReader
     private readonly record struct Columns(
         int Identity, int Name, int Latitude, int Longitude, int Height, int X, int Y, int Z)
     {
+        private static readonly string[] Metres = ["", "m"];
+
         public bool HasPosition => X >= 0 && Y >= 0 && Z >= 0;
+
+        public bool AreThere => HasPosition || (Latitude >= 0 && Longitude >= 0);
+
+        public int[] All => [Identity, Name, Latitude, Longitude, Height, X, Y, Z];
+
+        public static Columns Of(ListHeader header) => new(
+            header.PlaceOf("id", "id"), header.PlaceOf("name", "name", "featurename", "cleanfeaturename"),
+            header.PlaceOf("lat", "lat", "latitude", "centerlatitude", "latdeg"),
+            header.PlaceOf("lon", "lon", "long", "lng", "longitude", "centerlongitude", "londeg"),
+            header.PlaceIn(Metres, "height", "height", "heightm"), header.PlaceIn(Metres, "x", "x"), header.PlaceIn(Metres, "y", "y"),
+            header.PlaceIn(Metres, "z", "z"));
     }
 }

@@ -214,7 +214,8 @@ internal sealed class IlluminationRun
 
     private IReadOnlyList<Landmark> ReadPoints(string list)
     {
-        IReadOnlyList<Landmark> points = LandmarkReader.Read(list, _model.Grid.ReferenceRadius, IlluminationOptions.MaxPoints);
+        IReadOnlyList<Landmark> points = LandmarkReader.Read(
+            list, _model.Grid.ReferenceRadius, IlluminationOptions.MaxPoints, _settings.Columns);
         if (points.FirstOrDefault(point => point.Height is not null) is { } high)
         {
             throw new BadInputException(
@@ -222,8 +223,8 @@ internal sealed class IlluminationRun
                     + $"{IlluminationOptions.Heights.Name} gives heights over it, for all points: give lat and lon without a height.");
         }
 
-        string[] unused = [.. LandmarkReader.ColumnsOf(list).Except(["id", "name", "lat", "latitude", "lon", "long", "longitude"])];
-        if (unused.Length > 0)
+        IReadOnlyList<string> unused = LandmarkReader.UnusedColumnsOf(list, _settings.Columns);
+        if (unused.Count > 0)
         {
             _host.Log.Note($"{list}: columns that are not used: {string.Join(", ", unused)}.");
         }

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -21,6 +22,9 @@ internal sealed record IlluminationSettings
 
     /// <summary>Path of the list of points; null for none.</summary>
     public string? Points { get; init; }
+
+    /// <summary>Which of its columns the user names; null for none.</summary>
+    public ListColumns? Columns { get; init; }
 
     /// <summary>The times.</summary>
     public required TimeInterval Times { get; init; }
@@ -116,6 +120,9 @@ internal sealed record IlluminationSettings
             Size = size is null ? null : (1000.0 * size[0], 1000.0 * size[^1]),
             Cell = IlluminationOptions.Cell.ReadIfGiven(values),
             Points = points,
+            Columns = IlluminationOptions.Columns.ReadIfGiven(values) is { } columns
+                ? IlluminationOptions.Columns.NamedInErrors(() => ListColumns.Parse(columns))
+                : null,
             Times = times,
             Heights = heights,
             IsPoint = IlluminationOptions.Sun.Read(values) == SunModel.Point,

@@ -76,10 +76,12 @@ internal sealed record NavigationInputs(CraterFinder? Craters, LandmarkFinder? L
 
         CraterFinder? craters = settings.Craters is { } path
             ? NavigationOptions.Craters.NamedInErrors(() => new CraterFinder(
-                new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius)), settings.Rim, settings.LeastDiameter))
+                new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius, settings.ListColumns)), settings.Rim,
+                settings.LeastDiameter))
             : null;
         LandmarkFinder? landmarks = settings.Landmarks is { } list
-            ? NavigationOptions.Landmarks.NamedInErrors(() => new LandmarkFinder(LandmarkReader.Read(list, referenceRadius)))
+            ? NavigationOptions.Landmarks.NamedInErrors(() => new LandmarkFinder(
+                LandmarkReader.Read(list, referenceRadius, given: settings.ListColumns)))
             : null;
         return new NavigationInputs(
             craters,

@@ -32,6 +32,9 @@ internal static class IlluminationOptions
     public static PathSpec Points { get; } = new(
         "--points", Role, PathKind.File, "Points in place of a region, or beside it: a CSV with columns lat and lon, and perhaps id, name");
 
+    public static TextSpec Columns { get; } = new(
+        "--columns", Role, "KEY=COLUMN,...", "Which columns of the points mean what, by name or number: id, name, lat, lon");
+
     public static TextSpec TimeInterval { get; } = CameraOptions.TimeInterval with
     {
         Role = Role,
@@ -123,7 +126,7 @@ internal static class IlluminationOptions
     /// <summary>The options as groups of the help text.</summary>
     private static IReadOnlyList<OptionGroup> Groups =>
     [
-        new OptionGroup("Where", [Centre, Size, Corners, Cell, Points, Heights]),
+        new OptionGroup("Where", [Centre, Size, Corners, Cell, Points, Columns, Heights]),
         new OptionGroup("When and what", [TimeInterval, Sun, Exact, Plane, NightLimit]),
         new OptionGroup("Models and kernels", [
             SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.Body, SurfaceOptions.NestBlend, LightOptions.Ephemeris,

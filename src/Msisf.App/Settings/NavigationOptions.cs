@@ -41,6 +41,11 @@ internal static class NavigationOptions
         "--landmarks", DecidesBytes.As(frame => Path.GetFileName(frame.Native?.Navigation?.Landmarks)), PathKind.File,
         "Lists where each image shows the points of a list (CSV), with partial derivatives, in the meta file and as CSV");
 
+    public static TextSpec Columns { get; } = new(
+        "--columns", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Columns), "KEY=COLUMN,...",
+        "Which columns of the lists mean what, by name or number, where they are not found by their names: id, name, lat, lon, diam_km, "
+            + "diam_m, major_km, minor_km, angle_deg, height, x, y, z");
+
     /// <summary>The word for the next frame of the run.</summary>
     public const string NextFrame = "next";
 
@@ -79,7 +84,8 @@ internal static class NavigationOptions
 
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
-    public static OptionGroup Group { get; } = new("Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Flow, Stereo, FlowFormat])
+    public static OptionGroup Group { get; } = new(
+        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat])
     {
         Note = "Only with --renderer native.",
     };

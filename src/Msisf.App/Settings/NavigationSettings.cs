@@ -1,3 +1,4 @@
+using Msisf.Adapters.Catalogues;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Navigation;
 
@@ -16,6 +17,14 @@ internal sealed record NavigationSettings
 
     /// <summary>Path of the list of landmarks; null for none.</summary>
     public string? Landmarks { get; init; }
+
+    /// <summary>Which columns of the lists the user names, as text; null for none.</summary>
+    public string? Columns { get; init; }
+
+    /// <summary>The same, read.</summary>
+    public ListColumns? ListColumns => Columns is { } text
+        ? NavigationOptions.Columns.NamedInErrors(() => Adapters.Catalogues.ListColumns.Parse(text))
+        : null;
 
     /// <summary>The other frame of the flow, as the user says it; null for none.</summary>
     public string? Flow { get; init; }
@@ -39,6 +48,9 @@ internal sealed record NavigationSettings
             craters is null ? NavigationOptions.OfCraters : [],
             $"is given, but no {NavigationOptions.Craters.Name}. Name a catalogue, or leave it out.");
         string? landmarks = NavigationOptions.Landmarks.ReadIfGiven(values);
+        values.Refuse(
+            craters is null && landmarks is null ? [NavigationOptions.Columns] : [],
+            $"is given, but no {NavigationOptions.Craters.Name} or {NavigationOptions.Landmarks.Name}. Name a list, or leave it out.");
         string? flow = NavigationOptions.Flow.ReadIfGiven(values);
         double? stereo = NavigationOptions.Stereo.ReadIfGiven(values);
         FlowFormats formats = NavigationOptions.FlowFormat.NamedInErrors(() => Formats(NavigationOptions.FlowFormat.Read(values)));
@@ -54,6 +66,7 @@ internal sealed record NavigationSettings
             {
                 Craters = craters,
                 Landmarks = landmarks,
+                Columns = NavigationOptions.Columns.ReadIfGiven(values),
                 Flow = flow,
                 Stereo = stereo,
                 FlowFormats = formats,

@@ -16,6 +16,108 @@ public class CraterCatalogueReaderTests
     public void Read_PublishedForms_GiveTheSameCrater(string text) =>
         Assert.Equal([(null, -48.25, 182.5, 76_500.0)], Read(text).Select(Values));
 
+    /// <summary>Lists as people keep them: what parts the columns, what stands above them, how the columns are called.</summary>
+    [Theory]
+    [InlineData("ID\tLongitude\tLatitude\tDiameter(km)\tDepth(m)\n1\t182.5\t-48.25\t76.5\t1000\n")]
+    [InlineData("id;lon;lat;diam_km\r\n1;182,5;-48,25;76,5\r\n")] // decimal commas, as a German or French spreadsheet saves them
+    [InlineData("id;lon;lat;diam_km\n1;182.5;-48.25;76.5\n")]
+    [InlineData("ID|Lon_E|Lat|D [km]\n", "Lon_E=")]
+    [InlineData("# made by hand\n\n% and commented\nid,lon,lat,diam_km\n# a row below\n1,182.5,-48.25,76.5\n")]
+    [InlineData("Lunar crater data base\nAuthors, A. and B., 2021\nColumns are described below.\n"
+            + "Crater ID\tLongitude(deg)\tLatitude (deg)\tDiameter [km]\n7\t-177.5\t-48.25\t76.5\n")]
+    [InlineData("Center Latitude,Center Longitude,Diameter (m)\n-48.25,182.5,76500\n")]
+    [InlineData("LAT_DEG,LON_DEG,D_km,d(m)\n-48.25,182.5,76.5,3000\n")]
+    public void Read_ListsAsPeopleKeepThem_GiveTheSameCrater(string text, string? columns = null)
+    {
+        string rows = columns is null ? text : text + "1|182.5|-48.25|76.5\n";
+        using StringReader reader = new(rows);
+        ListColumns? given = columns is null ? null : ListColumns.Parse("lon=lon_e");
+
+        IReadOnlyList<Crater> craters = CraterCatalogueReader.ReadAll(reader, "c.csv", 1_737_400.0, given);
+
+        Assert.Equal([(null, -48.25, 182.5, 76_500.0)], craters.Select(Values));
+    }
+
+    /// <summary>Columns of any name: the error lists them, and what it advises works.</summary>
+    [Fact]
+    public void ReadAll_UnknownColumns_AreListedAndCanBeNamed()
+    {
+        const string text = "Objekt;Breite;Laenge;Durchmesser\nAnna;-48,25;182,5;76,5\n";
+
+        string message = Assert.Throws<BadInputException>(() => ReadAll(text)).Message;
+
+        Assert.StartsWith(
+            "c.csv, line 1: no column for the latitude. The columns are 'objekt', 'breite', 'laenge', 'durchmesser'. Say which one it is: "
+                + "--columns lat=COLUMN,lon=COLUMN,diam_km=COLUMN.", message, StringComparison.Ordinal);
+        string advised = message.Split("--columns ")[1].TrimEnd('.');
+        foreach (string name in (string[])["Breite", "Laenge", "Durchmesser"])
+        {
+            int place = advised.IndexOf("COLUMN", StringComparison.Ordinal);
+            advised = advised[..place] + name + advised[(place + "COLUMN".Length)..];
+        }
+
+        using StringReader reader = new(text);
+        Assert.Equal(
+            [("Anna", -48.25, 182.5, 76_500.0)],
+            CraterCatalogueReader.ReadAll(reader, "c.csv", 1_737_400.0, ListColumns.Parse(advised + ",name=objekt")).Select(Values));
+    }
+
+    /// <summary>By numbers, in a list without names.</summary>
+    [Fact]
+    public void ReadAll_ColumnsByNumber_AreTaken()
+    {
+        using StringReader reader = new("# no names\n-48.25 , 182.5 , 76500\n10,20,1000\n");
+
+        Assert.Equal(
+            [(null, -48.25, 182.5, 76_500.0), (null, 10.0, 20.0, 1000.0)],
+            CraterCatalogueReader.ReadAll(reader, "c.csv", 1_737_400.0, ListColumns.Parse("lat=1,lon=2,diam_m=3")).Select(Values));
+    }
+
+    [Theory]
+    [InlineData("lat=B,lon=L,diam_km=Weite", "c.csv, line 1: there is no column 'Weite'; there are 'b', 'l', 'd'.")]
+    [InlineData("breite=B", "'breite=B' is not KEY=COLUMN with one of the keys id, name, lat, lon, diam_km")]
+    [InlineData("lat=B,lat=L", "'lat' is there twice. Leave one out.")]
+    [InlineData("lat", "'lat' is not KEY=COLUMN")]
+    public void ReadAll_WrongColumns_AreNamed(string columns, string beginning) => Assert.StartsWith(
+        beginning,
+        Assert.Throws<BadInputException>(() =>
+        {
+            using StringReader reader = new("B,L,D\n1,2,3\n");
+            return CraterCatalogueReader.ReadAll(reader, "c.csv", 1_737_400.0, ListColumns.Parse(columns));
+        }).Message,
+        StringComparison.Ordinal);
+
+    /// <summary>Names in each encoding, from a file.</summary>
+    [Theory]
+    [InlineData("utf-8", false)]
+    [InlineData("utf-8", true)]
+    [InlineData("iso-8859-1", false)]
+    [InlineData("utf-16", true)]
+    [InlineData("utf-16BE", true)]
+    public void ReadAll_Encodings_KeepNames(string encoding, bool hasMark)
+    {
+        using TemporaryFolder folder = new();
+        System.Text.Encoding of = System.Text.Encoding.GetEncoding(encoding);
+        byte[] text = of.GetBytes("name,lat,lon,diam_km\nB\u00e9la \u00d6,10,20,60\n");
+        File.WriteAllBytes(folder["c.csv"], hasMark ? [.. of.GetPreamble(), .. text] : text);
+
+        Assert.Equal("B\u00e9la \u00d6", Assert.Single(CraterCatalogueReader.ReadAll(folder["c.csv"], 1_737_400.0)).Name);
+    }
+
+    [Theory]
+    [InlineData("PK\u0003\u0004", "Save the sheet as CSV")]
+    [InlineData("{\"type\": \"FeatureCollection\"}", "ogr2ogr -f CSV")]
+    [InlineData("SQLite format 3\0", "ogr2ogr -f CSV")]
+    public void ReadAll_KnownFormat_IsNamedWithWhatToDo(string content, string advice)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder["c.csv"], content);
+
+        string message = Assert.Throws<BadInputException>(() => CraterCatalogueReader.ReadAll(folder["c.csv"], 1_737_400.0)).Message;
+        Assert.Contains("which is not read here", message, StringComparison.Ordinal);
+        Assert.Contains(advice, message, StringComparison.Ordinal);
+    }
+
     /// <summary>As line 18,165 of Povilaitis et al. (2018) in DeepMoon; an error below it names the right line.</summary>
     [Fact]
     public void Read_FieldOfTwoLines_IsOne()

@@ -208,7 +208,7 @@ public sealed class NavigationRunTests : IDisposable
     [InlineData("--stereo 1 --flow-format avi", "'avi' is no format. Give some of fits, npy, flo, kitti.")]
     [InlineData("--stereo 0", "--stereo is 0; its range is above 0")]
     [InlineData("--landmarks FILE:c.csv --renderer povray", "--landmarks is for --renderer native only.")]
-    [InlineData("--landmarks FILE:bad.txt", "bad.txt, line 1: no columns lat and lon, nor x, y and z")]
+    [InlineData("--landmarks FILE:bad.txt", "bad.txt, line 1: no column for latitude and longitude, nor x, y and z")]
     [InlineData("--landmarks FILE:nan.txt", "nan.txt, line 2, column 'lat': a number from -90 to 90 is needed")]
     [InlineData("--crater-rim terrain", "--crater-rim is given, but no --craters. Name a catalogue, or leave it out.")]
     [InlineData("--layers crater", "--layers: crater needs a catalogue of craters. Name one by --craters.")]
