@@ -79,7 +79,7 @@ internal static class MissingParts
         Part.MariaDb => TestParts.MariaDb is not null && TestParts.Program("mariadb-install-db") is not null,
         Part.LroNac => LroNac.IsThere,
         Part.Artemis => TestParts.ArtemisOem is not null,
-        Part.Field => TestParts.Field is not null,
+        Part.Field => Directory.Exists(TestParts.Field),
         Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

@@ -26,10 +26,8 @@ internal static class TestParts
     public static string? ArtemisOem => FirstFile(Path.Combine(
         RepositoryRoot, "..", "shared", "missions", "artemis1", "Post_TLI_Orion_AsFlown_20221213_EPH_OEM.asc.gz"));
 
-    /// <summary>Reproductions of faults, in numbered folders, where they are installed beside the repository.</summary>
-    public static string? Field => FirstFile(Path.Combine(RepositoryRoot, "..", "shared", "field", "README.md")) is { } page
-        ? Path.GetDirectoryName(page)
-        : null;
+    /// <summary>Files and reports from the field, each in a folder with what is right; beside the repository.</summary>
+    public static string Field => Path.Combine(RepositoryRoot, "..", "shared", "field");
 
     /// <summary>The folder of the kernels that the project ships.</summary>
     public static string Kernels => Path.Combine(RepositoryRoot, "kernels");

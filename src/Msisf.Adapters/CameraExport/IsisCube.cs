@@ -97,9 +97,9 @@ internal static class IsisCube
         double time = frame.TdbSeconds;
         if (ScanOf(frame) is { } scan)
         {
-            // EphemerisTime is the beginning of the first line, StartTime and StopTime are the middles of the first and the last one.
-            start = frame.Time.After(scan.FirstSeconds).ToIsoUtc().TrimEnd('Z');
-            stop = frame.Time.After(scan.States[^1].Seconds).ToIsoUtc().TrimEnd('Z');
+            // As of all line-scan cubes, from the beginning of the first line to the end of the last one.
+            start = frame.Time.After(scan.FirstSeconds - (0.5 * scan.Period)).ToIsoUtc().TrimEnd('Z');
+            stop = frame.Time.After(scan.FirstSeconds + ((scan.Count - 0.5) * scan.Period)).ToIsoUtc().TrimEnd('Z');
             type = "Linescan";
             more = $"\n    ExposureDuration     = {Real(1000.0 * scan.Period)} <milliseconds>";
             time += scan.FirstSeconds - (0.5 * scan.Period);

@@ -9,7 +9,7 @@ internal static class CubeLabel
     /// <summary>Special values of real pixels are below it.</summary>
     private const double LeastReal = -3.40282265e38;
 
-    private static readonly string[] Groups = ["Instrument", "BandBin", "AlphaCube", "Archive"];
+    private static readonly string[] Groups = ["Instrument", "BandBin", "AlphaCube", "Archive", "Kernels"];
 
     /// <summary>Reads the label.</summary>
     /// <param name="text">Its text; what follows its End is not looked at.</param>

@@ -16,6 +16,27 @@ public sealed class CubeTables
 
     internal CubeTables(string path, PdsObject label) => (_path, _label) = (path, label);
 
+    /// <summary>The kernels that the cube's group Kernels lists, as it writes them.</summary>
+    public IReadOnlyList<string> Kernels =>
+    [
+        .. _label.FindObject("Kernels")?.Values
+            .SelectMany(pair => pair.Value.Items ?? [pair.Value])
+            .Select(item => item.Text)
+            .Where(text => OptionOf(text) is not null)
+            .Distinct() ?? [],
+    ];
+
+    /// <summary>The options that name the cube's kernels; empty without kernels.</summary>
+    public string Options => string.Join(' ', Kernels.Select(kernel => $"{OptionOf(kernel)} {kernel}"));
+
+    private static string? OptionOf(string kernel) => Path.GetExtension(kernel).ToLowerInvariant() switch
+    {
+        ".bsp" => "--spk",
+        ".bc" => "--ck",
+        ".tsc" or ".tf" or ".ti" or ".tpc" or ".bpc" or ".tls" => "--kernels",
+        _ => null,
+    };
+
     /// <summary>Reads a table of numbers.</summary>
     /// <param name="name">E.g. "InstrumentPointing".</param>
     /// <param name="columns">The columns that it must have, in this order at its beginning or, of the last one, at its end.</param>
@@ -24,7 +45,8 @@ public sealed class CubeTables
     {
         PdsObject table = _label.All.FirstOrDefault(found => found.Name == "Table" && found.Find("Name")?.Text == name)
             ?? throw new BadInputException(
-                $"{_path}: it has no table {name}. Run ISIS's spiceinit on the cube, or name kernels: --spk, --ck and --kernels.");
+                $"{_path}: it has no table {name}. Run ISIS's spiceinit on the cube, or name kernels: "
+                    + (Kernels.Count > 0 ? $"the cube lists {Options}." : "--spk, --ck and --kernels."));
         string[] fields = [.. table.All.Where(part => part.Name == "Field").Select(field => field.RequiredText("Name"))];
         bool areNumbers = table.All.Where(part => part.Name == "Field")
             .All(field => field.RequiredText("Type") == "Double" && field.RequiredInteger("Size", 1, 1) == 1);

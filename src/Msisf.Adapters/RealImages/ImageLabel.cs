@@ -20,12 +20,18 @@ public sealed class ImageLabel(string path, IReadOnlyDictionary<string, LabelVal
     /// <summary>The tables of a cube; null for other products.</summary>
     public CubeTables? Tables { get; init; }
 
+    /// <summary>The errors for keywords that the label has twice, with values that contradict each other, by their names.</summary>
+    public IReadOnlyDictionary<string, string> Contradictions { get; init; } = new Dictionary<string, string>();
+
     /// <summary>The name of a keyword as all kinds of labels share it: LRO:START_TIME, StartTime and start_time are STARTTIME.</summary>
     public static string NameOf(string keyword) =>
         keyword[(keyword.LastIndexOf(':') + 1)..].Replace("_", string.Empty, StringComparison.Ordinal).ToUpperInvariant();
 
     /// <summary>The value of a keyword; null if the label does not have it, or says that it is not known.</summary>
-    public LabelValue? Find(string name) => keywords.TryGetValue(name, out LabelValue? value)
+    /// <exception cref="BadInputException">The label has it twice, with values that contradict each other.</exception>
+    public LabelValue? Find(string name) => Contradictions.TryGetValue(name, out string? error)
+        ? throw new BadInputException(error)
+        : keywords.TryGetValue(name, out LabelValue? value)
         && !value.Text.Equals("NULL", StringComparison.OrdinalIgnoreCase) && value.Text is not ("N/A" or "UNK") ? value : null;
 
     /// <summary>The text of a keyword; empty if the label does not have it.</summary>

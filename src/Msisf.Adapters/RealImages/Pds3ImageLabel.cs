@@ -6,6 +6,18 @@ namespace Msisf.Adapters.RealImages;
 /// <remarks>Planetary Data System Standards Reference 3.8, appendix A.19 (IMAGE).</remarks>
 internal static class Pds3ImageLabel
 {
+    /// <summary>The machines of which a number's type is named, and whether they put the most significant byte first.</summary>
+    private static readonly Dictionary<string, bool> Machines = new(StringComparer.Ordinal)
+    {
+        ["MSB_"] = true,
+        ["MAC_"] = true,
+        ["SUN_"] = true,
+        ["IEEE_"] = true,
+        ["LSB_"] = false,
+        ["PC_"] = false,
+        ["VAX_"] = false,
+    };
+
     private static readonly string[] NoValue =
         ["MISSING_CONSTANT", "MISSING", "INVALID_CONSTANT", "INVALID_VALUE", "NOT_APPLICABLE_CONSTANT", "NULL", "CORE_NULL"];
 
@@ -24,7 +36,13 @@ internal static class Pds3ImageLabel
             keywords.TryAdd(ImageLabel.NameOf(name), ImageLabelReader.ValueOf(value));
         }
 
-        return new ImageLabel(path, keywords) { Kind = "PDS3", Pixels = PixelsOf(holder, image, path, label) };
+        return new ImageLabel(path, keywords)
+        {
+            Kind = "PDS3",
+            Pixels = PixelsOf(holder, image, path, label),
+            Contradictions = label.Contradictions.Concat(image.Contradictions).DistinctBy(pair => ImageLabel.NameOf(pair.Key))
+                .ToDictionary(pair => ImageLabel.NameOf(pair.Key), pair => pair.Value, StringComparer.Ordinal),
+        };
     }
 
     /// <summary>The first object IMAGE, and the one that has its pointer.</summary>
@@ -52,16 +70,16 @@ internal static class Pds3ImageLabel
         long around = (image.OptionalInteger("LINE_PREFIX_BYTES", 0, most) ?? 0)
             + (image.OptionalInteger("LINE_SUFFIX_BYTES", 0, most) ?? 0);
         long line = (samples * bytes) + around;
-        string order = image.Find("BAND_STORAGE_TYPE")?.Text ?? "BAND_SEQUENTIAL";
+        string order = image.Find("BAND_STORAGE_TYPE")?.Word ?? "BAND_SEQUENTIAL";
         return layout with
         {
             Offset = offset + (image.OptionalInteger("LINE_PREFIX_BYTES", 0, most) ?? 0),
             Strides = order switch
             {
                 _ when bands == 1 => (line * lines, line, (int)bytes),
-                "BAND_SEQUENTIAL" => (line * lines, line, (int)bytes),
-                "LINE_INTERLEAVED" => (line, line * bands, (int)bytes),
-                "SAMPLE_INTERLEAVED" => (bytes, (samples * bytes * bands) + around, (int)bytes * bands),
+                "BAND_SEQUENTIAL" or "BSQ" => (line * lines, line, (int)bytes),
+                "LINE_INTERLEAVED" or "BIL" => (line, line * bands, (int)bytes),
+                "SAMPLE_INTERLEAVED" or "BIP" => (bytes, (samples * bytes * bands) + around, (int)bytes * bands),
                 _ => throw image.WrongValue(
                     "BAND_STORAGE_TYPE", "BAND_SEQUENTIAL, LINE_INTERLEAVED or SAMPLE_INTERLEAVED is needed"),
             },
@@ -70,19 +88,19 @@ internal static class Pds3ImageLabel
 
     private static (PixelType Type, bool IsBigEndian) TypeOf(PdsObject image)
     {
-        string name = image.RequiredText("SAMPLE_TYPE");
-        bool isBigEndian = !name.StartsWith("PC", StringComparison.Ordinal) && !name.StartsWith("LSB", StringComparison.Ordinal)
-            && !name.StartsWith("VAX_", StringComparison.Ordinal);
-        bool isUnsigned = name.Contains("UNSIGNED", StringComparison.Ordinal);
-        bool isReal = name.Contains("REAL", StringComparison.Ordinal) || name == "FLOAT";
-        PixelType type = (isReal, image.RequiredInteger("SAMPLE_BITS", 1, 64)) switch
+        string name = image.Required("SAMPLE_TYPE").Word;
+        string machine = Machines.Keys.FirstOrDefault(key => name.StartsWith(key, StringComparison.Ordinal)) ?? string.Empty;
+        bool isBigEndian = Machines.GetValueOrDefault(machine, true);
+        string number = name[machine.Length..];
+        bool isUnsigned = number == "UNSIGNED_INTEGER";
+        PixelType type = (number, image.RequiredInteger("SAMPLE_BITS", 1, 64)) switch
         {
             // LROC's labels say LSB_INTEGER of 8 bits, which count from 0 to 255.
-            (false, 8) => PixelType.Unsigned8,
-            (false, 16) => isUnsigned ? PixelType.Unsigned16 : PixelType.Signed16,
-            (false, 32) when !isUnsigned => PixelType.Signed32,
-            (true, 32) when !name.StartsWith("VAX", StringComparison.Ordinal) => PixelType.Real32,
-            (true, 64) when !name.StartsWith("VAX", StringComparison.Ordinal) => PixelType.Real64,
+            ("INTEGER" or "UNSIGNED_INTEGER", 8) => PixelType.Unsigned8,
+            ("INTEGER" or "UNSIGNED_INTEGER", 16) => isUnsigned ? PixelType.Unsigned16 : PixelType.Signed16,
+            ("INTEGER", 32) => PixelType.Signed32,
+            ("REAL" or "FLOAT", 32) when machine != "VAX_" => PixelType.Real32,
+            ("REAL" or "FLOAT", 64) when machine != "VAX_" => PixelType.Real64,
             _ => throw image.WrongValue("SAMPLE_TYPE", "integers of 8, 16 or 32 bits and IEEE reals of 32 or 64 bits are read"),
         };
         return (type, isBigEndian);

@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Msisf.Adapters.RealImages;
 
 namespace Msisf.App.Twins;
@@ -11,7 +12,7 @@ namespace Msisf.App.Twins;
 /// <param name="Times">When it took the first line, framelet or image, and the seconds from one to the next.</param>
 /// <remarks>The camera models of USGS's ISIS: LroNarrowAngleCamera, LroWideAngleCamera, Chandrayaan1M3Camera, UvvisCamera,
 /// KaguyaTcCamera.</remarks>
-internal sealed record KnownCamera(
+internal sealed partial record KnownCamera(
     string Name, Func<ImageLabel, bool> Is, Func<ImageLabel, double?, string> Preset, Func<ImageLabel, string> Axes,
     Func<ImageLabel, int> Instrument, Func<ImageLabel, TwinClock, TwinTimes> Times)
 {
@@ -29,6 +30,12 @@ internal sealed record KnownCamera(
     /// <summary>What of its products can't be drawn; null for nothing.</summary>
     public Func<ImageLabel, string?> Problem { get; init; } = static _ => null;
 
+    /// <summary>
+    /// The keywords of a cube's instrument that the twin takes, each with the place of its number in the preset's file: those whose meaning
+    /// is the file's.
+    /// </summary>
+    public IReadOnlyList<(string Keyword, Regex Place)> Keywords { get; init; } = [("FOCAL_LENGTH", FocalLength)];
+
     public static IReadOnlyList<KnownCamera> All { get; } =
     [
         new(
@@ -38,6 +45,7 @@ internal sealed record KnownCamera(
             label => IsLeft(label) ? -85600 : -85610, NacTimes)
         {
             Spacecraft = -85,
+            Keywords = [("FOCAL_LENGTH", FocalLength), ("OD_K", FactorOfLens)],
             Summing = label => (int)(label.Number("SPATIALSUMMING") ?? label.Number("CROSSTRACKSUMMING") ?? 1.0),
             FirstSample = label => (int)(label.Number("SAMPLEFIRSTPIXEL") ?? 0.0),
         },
@@ -49,6 +57,7 @@ internal sealed record KnownCamera(
                     $"{label.Path}: a band of {nanometres} nm; the WAC's visible ones are {string.Join(", ", WacBands)}."),
             _ => "+y,-x", _ => -85621, WacTimes)
         {
+            Keywords = [], // each of its bands has a lens of its own
             Spacecraft = -85,
             Problem = label => label.Text("INSTRUMENTMODEID") is not ("COLOR" or "VIS") and var mode
                 ? $"its mode is {mode}; COLOR and VIS are known"
@@ -60,6 +69,10 @@ internal sealed record KnownCamera(
                 label, clock.OfCount("SPACECRAFTCLOCKSTARTCOUNT") ?? clock.OfUtc("STARTTIME"), "LINEEXPOSUREDURATION"))
         {
             Spacecraft = -86,
+            Problem = label => label.Tables is null
+                ? $"a {label.Kind} label does not say when its lines were taken: START_TIME is not that of line 1, and lines may be in "
+                    + "reverse order of time. Make a cube of it with ISIS's chan1m32isis and spiceinit, and give that"
+                : null,
             Summing = label => (int)(label.Number("SPATIALSUMMING") ?? 1.0),
         },
         new(
@@ -85,9 +98,23 @@ internal sealed record KnownCamera(
                 _ => 0,
             },
         },
+        new(
+            "ISIS's IdealCamera (cubes of --camera-model isis)", label => label.Text("INSTRUMENTID") == "IdealCamera",
+            (label, _) => label.Path, _ => "+x,+y", label => (int)(label.Number("NAIFFRAMECODE") ?? 0.0), IdealTimes)
+        {
+            Spacecraft = -999,
+            Keywords = [], // the cube is the camera file
+            Problem = label => label.Tables is null ? "only its cubes have a camera" : null,
+        },
     ];
 
     public static KnownCamera? Of(ImageLabel label) => All.FirstOrDefault(camera => camera.Is(label));
+
+    [GeneratedRegex(@"(?<=(?m)^focal-length:\s*)[-+.\deE]+")]
+    private static partial Regex FocalLength { get; }
+
+    [GeneratedRegex(@"(?<=(?m)^\s+k:\s*\[)[-+.\deE]+(?=\])")]
+    private static partial Regex FactorOfLens { get; }
 
     private static bool IsNac(ImageLabel label) => label.Text("INSTRUMENTID") is "NACL" or "NACR"
         || (label.Text("INSTRUMENTID") == "LROC" && label.Text("FRAMEID") is "LEFT" or "RIGHT")
@@ -106,6 +133,16 @@ internal sealed record KnownCamera(
             ? preroll + (Naif("ADDITIONAL_PREROLL", 1024.0) * line) + Naif("CONSTANT_TIME_OFFSET", 0.0)
             : clock.OfUtc("STARTTIME");
         return new TwinTimes(start + (0.5 * line), line);
+    }
+
+    /// <summary>EphemerisTime is that of a frame, or the beginning of the first line.</summary>
+    private static TwinTimes IdealTimes(ImageLabel label, TwinClock clock)
+    {
+        double time = label.Number("EPHEMERISTIME") ?? throw new BadInputException($"{label.Path}: the cube has no EphemerisTime.");
+        double period = label.Text("INSTRUMENTTYPE").Equals("Linescan", StringComparison.OrdinalIgnoreCase)
+            ? Exposure(label, "EXPOSUREDURATION")
+            : 0.0;
+        return new TwinTimes(time + (0.5 * period), period);
     }
 
     private static TwinTimes WacTimes(ImageLabel label, TwinClock clock) => new(

@@ -1,4 +1,6 @@
+using System.Text.RegularExpressions;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.IO;
 using Msisf.Adapters.RealImages;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -14,6 +16,9 @@ namespace Msisf.App.Twins;
 internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile File, string AxesText)
 {
     private static readonly string[] NamesOfCamera = ["SPACECRAFTNAME", "INSTRUMENTHOSTNAME", "INSTRUMENTID", "INSTRUMENTNAME"];
+
+    /// <summary>Whether the user gives the camera.</summary>
+    public bool IsGiven { get; init; }
 
     public string Name => Known is null ? File.Name : $"{Known.Name}, {Word}";
 
@@ -47,7 +52,10 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
             : values;
         return new TwinCamera(
             known, word, CameraChoice.Read(withCamera)!,
-            MissionOptions.InstrumentAxes.ReadIfGiven(values) ?? known?.Axes(label) ?? "+x,+y");
+            MissionOptions.InstrumentAxes.ReadIfGiven(values) ?? known?.Axes(label) ?? "+x,+y")
+        {
+            IsGiven = given is not null,
+        };
     }
 
     /// <summary>When the product was taken.</summary>
@@ -74,20 +82,42 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
             clock.OfUtc("STARTTIME") + (0.5 * (File.Scan.Kind == ScanKind.LineScan ? period : exposure)), period);
     }
 
-    /// <summary>A warning if a cube's own focal length is another one than the camera's; null if it is not, or not known.</summary>
-    public string? FocalLengthWarning(ImageLabel label)
+    /// <summary>
+    /// The same camera with the focal length and the lens that a cube's own keywords state, as a camera file of its own; this one if they
+    /// are the same, or the label has none.
+    /// </summary>
+    /// <param name="makePath">The file that is written; asked only if one is.</param>
+    /// <param name="note">Receives a sentence about what is used.</param>
+    /// <exception cref="MsisfException">The keywords make no camera, or the file can't be written.</exception>
+    public TwinCamera WithKeywords(ImageLabel label, Func<string> makePath, Action<string> note)
     {
-        const double same = 1e-5;
-        if (Known is null || File.FocalLength is not { } focalLength
-            || label.NaifNumbers($"INS{Known.Instrument(label).ToString(CultureInfo.InvariantCulture)}_FOCAL_LENGTH") is not [double cube]
-            || label.Text("INSTRUMENTID") == "WAC-VIS" // each of its bands has one of its own
-            || Math.Abs((cube / (1000.0 * focalLength)) - 1.0) < same)
+        const double same = 1e-9; // relative: keywords are printed with ten digits or more
+        if (Known is null || IsGiven)
         {
-            return null;
+            return this;
         }
 
-        return Invariant(
-            $"{label.Path}: its SPICE has a focal length of {cube:R} mm, --camera {Word} one of {1000.0 * focalLength:R} mm. For another "
-                + $"filter give a camera file: --camera.");
+        string code = $"INS{Known.Instrument(label).ToString(CultureInfo.InvariantCulture)}";
+        string text = System.IO.File.ReadAllText(File.Path);
+        List<string> changed = [];
+        foreach ((string keyword, Regex place) in Known.Keywords)
+        {
+            if (label.NaifNumbers($"{code}_{keyword}") is [double stated] && place.Match(text) is { Success: true } found
+                && Math.Abs((double.Parse(found.Value, CultureInfo.InvariantCulture) / stated) - 1.0) > same)
+            {
+                text = $"{text[..found.Index]}{stated.ToString("R", CultureInfo.InvariantCulture)}{text[(found.Index + found.Length)..]}";
+                changed.Add(Invariant($"{keyword} {stated:R}"));
+            }
+        }
+
+        if (changed.Count == 0)
+        {
+            return this;
+        }
+
+        string path = makePath();
+        note($"{label.Path}: its own keywords state {string.Join(" and ", changed)}, which the twin has: {path}.");
+        AtomicFile.WriteText(path, writer => writer.Write(text));
+        return this with { Word = path, File = CameraFileReader.Read(path) };
     }
 }

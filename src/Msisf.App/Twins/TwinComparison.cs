@@ -34,7 +34,7 @@ internal sealed record TwinComparison(
             double high = low + PhaseStep;
             if (ImageAgreement.Of(real, drawn, i => phase[i] >= low && phase[i] < high) is { } part && part.Count >= LeastCount)
             {
-                byPhase.Add(new PhaseAgreement(low, high, part, part.Factor / agreement.Factor));
+                byPhase.Add(new PhaseAgreement(low, high, part, agreement.Factor != 0.0 ? part.Factor / agreement.Factor : null));
             }
         }
 
@@ -47,5 +47,7 @@ internal sealed record TwinComparison(
 /// <param name="Low">degrees.</param>
 /// <param name="High">degrees.</param>
 /// <param name="Agreement">After a factor of their own.</param>
-/// <param name="Ratio">Their factor over that of the whole image: above 1 where the real image is brighter than its twin.</param>
-internal sealed record PhaseAgreement(double Low, double High, ImageAgreement Agreement, double Ratio);
+/// <param name="Ratio">
+/// Their factor over that of the whole image: above 1 where the real image is brighter than its twin; null where that factor is 0.
+/// </param>
+internal sealed record PhaseAgreement(double Low, double High, ImageAgreement Agreement, double? Ratio);

@@ -38,7 +38,7 @@ internal sealed class TwinJson(TwinResult result)
                     ["correlation"] = found.Agreement.Correlation,
                     ["relativeRms"] = found.Agreement.Rms,
                     ["factor"] = found.Agreement.Factor,
-                    ["byPhase"] = found.ByPhase.Select(part => new Dictionary<string, object>
+                    ["byPhase"] = found.ByPhase.Select(part => new Dictionary<string, object?>
                     {
                         ["from"] = part.Low,
                         ["to"] = part.High,

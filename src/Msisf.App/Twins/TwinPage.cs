@@ -44,6 +44,12 @@ internal sealed class TwinPage(TwinResult result)
         writer.Write("</body></html>\n");
     }
 
+    /// <summary>A number; a dash where it has no value, as the correlation of an image without contrast.</summary>
+    private static string Number(double? number, string format) => number?.ToString(format, CultureInfo.InvariantCulture) ?? "&ndash;";
+
+    private static string Percent(double? part, string format) =>
+        part is { } known ? $"{Number(100.0 * known, format)} %" : Number(null, format);
+
     private static string Text(string text) => WebUtility.HtmlEncode(text);
 
     private static string Figure(string picture, string caption) => $"<figure>{picture}<figcaption>{caption}</figcaption></figure>\n";
@@ -52,7 +58,8 @@ internal sealed class TwinPage(TwinResult result)
     {
         ImageAgreement agreement = found.Agreement;
         writer.Write(Invariant(
-            $"<p><b>Correlation {agreement.Correlation:F4}, relative rms {100.0 * agreement.Rms:F2} %</b> over {agreement.Count} pixels "
+            $"<p><b>Correlation {Number(agreement.Correlation, "F4")}, relative rms {Percent(agreement.Rms, "F2")}</b> over "
+                + $"{agreement.Count} pixels "
                 + $"after one factor ({agreement.Factor:G6}). {ShiftText(found.Whole)}</p>\n"));
         WritePictures(writer, found);
         writer.Write("<h2>By phase angle</h2>\n<table><tr><th>degrees</th><th>pixels</th><th>real / twin</th><th>correlation</th>"
@@ -60,8 +67,8 @@ internal sealed class TwinPage(TwinResult result)
         foreach (PhaseAgreement part in found.ByPhase)
         {
             writer.Write(Invariant(
-                $"<tr><td>{part.Low:F0} to {part.High:F0}</td><td>{part.Agreement.Count}</td><td>{part.Ratio:F3}</td>"
-                    + $"<td>{part.Agreement.Correlation:F3}</td><td>{100.0 * part.Agreement.Rms:F1} %</td></tr>\n"));
+                $"<tr><td>{part.Low:F0} to {part.High:F0}</td><td>{part.Agreement.Count}</td><td>{Number(part.Ratio, "F3")}</td>"
+                    + $"<td>{Number(part.Agreement.Correlation, "F3")}</td><td>{Percent(part.Agreement.Rms, "F1")}</td></tr>\n"));
         }
 
         writer.Write(Invariant(

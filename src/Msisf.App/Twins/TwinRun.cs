@@ -51,11 +51,7 @@ internal sealed class TwinRun
         TwinBand band = TwinBand.Of(_label, values);
         TwinCamera camera = TwinCamera.Of(_label, band.Nanometres, values);
         float[]? real = null;
-        if (camera.FocalLengthWarning(_label) is { } warning)
-        {
-            _host.Log.Warning(warning);
-        }
-
+        camera = camera.WithKeywords(_label, () => Path.Combine(MadeFolder(), $"{_name}.camera.yaml"), _host.Log.Note);
         (TwinPlan plan, OptionValues ofRun, double? sunOffset) = Plan(TwinOptionValues.WithBand(values, band.Nanometres), camera);
         RenderSettings settings = RenderSettingsReader.Read(ofRun, geoTiffs: _host.GeoTiffs);
         if (_label.Pixels.AreThere())
@@ -89,6 +85,14 @@ internal sealed class TwinRun
         if (real is not null && result.Comparison is null)
         {
             _host.Log.Warning($"{_label.Path}: the twin shows no lit surface where the image has pixels: nothing is compared.");
+        }
+
+        if (result.Comparison is { } compared && (compared.Agreement.Correlation is null || compared.Agreement.Rms is null))
+        {
+            string why = compared.Agreement.Correlation is null
+                ? "the image, or its twin, is the same everywhere"
+                : "the image's mean is 0";
+            _host.Log.Note($"{_label.Path}: {why}: figures that have no value are null.");
         }
 
         Write(result, stem);
@@ -208,12 +212,18 @@ internal sealed class TwinRun
             states.Add(StateAt(plan.Start + (0.5 * plan.Period)));
         }
 
-        string path = Path.Combine(_folder, $"{_name}.states.tab");
-        OutputOptions.Folder.NamedInErrors(() => FileErrors.ToExternalPart(
-            $"--output-dir {_folder}: the folder can't be made", () => Directory.CreateDirectory(_folder)));
+        string path = Path.Combine(MadeFolder(), $"{_name}.states.tab");
         AtomicFile.WriteText(path, writer => BatchFileWriter.Write(
             writer, $"states of {Path.GetFileName(_label.Path)} by its SPICE tables, msis {_host.Version}", states));
         return (plan, TwinOptionValues.With(values, [(ScanOptions.Trajectory, path)]), offset);
+    }
+
+    /// <summary>The folder of the files, which is made if it is not there.</summary>
+    private string MadeFolder()
+    {
+        OutputOptions.Folder.NamedInErrors(() => FileErrors.ToExternalPart(
+            $"--output-dir {_folder}: the folder can't be made", () => Directory.CreateDirectory(_folder)));
+        return _folder;
     }
 
     private static string StateText(SpacecraftState state) =>

@@ -2,10 +2,12 @@ namespace Msisf.Core.Comparison;
 
 /// <summary>How well a drawn image agrees with a real one after one factor.</summary>
 /// <param name="Count">Pixels that both have.</param>
-/// <param name="Correlation">Pearson's, -1 to 1; 0 where one of the images is the same everywhere.</param>
+/// <param name="Correlation">Pearson's, -1 to 1; null where one of the images is the same everywhere.</param>
 /// <param name="Factor">By which the drawn one is multiplied: the one of least squares.</param>
-/// <param name="Rms">Root mean square of the differences after the factor, as a part of the real image's mean.</param>
-public sealed record ImageAgreement(int Count, double Correlation, double Factor, double Rms)
+/// <param name="Rms">
+/// Root mean square of the differences after the factor, as a part of the real image's mean; null where that is 0.
+/// </param>
+public sealed record ImageAgreement(int Count, double? Correlation, double Factor, double? Rms)
 {
     /// <summary>Compares two images.</summary>
     /// <param name="real">By rows; NaN where there is no value.</param>
@@ -48,7 +50,9 @@ public sealed record ImageAgreement(int Count, double Correlation, double Factor
         }
 
         double spread = Math.Sqrt(ofRealSquares) * Math.Sqrt(ofDrawnSquares);
-        return new ImageAgreement(count, spread > 0.0 ? covariance / spread : 0.0, factor, Math.Sqrt(ofErrors / count) / meanReal);
+        return new ImageAgreement(
+            count, spread > 0.0 ? covariance / spread : null, factor,
+            meanReal != 0.0 ? Math.Sqrt(ofErrors / count) / meanReal : null);
     }
 
     /// <summary>Whether both images have a pixel.</summary>

@@ -105,6 +105,66 @@ public sealed class ImageLabelReaderTests : IDisposable
         Assert.DoesNotContain('\n', exception.Message);
     }
 
+    /// <summary>
+    /// Spellings of the interleaving, and synonyms of the types in the PDS Standards Reference 3.8, appendix C: two bands of 1 x 2 px
+    /// whose bytes are 1 to 8.
+    /// </summary>
+    [Theory]
+    [InlineData("BAND_SEQUENTIAL", "MSB_INTEGER", 0x0506)]
+    [InlineData("\"BAND SEQUENTIAL\"", "MSB_INTEGER", 0x0506)]
+    [InlineData("\"Band Sequential\"", "\"SUN INTEGER\"", 0x0506)]
+    [InlineData("BSQ", "INTEGER", 0x0506)]
+    [InlineData("\"LINE INTERLEAVED\"", "MAC_UNSIGNED_INTEGER", 0x0506)]
+    [InlineData("\"SAMPLE-INTERLEAVED\"", "UNSIGNED_INTEGER", 0x0304)]
+    [InlineData("BIP", "VAX_INTEGER", 0x0403)]
+    [InlineData("\"BAND SEQUENTIAL\"", "\"PC UNSIGNED INTEGER\"", 0x0605)]
+    [InlineData("\"BAND SEQUENTIAL\"", "LSB_INTEGER", 0x0605)]
+    public void Read_SpellingsOfPds3_AreTheStandards(string order, string type, int secondBand)
+    {
+        string label = $"PDS_VERSION_ID = PDS3\n^IMAGE = \"a.img\"\nA = 1\nA = 2\nTARGET_NAME = MOON\nOBJECT = IMAGE\n"
+                + $" LINES = 1\n LINE_SAMPLES = 2\n"
+            + $" SAMPLE_TYPE = {type}\n SAMPLE_BITS = 16\n BANDS = 2\n BAND_STORAGE_TYPE = {order}\nEND_OBJECT = IMAGE\nEND\n";
+        File.WriteAllText(_folder["a.lbl"], label);
+        File.WriteAllBytes(_folder["a.img"], [1, 2, 3, 4, 5, 6, 7, 8]);
+
+        ImageLabel read = ImageLabelReader.Read(_folder["a.lbl"]);
+
+        Assert.Equal(secondBand, read.Pixels.Read(1, 0, 1)[0]);
+        Assert.Equal("MOON", read.Text("TARGETNAME"));
+        Assert.Contains("line 4: A = 2; line 3 of the same object says 1", Assert.Throws<BadInputException>(
+            () => read.Text("A")).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("VAX_REAL", 32)]
+    [InlineData("COMPLEX", 64)]
+    [InlineData("BIT_STRING", 8)]
+    public void Read_TypesOfPds3WithoutCounterpart_AreRefused(string type, int bits)
+    {
+        File.WriteAllText(
+            _folder["a.lbl"],
+            $"PDS_VERSION_ID = PDS3\n^IMAGE = \"a.img\"\nOBJECT = IMAGE\n LINES = 1\n LINE_SAMPLES = 2\n SAMPLE_TYPE = {type}\n"
+                + $" SAMPLE_BITS = {bits}\nEND_OBJECT = IMAGE\nEND\n");
+
+        Assert.Contains($"SAMPLE_TYPE = {type}; integers of 8, 16 or 32 bits", Assert.Throws<BadInputException>(
+            () => ImageLabelReader.Read(_folder["a.lbl"])).Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>The kernels of a cube's group as options, for the message that asks for kernels.</summary>
+    [Fact]
+    public void Tables_WithoutThem_NameTheKernelsOfTheCube()
+    {
+        File.WriteAllText(_folder["a.cub"], Cube.Replace(
+            "End_Object\nEnd\n", "  Group = Kernels\n    InstrumentPointing = (Table, $lro/ck/lrolc.bc, $lro/fk/lro_frames.tf)\n"
+                + "    InstrumentPosition = $lro/spk/LRO_ES.bsp\n    ShapeModel = ldem.cub\n  End_Group\nEnd_Object\nEnd\n",
+            StringComparison.Ordinal));
+        CubeTables tables = ImageLabelReader.Read(_folder["a.cub"]).Tables!;
+
+        Assert.EndsWith(
+            "the cube lists --ck $lro/ck/lrolc.bc --kernels $lro/fk/lro_frames.tf --spk $lro/spk/LRO_ES.bsp.",
+            Assert.Throws<BadInputException>(() => new CubeStates(tables, "a.cub")).Message, StringComparison.Ordinal);
+    }
+
     /// <summary>Of 24 bytes from byte 1001 on.</summary>
     [Theory]
     [InlineData(1000, false)]

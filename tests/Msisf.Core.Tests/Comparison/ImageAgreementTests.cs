@@ -18,8 +18,8 @@ public sealed class ImageAgreementTests
 
         Assert.Equal(4, found.Count);
         Assert.Equal(2.28, found.Factor, Rounding.OfChains);
-        Assert.Equal(0.9820842820734642, found.Correlation, Rounding.OfChains);
-        Assert.Equal(0.09712418121129114, found.Rms, Rounding.OfChains);
+        Assert.Equal(0.9820842820734642, found.Correlation!.Value, Rounding.OfChains);
+        Assert.Equal(0.09712418121129114, found.Rms!.Value, Rounding.OfChains);
     }
 
     [Fact]
@@ -33,5 +33,24 @@ public sealed class ImageAgreementTests
         Assert.Null(ImageAgreement.Of([r0, r1], [d0, d1]));
 
     [Fact]
-    public void Of_OneGrey_HasNoCorrelation() => Assert.Equal(0.0, ImageAgreement.Of([2.0f, 2.0f], [1.0f, 3.0f])!.Correlation);
+    public void Of_OneGrey_HasNoCorrelation()
+    {
+        ImageAgreement found = ImageAgreement.Of([2.0f, 2.0f], [1.0f, 3.0f])!;
+
+        Assert.Null(found.Correlation);
+        Assert.Equal(0.8, found.Factor, Rounding.OfChains); // (2 + 6) / (1 + 9)
+        Assert.Equal(Math.Sqrt((1.44 + 0.16) / 2.0) / 2.0, found.Rms!.Value, Rounding.OfChains);
+    }
+
+    /// <summary>Zeros, and values whose mean is 0: what is a part of the mean has no value.</summary>
+    [Theory]
+    [InlineData(0.0f, 0.0f, false)]
+    [InlineData(-1.0f, 1.0f, true)]
+    public void Of_MeanOfZero_HasNoRelativeRms(float r0, float r1, bool hasCorrelation)
+    {
+        ImageAgreement found = ImageAgreement.Of([r0, r1], [1.0f, 3.0f])!;
+
+        Assert.Null(found.Rms);
+        Assert.Equal(hasCorrelation ? 1.0 : null, found.Correlation);
+    }
 }

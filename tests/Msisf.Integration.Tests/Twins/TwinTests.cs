@@ -93,6 +93,32 @@ public sealed partial class TwinTests(TwinCubes cubes) : IClassFixture<TwinCubes
         Refused(_folder["wrong.cub"], exitCode, expected);
     }
 
+    /// <summary>Another focal length in the cube's own keywords than the preset's: the twin has it.</summary>
+    [RequiresFact(Part.Ldem4, Part.Numpy, Part.LroNac)]
+    public void Keywords_OfTheCube_AreTheTwinsOptics()
+    {
+        byte[] cube = File.ReadAllBytes(cubes["nac"]);
+        int at = Encoding.Latin1.GetString(cube).IndexOf("FOCAL_LENGTH = 699.62", StringComparison.Ordinal);
+        "FOCAL_LENGTH = 690.25"u8.CopyTo(cube.AsSpan(at));
+        File.WriteAllBytes(_folder["own.cub"], cube);
+        Twin(_folder["own.cub"], "own", []);
+        string command = Json("own/own.twin.layers.json").GetProperty("commandLine").GetString()!;
+
+        Assert.StartsWith(_folder["own/own.twin.camera.yaml"], Word(command, "--camera").Split('#')[0], StringComparison.Ordinal);
+        Adapters.Camera.CameraFile camera = Adapters.Camera.CameraFileReader.Read(_folder["own/own.twin.camera.yaml"]);
+        Assert.Equal(0.69025, camera.FocalLength!.Value, 1e-12);
+        Assert.Equal(690.25 / 0.007, camera.Model.FocalX, 1e-6);
+    }
+
+    /// <summary>START_TIME of M3's labels is not the time of line 1, which their table of times has.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Pds3LabelOfM3_IsRefused() => Refused(
+        _folder.Write(
+            "m3.lbl", "PDS_VERSION_ID = PDS3\n^IMAGE = \"m3.img\"\nINSTRUMENT_ID = M3\nTARGET_NAME = MOON\n"
+                + "START_TIME = 2009-06-30T08:34:07\nOBJECT = IMAGE\n LINES = 5\n LINE_SAMPLES = 608\n SAMPLE_TYPE = PC_REAL\n"
+                + " SAMPLE_BITS = 32\nEND_OBJECT = IMAGE\nEND\n"),
+        2, "Chandrayaan-1 M3: a PDS3 label does not say when its lines were taken", Kernels);
+
     /// <summary>The pixels end at byte 507,904, the tables 200 bytes later.</summary>
     [RequiresTheory(Part.Ldem4, Part.Numpy, Part.LroNac)]
     [InlineData(300_000, "the file is cut off")]

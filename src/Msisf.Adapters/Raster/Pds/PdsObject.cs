@@ -8,6 +8,13 @@ namespace Msisf.Adapters.Raster.Pds;
 /// <param name="Line">Line of the label, from 1.</param>
 internal sealed record PdsValue(string Text, bool IsQuoted, string? Unit, IReadOnlyList<PdsValue>? Items, int Line)
 {
+    /// <summary>
+    /// The text as a word of the standard: capitals, with one underscore for blanks, hyphens and underscores. "Band Sequential" is
+    /// BAND_SEQUENTIAL.
+    /// </summary>
+    public string Word => string.Join('_', Text.ToUpperInvariant().Split(
+        (char[])[' ', '\t', '\r', '\n', '-', '_'], StringSplitOptions.RemoveEmptyEntries));
+
     /// <summary>As the label writes it, on one line.</summary>
     public override string ToString() => Items is null
         ? string.Join(' ', Text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)) + (Unit is null ? string.Empty : $" <{Unit}>")
@@ -34,6 +41,7 @@ internal static class PdsUnits
 internal sealed class PdsObject(string file, string name, int line)
 {
     private readonly Dictionary<string, PdsValue> _values = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, PdsValue> _contradictions = new(StringComparer.Ordinal);
     private readonly List<PdsObject> _children = [];
 
     public string Name => name;
@@ -41,7 +49,10 @@ internal sealed class PdsObject(string file, string name, int line)
     public int Line => line;
 
     /// <summary>The value of a keyword of this object itself; null if it has none.</summary>
-    public PdsValue? Find(string keyword) => _values.GetValueOrDefault(keyword);
+    /// <exception cref="BadInputException">The object has it twice, with values that contradict each other.</exception>
+    public PdsValue? Find(string keyword) => _contradictions.TryGetValue(keyword, out PdsValue? second)
+        ? throw WrongValue(keyword, second, $"line {_values[keyword].Line} of the same object says {_values[keyword]}")
+        : _values.GetValueOrDefault(keyword);
 
     /// <summary>The first object of a name, in the order of the label, however deep; null if there is none.</summary>
     public PdsObject? FindObject(string wanted) =>
@@ -50,8 +61,12 @@ internal sealed class PdsObject(string file, string name, int line)
     /// <summary>This object and all below it, in the order of the label.</summary>
     public IEnumerable<PdsObject> All => _children.SelectMany(child => child.All).Prepend(this);
 
-    /// <summary>The keywords of this object itself.</summary>
-    public IReadOnlyDictionary<string, PdsValue> Values => _values;
+    /// <summary>The keywords of this object itself, without those that it has twice with values that contradict each other.</summary>
+    public IEnumerable<KeyValuePair<string, PdsValue>> Values => _values.Where(pair => !_contradictions.ContainsKey(pair.Key));
+
+    /// <summary>The error for each keyword that the object has twice, with values that contradict each other.</summary>
+    public IEnumerable<KeyValuePair<string, string>> Contradictions => _contradictions.Select(pair => KeyValuePair.Create(
+        pair.Key, WrongValue(pair.Key, pair.Value, $"line {_values[pair.Key].Line} of the same object says {_values[pair.Key]}").Message));
 
     /// <summary>The value of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing.</exception>
@@ -118,13 +133,12 @@ internal sealed class PdsObject(string file, string name, int line)
     public BadInputException WrongValue(string keyword, PdsValue value, string need) =>
         new($"{file}, line {value.Line}: {keyword} = {value}; {need}.");
 
-    /// <summary>Adds a keyword while the label is read.</summary>
-    /// <exception cref="BadInputException">The object has the keyword already, with another value.</exception>
+    /// <summary>Adds a keyword while the label is read. A second value counts only when somebody asks for the keyword.</summary>
     public void Add(string keyword, PdsValue value)
     {
         if (!_values.TryAdd(keyword, value) && _values[keyword].ToString() != value.ToString())
         {
-            throw WrongValue(keyword, value, $"line {_values[keyword].Line} of the same object says {_values[keyword]}");
+            _contradictions.TryAdd(keyword, value);
         }
     }
 

@@ -41,6 +41,29 @@ public class PdsLabelParserTests
     [Fact]
     public void Parse_SameKeywordAndValueTwice_IsFine() => Assert.Equal("1", Parse("A = 1\nA = 1\nEND\n").RequiredText("A"));
 
+    /// <summary>Of a keyword that is there twice only who needs it is told.</summary>
+    [Fact]
+    public void Find_KeywordTwiceWithOtherValues_IsRefusedWhereItIsNeeded()
+    {
+        PdsObject label = Parse("A = 1\nA = 2\nB = 3\nEND\n");
+
+        Assert.Equal("3", label.RequiredText("B"));
+        Assert.DoesNotContain(label.Values, pair => pair.Key == "A");
+        Assert.Equal(
+            "x.lbl, line 3: A = 2; line 2 of the same object says 1.",
+            Assert.Throws<BadInputException>(() => label.RequiredText("A")).Message);
+    }
+
+    /// <summary>Spellings that labels have for a word of the standard.</summary>
+    [Theory]
+    [InlineData("BAND_SEQUENTIAL")]
+    [InlineData("\"BAND SEQUENTIAL\"")]
+    [InlineData("\"Band  Sequential\"")]
+    [InlineData("'band-sequential'")]
+    [InlineData("\"BAND_\n   SEQUENTIAL\"")]
+    public void Word_OfSpellings_IsTheStandards(string text) =>
+        Assert.Equal("BAND_SEQUENTIAL", Parse($"A = {text}\nEND\n").Required("A").Word);
+
     [Theory]
     [InlineData("A = 1\n", "line 3: the label ends; a keyword is needed")]
     [InlineData("A 1\nEND\n", "line 2: '1'; '=' after A is needed")]
@@ -52,7 +75,6 @@ public class PdsLabelParserTests
     [InlineData("OBJECT = X\nEND\n", "line 3: 'END'; END_OBJECT = X is needed first (line 2 opens it)")]
     [InlineData("OBJECT = X\nEND_OBJECT = Y\nEND\n", "line 3: 'Y'; END_OBJECT = X is needed first")]
     [InlineData("END_OBJECT = X\nEND\n", "line 2: 'END_OBJECT'; no object is open here")]
-    [InlineData("A = 1\nA = 2\nEND\n", "line 3: A = 2; line 2 of the same object says 1")]
     public void Parse_BrokenLabel_NamesFileAndLine(string text, string expected)
     {
         BadInputException exception = Assert.Throws<BadInputException>(() => Parse(text));
