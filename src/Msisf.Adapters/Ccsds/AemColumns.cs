@@ -24,7 +24,12 @@ internal sealed record AemColumns(string Type)
     public bool IsBodyB { get; init; }
 
     /// <summary>Whether lines have rates from which polynomials can be made.</summary>
-    public bool HasRates => Type.StartsWith("QUATERNION/", StringComparison.Ordinal);
+    public bool HasRates => Type.Contains('/', StringComparison.Ordinal);
+
+    /// <summary>
+    /// The sequence of angles whose derivatives the lines have; null for other lines. Version 1.0 calls the type EULER_ANGLE/RATE.
+    /// </summary>
+    public EulerSequence? AngleRatesOf => Type is "EULER_ANGLE/DERIVATIVE" or "EULER_ANGLE/RATE" ? Sequence : null;
 
     private bool IsScalarFirst { get; init; }
 
@@ -50,7 +55,7 @@ internal sealed record AemColumns(string Type)
         {
             IsScalarFirst = isQuaternion && IsFirst(metadata, isFirstVersion),
             Sequence = isQuaternion ? null : SequenceOf(metadata),
-            IsRateOfB = type is "QUATERNION/RATE" or "QUATERNION/ANGVEL" && IsRateFrameB(metadata),
+            IsRateOfB = type is "QUATERNION/RATE" or "QUATERNION/ANGVEL" or "EULER_ANGLE/ANGVEL" && IsRateFrameB(metadata),
             IsOrderOpen = isFirstVersion,
         };
     }
@@ -139,8 +144,9 @@ internal sealed record AemColumns(string Type)
             return 2.0 / square * ((w * dv) - (dw * v) - Vector3D.Cross(v, dv));
         }
 
+        ReadOnlySpan<double> degrees = numbers[^3..];
         Vector3D rate = new(
-            double.DegreesToRadians(numbers[4]), double.DegreesToRadians(numbers[5]), double.DegreesToRadians(numbers[6]));
+            double.DegreesToRadians(degrees[0]), double.DegreesToRadians(degrees[1]), double.DegreesToRadians(degrees[2]));
         Vector3D ofBody = IsBodyB ? rate : -rate; // it is that of B as seen from A
         return IsRateOfB == IsBodyB ? ofBody : frameFromBody.Conjugate * ofBody;
     }
@@ -199,7 +205,10 @@ internal sealed record AemColumns(string Type)
 
     private static bool IsRateFrameB(CcsdsMetadata metadata)
     {
-        string key = metadata.Find("ANGVEL_FRAME") is null ? "RATE_FRAME" : "ANGVEL_FRAME";
+        bool isFirstName = metadata.Find("ANGVEL_FRAME") is null
+            && (metadata.Find("RATE_FRAME") is not null
+                || metadata.Find("ATTITUDE_TYPE")!.EndsWith("/RATE", StringComparison.OrdinalIgnoreCase));
+        string key = isFirstName ? "RATE_FRAME" : "ANGVEL_FRAME";
         string frame = metadata.Require(key, "about which axes its rates are").ToUpperInvariant();
         string a = metadata.Find("REF_FRAME_A")!.ToUpperInvariant();
         string b = metadata.Find("REF_FRAME_B")!.ToUpperInvariant();

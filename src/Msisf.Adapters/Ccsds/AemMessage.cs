@@ -20,7 +20,7 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
     ];
 
     private readonly List<AttitudeBlock> _blocks = [];
-    private AttitudeSamples _samples = new();
+    private IAttitudeSamples _samples = new AttitudeSamples();
     private AemColumns? _columns;
     private RotationMatrix? _moonMeFromFrame;
 
@@ -39,7 +39,7 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
 
     public override void EndBlock()
     {
-        if (_samples.Count == 0)
+        if (_samples.Times.Count == 0)
         {
             Place.Note("A block has no attitudes; it is left out.");
             return;
@@ -50,6 +50,7 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             throw Metadata.Error("USEABLE_STOP_TIME", "no attitude lies between USEABLE_START_TIME and this. Check the times.");
         }
 
+        CompareWith(_samples.Times);
         _blocks.Add(new AttitudeBlock(_samples, _moonMeFromFrame));
     }
 
@@ -74,30 +75,42 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             TurnsToFrame = isKnownA == IsFromBToA(),
             IsBodyB = isKnownA,
         };
-        Interpolation said = ReadInterpolation() ?? default;
+        Interpolation said = ReadInterpolation() ?? (_columns.HasRates ? new Interpolation(InterpolationMethod.Hermite, 3) : default);
         if (said.Method == InterpolationMethod.Hermite && !_columns.HasRates)
         {
             Place.Note($"{said} needs rates, which {_columns.Type} has not; LAGRANGE of that degree is used.");
             said = said with { Method = InterpolationMethod.Lagrange };
         }
 
-        _samples = new AttitudeSamples { Useable = ReadUseable(), Interpolation = said };
+        _samples = _columns.AngleRatesOf is { } sequence
+            ? new EulerAngleSamples(sequence, _columns.TurnsToFrame) { Useable = ReadUseable(), Interpolation = said }
+            : new AttitudeSamples { Useable = ReadUseable(), Interpolation = said };
     }
 
     protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
     {
         RequireLater(_samples.Times, tdbSeconds);
-        bool hasRates = _samples.Interpolation.Method == InterpolationMethod.Hermite;
         try
         {
             UnitQuaternion frameFromBody = _columns!.FrameFromBody(numbers, areNamed, isRounded);
-            _samples.Add(tdbSeconds, frameFromBody, hasRates ? _columns.RateBody(numbers, areNamed, frameFromBody) : null);
+            if (_samples is EulerAngleSamples angles)
+            {
+                angles.Add(tdbSeconds, Radians(numbers), Radians(numbers[3..]));
+            }
+            else
+            {
+                Vector3D? rate = _columns.HasRates ? _columns.RateBody(numbers, areNamed, frameFromBody) : null;
+                ((AttitudeSamples)_samples).Add(tdbSeconds, frameFromBody, rate);
+            }
         }
         catch (BadInputException exception)
         {
             throw Place.Error(exception.Message, exception);
         }
     }
+
+    private static Vector3D Radians(ReadOnlySpan<double> degrees) => new(
+        double.DegreesToRadians(degrees[0]), double.DegreesToRadians(degrees[1]), double.DegreesToRadians(degrees[2]));
 
     /// <summary>Whether the attitudes turn from frame B to A.</summary>
     private bool IsFromBToA()

@@ -11,6 +11,12 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     /// <summary>Of an interpolation for which the file gives none.</summary>
     protected const int DefaultDegree = 7;
 
+    /// <summary>s: writers round START_TIME and STOP_TIME to the second.</summary>
+    private const double RoundingOfTimes = 1.0;
+
+    /// <summary>What writers give in place of an ID or a name that they do not know.</summary>
+    private static readonly string[] Unknown = ["NONE", "UNKNOWN", "N/A"];
+
     private static readonly string[] HeaderKeywords = ["CREATION_DATE", "ORIGINATOR", "MESSAGE_ID", "CLASSIFICATION"];
 
     private static readonly (string Word, InterpolationMethod Method)[] Methods =
@@ -21,7 +27,9 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
 
     private CcsdsTimeSystem? _timeSystem;
     private CcsdsMetadata? _metadata;
-    private string? _object;
+    private readonly Dictionary<string, string> _object = [];
+    private double[] _lastNumbers = [];
+    private double? _lastTime;
 
     /// <summary>"OEM" or "AEM".</summary>
     public abstract string Kind { get; }
@@ -97,14 +105,27 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
             place.Note("The block has no OBJECT_NAME, which the standard demands.");
         }
 
+        _lastTime = null;
         OpenBlock();
     }
 
-    /// <summary>Takes a line of data.</summary>
+    /// <summary>Takes a line of data; one that stands twice is left out.</summary>
     /// <param name="epoch">Its time.</param>
     /// <param name="areNamed">Whether each number had a name of its own (XML), so that they are in the standard's order.</param>
-    public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed) =>
-        Add(TdbSecondsOf(epoch), numbers, areNamed);
+    public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed)
+    {
+        double time = TdbSecondsOf(epoch);
+        if (time == _lastTime && numbers.SequenceEqual(_lastNumbers))
+        {
+            place.Note("A line stands twice; the second one is left out.");
+            return;
+        }
+
+        Add(time, numbers, areNamed);
+        _lastTime = time;
+        _lastNumbers = _lastNumbers.Length == numbers.Length ? _lastNumbers : new double[numbers.Length];
+        numbers.CopyTo(_lastNumbers);
+    }
 
     public abstract void EndBlock();
 
@@ -127,17 +148,38 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
         if (times.Count > 0 && !(tdbSeconds > times.Last))
         {
             throw place.Error(tdbSeconds == times.Last
-                ? "the time of the line before stands again. Remove one of the lines, or begin a new block between them."
+                ? "the time of the line before stands again, with other numbers. Remove one of the lines, or begin a new block between "
+                    + "them."
                 : "the time is before that of the line above. Put the lines into the order of time.");
         }
     }
 
-    /// <summary>Refuses a block of another spacecraft than those above; one without OBJECT_NAME is taken.</summary>
+    /// <summary>Refuses a block of another spacecraft than those above; one without name or ID is taken.</summary>
     protected void RequireOneObject()
     {
-        if (Metadata.Find("OBJECT_NAME") is { Length: > 0 } name && name != (_object ??= name))
+        foreach (string key in (string[])["OBJECT_NAME", "OBJECT_ID"])
         {
-            throw Metadata.Error("OBJECT_NAME", $"the blocks above are of {_object}. Give a file of one spacecraft.");
+            if (Metadata.Find(key) is { Length: > 0 } said && !Unknown.Contains(said, StringComparer.OrdinalIgnoreCase)
+                && !_object.TryAdd(key, said) && !said.Equals(_object[key], StringComparison.OrdinalIgnoreCase))
+            {
+                throw Metadata.Error(key, $"the blocks above are of {_object[key]}. Give a file of one spacecraft.");
+            }
+        }
+    }
+
+    /// <summary>Notes where START_TIME and STOP_TIME of a block are not those of its lines, which count.</summary>
+    protected void CompareWith(SampleTimes times)
+    {
+        foreach ((string key, double time) in ((string, double)[])[("START_TIME", times.First), ("STOP_TIME", times.Last)])
+        {
+            if (Metadata.Find(key) is { Length: > 0 } said
+                && !(TryTime(said) is { } stated && Math.Abs(stated - time) <= RoundingOfTimes))
+            {
+                string which = key == "START_TIME" ? "first" : "last";
+                place.Note(
+                    $"{key} = {NumberText.Shown(said)} is not the time of the block's {which} line, {scale.ToUtc(time).ToIsoUtc()} (UTC); "
+                        + "the lines count. Is the file complete?");
+            }
         }
     }
 
@@ -188,8 +230,10 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
                 "INTERPOLATION_DEGREE", Invariant($"a whole number from 1 to {Highest} is needed."));
     }
 
+    private double? TryTime(string text) => CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch) ? _timeSystem!.ToTdbSeconds(epoch) : null;
+
     private double? TimeOf(string key) => Metadata.Find(key) is not { } text ? null
-        : CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch) && _timeSystem!.ToTdbSeconds(epoch) is { } seconds ? seconds
+        : TryTime(text) is { } seconds ? seconds
         : throw Metadata.Error(key, $"not a time, which looks like {CcsdsEpoch.ValidValues}.");
 
     private double TdbSecondsOf(ReadOnlySpan<char> text)

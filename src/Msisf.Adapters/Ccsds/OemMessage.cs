@@ -22,6 +22,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
 
     private readonly List<TrajectoryBlock> _blocks = [];
     private readonly OemJoints _joints = new();
+    private readonly OemPull _pull = new();
     private StateSamples _samples = new();
     private Interpolation? _said;
 
@@ -70,8 +71,14 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             throw Metadata.Error("USEABLE_STOP_TIME", "no state of the block lies between USEABLE_START_TIME and this. Check the times.");
         }
 
+        CompareWith(_samples.Times);
         string frame = Metadata.Require("REF_FRAME", "in which axes its numbers are");
         string center = Metadata.Require("CENTER_NAME", "about which body its numbers are");
+        if (_pull.Contradiction(center) is { } contradiction)
+        {
+            Place.Note(contradiction);
+        }
+
         CcsdsFrames.TryFind(frame, moonMeFromMoonPa, out RotationMatrix? moonMeFromFrame);
         _blocks.Add(new TrajectoryBlock(_samples, CcsdsFrames.Center(center)!.Value, moonMeFromFrame));
     }
@@ -106,6 +113,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
 
         _samples = new StateSamples { Useable = ReadUseable() };
         _joints.BeginBlock();
+        _pull.BeginBlock();
     }
 
     protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
@@ -122,6 +130,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             MetresPerKilometre * new Vector3D(numbers[3], numbers[4], numbers[5]));
         _samples.Add(tdbSeconds, state);
         _joints.Add(tdbSeconds, state, Place.Line);
+        _pull.Add(tdbSeconds, state.Position);
     }
 }
 
@@ -176,5 +185,85 @@ internal sealed class OemJoints
         }
 
         (_time, _state, _isFirst) = (time, state, false);
+    }
+}
+
+/// <summary>
+/// Finds what an orbit's own curvature says of its centre and unit: a spacecraft that is pulled as the Moon pulls flies about the Moon.
+/// </summary>
+internal sealed class OemPull
+{
+    /// <summary>1: how far the pull of a block may be from that of a body; the least quotient of two candidates is 81.</summary>
+    private const double Factor = 2.0;
+
+    /// <summary>1: cosine of the greatest angle between the pull and the centre, so that other bodies and engines play no part.</summary>
+    private const double MinCosine = 0.95;
+
+    /// <summary>1: the greatest part of the distance that lines may be apart, so that the way between them curves little.</summary>
+    private const double MaxStep = 0.3;
+
+    /// <summary>Lines that tell nothing of a body's pull, because they are few.</summary>
+    private const int MinCount = 5;
+
+    /// <summary>m^3/s^2 of DE421, if the numbers are in km as they must be, and a thousand times as long if they are in m.</summary>
+    private static readonly (double Gm, string Center, string Unit)[] Candidates =
+    [
+        (4.902800076e12, "MOON", "km"), (3.98600436e14, "EARTH", "km"), (4.902800076e21, "MOON", "m"), (3.98600436e23, "EARTH", "m"),
+    ];
+
+    private readonly List<double> _pulls = [];
+    private (double Time, Vector3D Position) _first;
+    private (double Time, Vector3D Position) _second;
+    private int _count;
+
+    /// <summary>The next line has none before it.</summary>
+    public void BeginBlock()
+    {
+        _count = 0;
+        _pulls.Clear();
+    }
+
+    /// <summary>Takes a line.</summary>
+    /// <param name="time">s.</param>
+    /// <param name="position">m, if the file has km.</param>
+    public void Add(double time, Vector3D position)
+    {
+        if (_count++ >= 2)
+        {
+            (double before, double after) = (_second.Time - _first.Time, time - _second.Time);
+            Vector3D acceleration = 2.0 / (before + after)
+                * (((position - _second.Position) / after) - ((_second.Position - _first.Position) / before));
+            double distance = _second.Position.Length;
+            double towards = -Vector3D.Dot(acceleration, _second.Position) / distance;
+            if (towards > MinCosine * acceleration.Length && (position - _first.Position).Length < MaxStep * distance)
+            {
+                _pulls.Add(towards * distance * distance);
+            }
+        }
+
+        (_first, _second) = (_second, (time, position));
+    }
+
+    /// <summary>What is to be said of a block that is pulled as another body pulls, or as if it were in m; null for nothing.</summary>
+    /// <param name="center">Its CENTER_NAME.</param>
+    public string? Contradiction(string center)
+    {
+        if (_pulls.Count < Math.Max(MinCount, _count / 2))
+        {
+            return null;
+        }
+
+        _pulls.Sort();
+        double median = _pulls[_pulls.Count / 2];
+        bool isMoon = CcsdsFrames.Center(center) == CelestialBody.Moon.NaifNumber;
+        (double gm, string body, string unit) = Candidates.FirstOrDefault(
+            candidate => median > candidate.Gm / Factor && median < candidate.Gm * Factor);
+        string? wrong = gm == 0.0 || (unit == "km" && isMoon == (body == "MOON")) ? null
+            : unit == "km" ? $"CENTER_NAME is {center}"
+            : "an OEM has km and km/s";
+        return wrong is null
+            ? null
+            : $"The lines of a block curve as an orbit about the {body[..1]}{body[1..].ToLowerInvariant()} in {unit} does, but {wrong}. "
+                + "Check the file; it is read as it stands.";
     }
 }

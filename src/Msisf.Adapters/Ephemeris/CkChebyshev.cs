@@ -43,7 +43,7 @@ internal sealed class CkChebyshev : CkSegment
     public override IReadOnlyList<TdbInterval> Intervals =>
         [.. Enumerable.Range(0, _packets).Select(Packet).Select(packet => new TdbInterval(packet[0] - packet[1], packet[0] + packet[1]))];
 
-    protected override RotationMatrix? Evaluate(double ticks)
+    protected override CkAttitude? Evaluate(double ticks)
     {
         double[] packet = Packet(Math.Max(0, LastAtOrBefore(_starts.Value, ticks)));
         double x = (ticks - packet[0]) / packet[1];
@@ -52,23 +52,23 @@ internal sealed class CkChebyshev : CkSegment
             return null;
         }
 
-        Span<double> q = stackalloc double[4];
+        Span<double> values = stackalloc double[HasRates ? 7 : 4]; // the quaternion, and the rate
         double counts = packet[2];
         int first = WordsBeforeSeries;
-        for (int i = 0; i < q.Length; i++)
+        for (int i = 0; i < values.Length; i++)
         {
             int count = (int)(counts % CountBase);
             counts = Math.Floor(counts / CountBase);
             if (count < 1 || first + count > packet.Length)
             {
-                throw Words.Damaged("a series of a quaternion does not fit its packet");
+                throw Words.Damaged("a series does not fit its packet");
             }
 
-            q[i] = Chebyshev.Evaluate(packet.AsSpan(first, count), x);
+            values[i] = Chebyshev.Evaluate(packet.AsSpan(first, count), x);
             first += count;
         }
 
-        return Matrix(q);
+        return new CkAttitude(Matrix(values), HasRates ? new Vector3D(values[4], values[5], values[6]) : null);
     }
 
     /// <summary>Where a part begins, from 0; the part is named by its number in SPICELIB's sgparam.inc.</summary>

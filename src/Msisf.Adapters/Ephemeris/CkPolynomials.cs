@@ -28,12 +28,12 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
         return rate > 0.0 ? read : throw words.Damaged("its clock has no rate");
     }
 
-    /// <summary>The quaternion at a tick, scalar first, not of length 1.</summary>
+    /// <summary>The numbers of a packet at a tick: the quaternion, scalar first and not of length 1, and the rate.</summary>
     /// <param name="ticks">Within the times.</param>
     /// <param name="times">Ticks of the packets of one interval.</param>
     /// <param name="firstPacket">Where the first of them stands, from 0.</param>
     /// <exception cref="Core.Errors.BadInputException">The kernel is damaged.</exception>
-    public double[] At(double ticks, ReadOnlySpan<double> times, long firstPacket)
+    public (double[] Quaternion, Vector3D Rate) At(double ticks, ReadOnlySpan<double> times, long firstPacket)
     {
         int found = times.BinarySearch(ticks);
         int low = Math.Max(0, (found < 0 ? ~found : found) - 1); // as in SPICE, the last one before the tick
@@ -43,57 +43,87 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
         Span<double> after = stackalloc double[count];
         for (int i = 0; i < count; i++)
         {
-            after[i] = times[first + i] - times[first];
+            after[i] = (times[first + i] - times[first]) * SecondsPerTick;
         }
 
-        double time = ticks - times[first];
-        return Subtype is 1 or 3 ? Lagrange(packets, after, time) : Hermite(packets, after, time);
+        double seconds = (ticks - times[first]) * SecondsPerTick;
+        double[] q = new double[4];
+        double[] rates = new double[4];
+        Span<(double Value, double Rate)> ofValues = stackalloc (double, double)[count];
+        Span<(double Value, double Rate)> ofRates = stackalloc (double, double)[count];
+        bool isHermite = Subtype is 0 or 2;
+        if (isHermite)
+        {
+            SampleWeights.Hermite(after, seconds, ofValues, ofRates);
+            Add(packets, 4, ofValues, ofRates, q, rates, areSignsFree: false);
+        }
+        else
+        {
+            Span<double> values = stackalloc double[count];
+            Span<double> derivatives = stackalloc double[count];
+            SampleWeights.Lagrange(after, seconds, values, derivatives);
+            for (int i = 0; i < count; i++)
+            {
+                ofValues[i] = (values[i], derivatives[i]);
+            }
+
+            Add(packets, 0, ofValues, ofRates, q, rates, areSignsFree: true);
+        }
+
+        return (q, Subtype < 2 ? OfDerivative(q, rates) : Stated(packets, isHermite, ofValues, ofRates));
     }
 
-    private double[] Lagrange(double[] packets, ReadOnlySpan<double> times, double time)
+    /// <summary>The angular velocity that a packet states, with a polynomial of its own.</summary>
+    private Vector3D Stated(
+        double[] packets, bool isHermite, ReadOnlySpan<(double Value, double Rate)> ofValues,
+        ReadOnlySpan<(double Value, double Rate)> ofRates)
     {
-        Span<double> weights = stackalloc double[times.Length];
-        SampleWeights.Lagrange(times, time, weights, stackalloc double[times.Length]);
-        double[] q = new double[4];
+        int offset = isHermite ? 8 : 4;
+        Vector3D rate = default;
+        for (int i = 0; i < ofValues.Length; i++)
+        {
+            ReadOnlySpan<double> packet = packets.AsSpan((i * Packet) + offset);
+            rate += ofValues[i].Value * new Vector3D(packet[0], packet[1], packet[2]);
+            rate += isHermite ? ofRates[i].Value * new Vector3D(packet[3], packet[4], packet[5]) : default;
+        }
+
+        return rate;
+    }
+
+    /// <summary>rad/s about the reference frame's axes: the C-matrix of the quaternion turns against the instrument.</summary>
+    private static Vector3D OfDerivative(double[] q, double[] dq)
+    {
+        (Vector3D v, Vector3D dv) = (new Vector3D(q[1], q[2], q[3]), new Vector3D(dq[1], dq[2], dq[3]));
+        double square = v.LengthSquared + (q[0] * q[0]);
+        return -2.0 / square * ((q[0] * dv) - (dq[0] * v) - Vector3D.Cross(v, dv));
+    }
+
+    /// <summary>Sums up quaternions and their derivatives.</summary>
+    /// <param name="offset">Where the derivatives stand in a packet; 0 for none.</param>
+    /// <param name="areSignsFree">Whether q and -q may stand side by side.</param>
+    private void Add(
+        double[] packets, int offset, ReadOnlySpan<(double Value, double Rate)> ofValues,
+        ReadOnlySpan<(double Value, double Rate)> ofRates, double[] q, double[] rates, bool areSignsFree)
+    {
         double sign = 1.0;
-        for (int i = 0; i < times.Length; i++)
+        for (int i = 0; i < ofValues.Length; i++)
         {
-            ReadOnlySpan<double> next = packets.AsSpan(i * Packet, 4);
+            ReadOnlySpan<double> next = packets.AsSpan(i * Packet, offset + 4);
             if (i > 0 && Dot(next, packets.AsSpan((i - 1) * Packet, 4)) < 0.0)
             {
-                sign = -sign; // q and -q are one orientation
+                sign = areSignsFree
+                    ? -sign
+                    : throw Words.Damaged(
+                        "neighbouring quaternions have opposite signs, between which no polynomial with derivatives leads");
             }
 
             for (int k = 0; k < q.Length; k++)
             {
-                q[k] += weights[i] * sign * next[k];
+                double derivative = offset == 0 ? 0.0 : next[offset + k];
+                q[k] += sign * ((ofValues[i].Value * next[k]) + (ofRates[i].Value * derivative));
+                rates[k] += sign * ((ofValues[i].Rate * next[k]) + (ofRates[i].Rate * derivative));
             }
         }
-
-        return q;
-    }
-
-    private double[] Hermite(double[] packets, ReadOnlySpan<double> times, double time)
-    {
-        Span<(double Value, double Rate)> ofValues = stackalloc (double, double)[times.Length];
-        Span<(double Value, double Rate)> ofRates = stackalloc (double, double)[times.Length];
-        SampleWeights.Hermite(times, time, ofValues, ofRates);
-        double[] q = new double[4];
-        for (int i = 0; i < times.Length; i++)
-        {
-            ReadOnlySpan<double> next = packets.AsSpan(i * Packet, 8);
-            if (i > 0 && Dot(next, packets.AsSpan((i - 1) * Packet, 4)) < 0.0)
-            {
-                throw Words.Damaged("neighbouring quaternions have opposite signs, between which no polynomial with derivatives leads");
-            }
-
-            for (int k = 0; k < q.Length; k++)
-            {
-                q[k] += (ofValues[i].Value * next[k]) + (ofRates[i].Value * next[k + 4] * SecondsPerTick);
-            }
-        }
-
-        return q;
     }
 
     private static double Dot(ReadOnlySpan<double> a, ReadOnlySpan<double> b) =>
@@ -121,12 +151,12 @@ internal sealed class CkInterpolated : CkSegment
 
     public override IReadOnlyList<TdbInterval> Intervals => _times.Value.All;
 
-    protected override RotationMatrix? Evaluate(double ticks)
+    protected override CkAttitude? Evaluate(double ticks)
     {
         TickIntervals times = _times.Value;
         (int first, int end) = times.Of(ticks);
         return ticks >= times.Ticks[first] && ticks <= times.Ticks[end - 1]
-            ? Matrix(_polynomials.At(ticks, times.Ticks.AsSpan(first, end - first), (long)first * _polynomials.Packet))
+            ? Attitude(_polynomials.At(ticks, times.Ticks.AsSpan(first, end - first), (long)first * _polynomials.Packet))
             : null;
     }
 }
@@ -155,7 +185,7 @@ internal sealed class CkPieces : CkSegment
             Math.Max(_pieces.Value.Bounds[i], Math.Min(_pieces.Value.Bounds[i + 1], piece.Ticks[^1])))),
     ];
 
-    protected override RotationMatrix? Evaluate(double ticks)
+    protected override CkAttitude? Evaluate(double ticks)
     {
         (double[] bounds, Piece[] pieces) = _pieces.Value;
         int index = LastAtOrBefore(bounds, ticks);
@@ -166,7 +196,7 @@ internal sealed class CkPieces : CkSegment
 
         Piece piece = pieces[Math.Clamp(index, 0, pieces.Length - 1)];
         return ticks >= piece.Ticks[0] && ticks <= piece.Ticks[^1]
-            ? Matrix(piece.Polynomials.At(ticks, piece.Ticks, piece.First))
+            ? Attitude(piece.Polynomials.At(ticks, piece.Ticks, piece.First))
             : null;
     }
 

@@ -29,7 +29,7 @@ internal sealed class CkRates : CkSegment
     public override IReadOnlyList<TdbInterval> Intervals =>
         [.. _times.Value.Starts.Zip(_times.Value.Ends, (start, end) => new TdbInterval(start, Math.Max(start, end)))];
 
-    protected override RotationMatrix? Evaluate(double ticks)
+    protected override CkAttitude? Evaluate(double ticks)
     {
         int index = LastAtOrBefore(_times.Value.Starts, ticks);
         if (index < 0 || ticks > _times.Value.Ends[index])
@@ -41,7 +41,7 @@ internal sealed class CkRates : CkSegment
         RotationMatrix start = Matrix(record);
         Vector3D rate = new(record[4], record[5], record[6]);
         double angle = (ticks - _times.Value.Starts[index]) * record[7] * rate.Length;
-        return rate.Length == 0.0 ? start : start * Turn(rate, angle).Transposed;
+        return new CkAttitude(rate.Length == 0.0 ? start : start * Turn(rate, angle).Transposed, rate);
     }
 
     /// <summary>The rotation of vectors by an angle about an axis.</summary>
@@ -64,16 +64,23 @@ internal sealed class CkDiscrete : CkSegment
     public CkDiscrete(DafFile file, DafSummary summary)
         : base(file, summary)
     {
-        _record = summary.Integers[3] == 1 ? 7 : 4;
+        _record = HasRates ? 7 : 4;
         int count = Words.Whole(fromEnd: 1, min: 1, Words.Count / (_record + 1));
         _ticks = new Lazy<double[]>(() => Words.ReadRising((long)count * _record, count));
     }
 
     public override IReadOnlyList<TdbInterval> Intervals => [.. _ticks.Value.Select(tick => new TdbInterval(tick, tick))];
 
-    protected override RotationMatrix? Evaluate(double ticks) => Array.BinarySearch(_ticks.Value, ticks) is >= 0 and int index
-        ? Matrix(Words.Read((long)index * _record, 4))
-        : null;
+    protected override CkAttitude? Evaluate(double ticks)
+    {
+        if (Array.BinarySearch(_ticks.Value, ticks) is not (>= 0 and int index))
+        {
+            return null;
+        }
+
+        double[] record = Words.Read((long)index * _record, _record);
+        return new CkAttitude(Matrix(record), HasRates ? new Vector3D(record[4], record[5], record[6]) : null);
+    }
 }
 
 /// <summary>CK type 3: orientations, between which the instrument turns at a constant rate; intervals tell where there are gaps.</summary>
@@ -88,7 +95,7 @@ internal sealed class CkLinear : CkSegment
     public CkLinear(DafFile file, DafSummary summary)
         : base(file, summary)
     {
-        _record = summary.Integers[3] == 1 ? 7 : 4;
+        _record = HasRates ? 7 : 4;
         int count = Words.Whole(fromEnd: 1, min: 1, Words.Count / (_record + 1));
         int intervals = Words.Whole(fromEnd: 2, min: 1, count);
         _times = new Lazy<TickIntervals>(() => TickIntervals.Read(Words, _record, count, intervals));
@@ -96,7 +103,7 @@ internal sealed class CkLinear : CkSegment
 
     public override IReadOnlyList<TdbInterval> Intervals => _times.Value.All;
 
-    protected override RotationMatrix? Evaluate(double ticks)
+    protected override CkAttitude? Evaluate(double ticks)
     {
         double[] times = _times.Value.Ticks;
         int index = LastAtOrBefore(times, ticks);
@@ -107,7 +114,8 @@ internal sealed class CkLinear : CkSegment
 
         if (times[index] == ticks)
         {
-            return Matrix(Words.Read((long)index * _record, 4));
+            double[] record = Words.Read((long)index * _record, _record);
+            return new CkAttitude(Matrix(record), RateOf(record, 0));
         }
 
         if (index + 1 == times.Length || _times.Value.IsStart(index + 1))
@@ -115,12 +123,17 @@ internal sealed class CkLinear : CkSegment
             return null;
         }
 
-        double[] records = Words.Read((long)index * _record, _record + 4);
+        double[] records = Words.Read((long)index * _record, 2 * _record);
         (RotationMatrix before, RotationMatrix after) = (Matrix(records), Matrix(records.AsSpan(_record)));
         UnitQuaternion turn = UnitQuaternion.FromMatrix(after.Transposed * before);
         Vector3D axis = new(turn.X, turn.Y, turn.Z);
         double angle = 2.0 * Math.Atan2(axis.Length, turn.W);
         double fraction = (ticks - times[index]) / (times[index + 1] - times[index]);
-        return axis.Length == 0.0 ? before : before * CkRates.Turn(axis, fraction * angle).Transposed;
+        return new CkAttitude(
+            axis.Length == 0.0 ? before : before * CkRates.Turn(axis, fraction * angle).Transposed,
+            HasRates ? ((1.0 - fraction) * RateOf(records, 0)) + (fraction * RateOf(records, _record)) : null);
     }
+
+    private Vector3D? RateOf(double[] records, int first) =>
+        HasRates ? new Vector3D(records[first + 4], records[first + 5], records[first + 6]) : null;
 }

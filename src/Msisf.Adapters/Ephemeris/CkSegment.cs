@@ -22,31 +22,45 @@ internal abstract class CkSegment(DafFile file, DafSummary summary)
     /// <summary>The segment's numbers.</summary>
     protected DafWords Words { get; } = new(file, summary);
 
-    /// <summary>Turns components in the reference frame into those in the instrument's: SPICE's C-matrix.</summary>
+    /// <summary>Whether the segment says how fast the instrument turns.</summary>
+    protected bool HasRates { get; } = summary.Integers[3] == 1;
+
+    /// <summary>How the instrument is turned.</summary>
     /// <param name="ticks">Of the spacecraft's clock.</param>
     /// <returns>Null in a gap.</returns>
     /// <exception cref="Core.Errors.BadInputException">The kernel is damaged, or of a type that is not known.</exception>
-    public RotationMatrix? InstrumentFromReference(double ticks) => Ticks.Contains(ticks) ? Evaluate(ticks) : null;
+    public CkAttitude? At(double ticks) => Ticks.Contains(ticks) ? Evaluate(ticks) : null;
 
-    /// <inheritdoc cref="InstrumentFromReference"/>
-    protected abstract RotationMatrix? Evaluate(double ticks);
+    /// <summary>How the instrument is turned at the nearest single instant that the segment has.</summary>
+    /// <param name="tolerance">How many ticks it may be away.</param>
+    /// <returns>Null if there is none.</returns>
+    /// <exception cref="Core.Errors.BadInputException">The kernel is damaged, or of a type that is not known.</exception>
+    public CkAttitude? AtInstant(double ticks, double tolerance)
+    {
+        double? nearest = null;
+        foreach (TdbInterval interval in Intervals)
+        {
+            if (interval.IsInstant && Ticks.Contains(interval.Start)
+                && Math.Abs(interval.Start - ticks) <= Math.Min(tolerance, Math.Abs((nearest ?? double.PositiveInfinity) - ticks)))
+            {
+                nearest = interval.Start;
+            }
+        }
+
+        return nearest is { } tick ? Evaluate(tick) : null;
+    }
+
+    /// <inheritdoc cref="At"/>
+    protected abstract CkAttitude? Evaluate(double ticks);
 
     /// <summary>The C-matrix of a quaternion of SPICE's, scalar first, of any length but 0.</summary>
     /// <exception cref="Core.Errors.BadInputException">Its length is 0.</exception>
-    protected RotationMatrix Matrix(ReadOnlySpan<double> q)
-    {
-        double length = double.Hypot(double.Hypot(q[0], q[1]), double.Hypot(q[2], q[3]));
-        if (!(length > 0.0 && double.IsFinite(length)))
-        {
-            throw Words.Damaged("a quaternion has no length");
-        }
+    protected RotationMatrix Matrix(ReadOnlySpan<double> q) =>
+        SpiceQuaternion.ToMatrix(q) ?? throw Words.Damaged("a quaternion has no length");
 
-        (double w, double x, double y, double z) = (q[0] / length, q[1] / length, q[2] / length, q[3] / length);
-        return new RotationMatrix(
-            new Vector3D(1.0 - (2.0 * ((y * y) + (z * z))), 2.0 * ((x * y) - (w * z)), 2.0 * ((x * z) + (w * y))),
-            new Vector3D(2.0 * ((x * y) + (w * z)), 1.0 - (2.0 * ((x * x) + (z * z))), 2.0 * ((y * z) - (w * x))),
-            new Vector3D(2.0 * ((x * z) - (w * y)), 2.0 * ((y * z) + (w * x)), 1.0 - (2.0 * ((x * x) + (y * y)))));
-    }
+    /// <summary>The attitude of a quaternion and a rate, which counts if the segment says that there are rates.</summary>
+    protected CkAttitude Attitude((double[] Quaternion, Vector3D Rate) values) =>
+        new(Matrix(values.Quaternion), HasRates ? values.Rate : null);
 
     /// <summary>The last of some rising times that is not after a time; -1 if all are.</summary>
     protected static int LastAtOrBefore(double[] times, double time)
@@ -55,6 +69,13 @@ internal abstract class CkSegment(DafFile file, DafSummary summary)
         return found < 0 ? ~found - 1 : found;
     }
 }
+
+/// <summary>How an instrument is turned, and how fast.</summary>
+/// <param name="InstrumentFromReference">Turns components in the reference frame into those in the instrument's: SPICE's C-matrix.</param>
+/// <param name="Rate">
+/// rad/s of the instrument in the reference frame, about the axes of the latter; null if the kernel does not say it.
+/// </param>
+internal readonly record struct CkAttitude(RotationMatrix InstrumentFromReference, Vector3D? Rate);
 
 /// <summary>The ticks of a CK's records, and the intervals that they form (types 3 and 5).</summary>
 /// <param name="Ticks">Of the records, rising.</param>

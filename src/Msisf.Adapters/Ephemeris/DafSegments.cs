@@ -73,7 +73,7 @@ internal static class DafSegments
     {
         public override IReadOnlyList<TdbInterval> Intervals => [Ticks];
 
-        protected override RotationMatrix? Evaluate(double ticks) => throw new SpiceException($"{reason}. Use a kernel of another type.");
+        protected override CkAttitude? Evaluate(double ticks) => throw new SpiceException($"{reason}. Use a kernel of another type.");
     }
 }
 

@@ -19,6 +19,7 @@ public static class EphemerisFactory
             return OpenBuiltIn(kernels, request.Body, "as asked for");
         }
 
+        RefuseDamaged(kernels);
         if (CSpice.Shared.TryStart(request.CSpicePath, request.InstallationRoot, out string pathOrReason))
         {
             SpiceEphemeris engine = new(CSpice.Shared, kernels, request.Body);
@@ -31,6 +32,16 @@ public static class EphemerisFactory
             ? OpenBuiltIn(kernels, request.Body, $"because {pathOrReason}")
             : throw new ExternalPartException(
                 $"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
+    }
+
+    /// <summary>Looks at the structure of binary kernels, because CSPICE says of a damaged one only what its own search met.</summary>
+    private static void RefuseDamaged(IReadOnlyList<string> kernels)
+    {
+        foreach (string path in kernels.Where(
+            path => KernelFile.IdWordOf(path) is "" or ['D', 'A', 'F', '/', ..] && KernelFile.IsBinary(path)))
+        {
+            DafFile.Open(path).Dispose();
+        }
     }
 
     private static OpenedEphemeris OpenBuiltIn(IReadOnlyList<string> kernels, CelestialBody body, string reason)

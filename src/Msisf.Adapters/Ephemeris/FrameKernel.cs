@@ -6,9 +6,6 @@ namespace Msisf.Adapters.Ephemeris;
 /// <remarks>NAIF, Frames Required Reading: "TK frames", "PCK Frames".</remarks>
 public static class FrameKernel
 {
-    private const int PckClass = 2;
-    private const int TkClass = 4;
-
     /// <summary>Follows a frame's definition down to the PCK frame that it is based on.</summary>
     /// <param name="pool">Holds the frame kernels.</param>
     /// <param name="name">The frame, e.g. "MOON_ME".</param>
@@ -34,117 +31,177 @@ public static class FrameKernel
             }
 
             names.Add(current);
-            if (pool.Find($"FRAME_{current}") is null)
+            FrameDefinition frame = FrameDefinition.Find(pool, current) ?? throw new BadInputException(
+                $"No frame kernel defines the frame {current} ({string.Join(" -> ", names)}). "
+                    + $"Add its frame kernel to the list of kernels.");
+            variables.AddRange(frame.Variables);
+            switch (frame.Class)
             {
-                throw new BadInputException(
-                    $"No frame kernel defines the frame {current} ({string.Join(" -> ", names)}). "
-                        + $"Add its frame kernel to the list of kernels.");
-            }
-
-            int id = pool.WholeNumber($"FRAME_{current}");
-            string classVariable = Variable(pool, "FRAME", id, current, "CLASS");
-            variables.AddRange([$"FRAME_{current}", classVariable]);
-            switch (pool.WholeNumber(classVariable))
-            {
-                case PckClass:
-                    variables.Add(Variable(pool, "FRAME", id, current, "CLASS_ID"));
-                    return new BodyFixedFrame(pool.WholeNumber(variables[^1]), frameFromCurrent);
-                case TkClass:
-                    string[] items = ["RELATIVE", "SPEC", "MATRIX", "ANGLES", "AXES", "UNITS", "Q"];
-                    variables.AddRange(
-                        items.Select(item => Variable(pool, "TKFRAME", id, current, item)).Where(item => pool.Find(item) is not null));
-                    frameFromCurrent *= ReadRelativeFromFrame(pool, id, current).Transposed;
-                    current = pool.Text(Variable(pool, "TKFRAME", id, current, "RELATIVE"));
+                case FrameDefinition.PckClass:
+                    return new BodyFixedFrame(frame.ClassId, frameFromCurrent);
+                case FrameDefinition.TkClass:
+                    frameFromCurrent *= frame.RelativeFromFrame().Transposed;
+                    current = frame.Relative;
                     break;
                 default:
                     throw new BadInputException(
-                        $"{pool.Existing(classVariable).Source}: frame {current} is of class {pool.WholeNumber(classVariable)}; "
+                        $"{pool.Existing($"FRAME_{current}").Source}: frame {current} is of class {frame.Class}; "
                             + $"the built-in reader knows the classes 2 (PCK) and 4 (TK). Use --ephemeris cspice.");
             }
         }
     }
+}
+
+/// <summary>What text kernels say of one frame.</summary>
+/// <param name="Pool">Holds the frame kernels.</param>
+/// <param name="Name">The frame, in capitals.</param>
+/// <param name="Id">NAIF's number of the frame.</param>
+/// <remarks>NAIF, Frames Required Reading. SPICE lets variables carry a frame's number or its name.</remarks>
+internal sealed record FrameDefinition(KernelPool Pool, string Name, int Id)
+{
+    public const int PckClass = 2;
+    public const int CkClass = 3;
+    public const int TkClass = 4;
+
+    private static readonly string[] TkItems = ["RELATIVE", "SPEC", "MATRIX", "ANGLES", "AXES", "UNITS", "Q"];
+
+    private static readonly (string Name, double Radians)[] Units =
+    [
+        ("RADIANS", 1.0), ("DEGREES", Math.PI / 180.0), ("ARCMINUTES", Math.PI / 180.0 / 60.0), ("ARCSECONDS", Math.PI / 180.0 / 3600.0),
+        ("HOURANGLE", Math.PI / 12.0), ("MINUTEANGLE", Math.PI / 12.0 / 60.0), ("SECONDANGLE", Math.PI / 12.0 / 3600.0),
+    ];
+
+    /// <summary>How it is defined: one of the constants, or another class of SPICE's.</summary>
+    public int Class => Pool.WholeNumber(OfFrame("CLASS"));
+
+    /// <summary>The number under which its data stand: of a PCK's orientation, of a CK's instrument, of a TK frame's variables.</summary>
+    public int ClassId => Pool.WholeNumber(OfFrame("CLASS_ID"));
+
+    /// <summary>The frame that a TK frame is turned from.</summary>
+    public string Relative => Pool.Text(OfTk("RELATIVE")).Trim().ToUpperInvariant();
+
+    /// <summary>The names of the variables that define it.</summary>
+    public IEnumerable<string> Variables =>
+    [
+        $"FRAME_{Name}", OfFrame("CLASS"), OfFrame("CLASS_ID"),
+        .. Class == TkClass ? TkItems.Select(OfTk).Where(variable => Pool.Find(variable) is not null) : [],
+    ];
+
+    /// <summary>Looks a frame up.</summary>
+    /// <param name="pool">Holds the frame kernels.</param>
+    /// <param name="name">Its name; case does not matter.</param>
+    /// <returns>Null if no kernel defines it.</returns>
+    public static FrameDefinition? Find(KernelPool pool, string name)
+    {
+        string capitals = name.Trim().ToUpperInvariant();
+        return pool.Find($"FRAME_{capitals}") is null ? null : new FrameDefinition(pool, capitals, pool.WholeNumber($"FRAME_{capitals}"));
+    }
+
+    /// <summary>The name that kernels give a frame's number; null if none does.</summary>
+    public static string? NameOf(KernelPool pool, int number)
+    {
+        string variable = Invariant($"FRAME_{number}_NAME");
+        return pool.Find(variable) is null ? null : pool.Text(variable).Trim().ToUpperInvariant();
+    }
 
     /// <summary>The constant rotation of a TK frame: from it to the frame that it is relative to.</summary>
-    internal static RotationMatrix ReadRelativeFromFrame(KernelPool pool, int id, string name)
+    /// <exception cref="BadInputException">It is not given, or in a way that is not known.</exception>
+    public RotationMatrix RelativeFromFrame()
     {
-        string specification = Variable(pool, "TKFRAME", id, name, "SPEC");
-        return pool.Text(specification) switch
+        string specification = OfTk("SPEC");
+        return Pool.Text(specification).Trim().ToUpperInvariant() switch
         {
-            "MATRIX" => ReadMatrix(pool, Variable(pool, "TKFRAME", id, name, "MATRIX")),
-            "ANGLES" => ReadAngles(pool, id, name),
-            "QUATERNION" => ReadQuaternion(pool, Variable(pool, "TKFRAME", id, name, "Q")),
+            "MATRIX" => ReadMatrix(OfTk("MATRIX")),
+            "ANGLES" => ReadAngles(),
+            "QUATERNION" => ReadQuaternion(OfTk("Q")),
             string other => throw new BadInputException(
-                $"{pool.Existing(specification).Source}: frame {name} is given as {other}; "
+                $"{Pool.Existing(specification).Source}: frame {Name} is given as {other}; "
                     + $"the built-in reader knows 'MATRIX', 'ANGLES' and 'QUATERNION'. Use --ephemeris cspice."),
         };
     }
 
-    private static RotationMatrix ReadMatrix(KernelPool pool, string matrixVariable)
+    private string OfFrame(string item) => Variable("FRAME", Id, Name, item);
+
+    /// <summary>A TK frame's data stand under its class ID, or under the name of the frame that has this number.</summary>
+    private string OfTk(string item) => Variable("TKFRAME", ClassId, ClassId == Id ? Name : NameOf(Pool, ClassId), item);
+
+    private string Variable(string prefix, int id, string? name, string item)
     {
-        IReadOnlyList<double> columns = pool.Numbers(matrixVariable, 9);
-        RotationMatrix byColumns = new(
-            new Vector3D(columns[0], columns[1], columns[2]),
-            new Vector3D(columns[3], columns[4], columns[5]),
-            new Vector3D(columns[6], columns[7], columns[8]));
-        bool isRotation = IsClose(Vector3D.Cross(byColumns.Row0, byColumns.Row1), byColumns.Row2)
-            && IsClose(Vector3D.Cross(byColumns.Row1, byColumns.Row2), byColumns.Row0)
-            && IsClose(Vector3D.Cross(byColumns.Row2, byColumns.Row0), byColumns.Row1)
-            && Math.Abs(byColumns.Row0.Length - 1.0) <= Tolerances.FrameMatrix;
+        string byNumber = Invariant($"{prefix}_{id}_{item}");
+        return Pool.Find(byNumber) is null && name is not null && Pool.Find($"{prefix}_{name}_{item}") is not null
+            ? $"{prefix}_{name}_{item}"
+            : byNumber;
+    }
+
+    /// <summary>Like SPICE, makes a matrix of rounded numbers orthogonal: its first column is kept, then the third made.</summary>
+    private RotationMatrix ReadMatrix(string matrixVariable)
+    {
+        IReadOnlyList<double> columns = Pool.Numbers(matrixVariable, 9);
+        Vector3D[] given = [.. columns.Chunk(3).Select(column => new Vector3D(column[0], column[1], column[2]))];
+        Vector3D x = given[0];
+        Vector3D z = Vector3D.Cross(given[0], given[1]);
+        bool isRotation = Math.Abs(x.Length - 1.0) <= Tolerances.PrintedMatrix && Math.Abs(z.Length - 1.0) <= Tolerances.PrintedMatrix
+            && (z - given[2]).Length <= Tolerances.PrintedMatrix
+            && (Vector3D.Cross(z, x) - given[1]).Length <= Tolerances.PrintedMatrix;
         return isRotation
-            ? byColumns.Transposed
+            ? new RotationMatrix(x.Normalized(), Vector3D.Cross(z, x).Normalized(), z.Normalized()).Transposed
             : throw new BadInputException(
-                $"{pool.Existing(matrixVariable).Source}: {matrixVariable} is not a rotation within "
-                    + $"{Tolerances.FrameMatrix.ToString("R", CultureInfo.InvariantCulture)}. "
-                    + $"Give it more digits, or use --ephemeris cspice.");
+                $"{Pool.Existing(matrixVariable).Source}: {matrixVariable} is not a rotation within "
+                    + $"{Tolerances.PrintedMatrix.ToString("R", CultureInfo.InvariantCulture)}. Check its nine numbers.");
     }
 
-    /// <summary>A quaternion of SPICE's, scalar first.</summary>
-    private static RotationMatrix ReadQuaternion(KernelPool pool, string variable)
+    private RotationMatrix ReadQuaternion(string variable)
     {
-        IReadOnlyList<double> q = pool.Numbers(variable, 4);
-        UnitQuaternion turn = UnitQuaternion.FromComponents(q[1], q[2], q[3], q[0], isRounded: true);
-        return new RotationMatrix(turn * Vector3D.UnitX, turn * Vector3D.UnitY, turn * Vector3D.UnitZ).Transposed;
+        double[] q = [.. Pool.Numbers(variable, 4)];
+        return SpiceQuaternion.ToMatrix(q)
+            ?? throw new BadInputException($"{Pool.Existing(variable).Source}: {variable} has no length. Check its four numbers.");
     }
 
-    private static bool IsClose(Vector3D u, Vector3D v) => (u - v).Length <= Tolerances.FrameMatrix;
-
-    private static RotationMatrix ReadAngles(KernelPool pool, int id, string name)
+    private RotationMatrix ReadAngles()
     {
-        IReadOnlyList<double> angles = pool.Numbers(Variable(pool, "TKFRAME", id, name, "ANGLES"), 3);
-        string axesVariable = Variable(pool, "TKFRAME", id, name, "AXES");
-        IReadOnlyList<double> axes = pool.Numbers(axesVariable, 3);
-        double radiansPerUnit = RadiansPerUnit(pool, Variable(pool, "TKFRAME", id, name, "UNITS"));
+        IReadOnlyList<double> angles = Pool.Numbers(OfTk("ANGLES"), 3);
+        string axesVariable = OfTk("AXES");
+        IReadOnlyList<double> axes = Pool.Numbers(axesVariable, 3);
+        double radiansPerUnit = RadiansPerUnit(OfTk("UNITS"));
         RotationMatrix relativeFromFrame = RotationMatrix.Identity;
         for (int i = 0; i < 3; i++)
         {
-            double angle = radiansPerUnit * angles[i];
-            relativeFromFrame *= axes[i] switch
-            {
-                1.0 => RotationMatrix.FrameAboutX(angle),
-                2.0 => RotationMatrix.FrameAboutY(angle),
-                3.0 => RotationMatrix.FrameAboutZ(angle),
-                _ => throw new BadInputException(
-                    $"{pool.Existing(axesVariable).Source}: {axesVariable} must be three of the axes 1, 2 and 3."),
-            };
+            relativeFromFrame *= axes[i] is 1.0 or 2.0 or 3.0
+                ? RotationMatrix.FrameAbout((int)axes[i], radiansPerUnit * angles[i])
+                : throw new BadInputException(
+                    $"{Pool.Existing(axesVariable).Source}: {axesVariable} must be three of the axes 1, 2 and 3.");
         }
 
         return relativeFromFrame;
     }
 
-    private static double RadiansPerUnit(KernelPool pool, string unitsVariable) => pool.Text(unitsVariable).ToUpperInvariant() switch
+    private double RadiansPerUnit(string unitsVariable)
     {
-        "RADIANS" => 1.0,
-        "DEGREES" => Math.PI / 180.0,
-        "ARCMINUTES" => Math.PI / 180.0 / 60.0,
-        "ARCSECONDS" => Math.PI / 180.0 / 3600.0,
-        string other => throw new BadInputException(
-            $"{pool.Existing(unitsVariable).Source}: {unitsVariable} is {other}; RADIANS, DEGREES, ARCMINUTES or ARCSECONDS expected."),
-    };
+        string unit = Pool.Text(unitsVariable).Trim().ToUpperInvariant();
+        return Units.FirstOrDefault(known => known.Name == unit) is { Name: not null } found
+            ? found.Radians
+            : throw new BadInputException(
+                $"{Pool.Existing(unitsVariable).Source}: {unitsVariable} is {unit}; {string.Join(", ", Units.Select(known => known.Name))} "
+                    + "are known.");
+    }
+}
 
-    /// <summary>SPICE lets a frame's variables carry its number or its name.</summary>
-    internal static string Variable(KernelPool pool, string prefix, int id, string name, string item)
+/// <summary>Quaternions as SPICE has them: scalar first, of any length but 0.</summary>
+internal static class SpiceQuaternion
+{
+    /// <summary>The matrix of a quaternion (SPICE's q2m); null if it has no length.</summary>
+    public static RotationMatrix? ToMatrix(ReadOnlySpan<double> q)
     {
-        string byName = $"{prefix}_{name}_{item}";
-        return pool.Find(byName) is null ? $"{prefix}_{id}_{item}" : byName;
+        double length = double.Hypot(double.Hypot(q[0], q[1]), double.Hypot(q[2], q[3]));
+        if (!(length > 0.0 && double.IsFinite(length)))
+        {
+            return null;
+        }
+
+        (double w, double x, double y, double z) = (q[0] / length, q[1] / length, q[2] / length, q[3] / length);
+        return new RotationMatrix(
+            new Vector3D(1.0 - (2.0 * ((y * y) + (z * z))), 2.0 * ((x * y) - (w * z)), 2.0 * ((x * z) + (w * y))),
+            new Vector3D(2.0 * ((x * y) + (w * z)), 1.0 - (2.0 * ((x * x) + (z * z))), 2.0 * ((y * z) - (w * x))),
+            new Vector3D(2.0 * ((x * z) - (w * y)), 2.0 * ((y * z) + (w * x)), 1.0 - (2.0 * ((x * x) + (y * y)))));
     }
 }

@@ -8,17 +8,8 @@ namespace Msisf.Adapters.Ephemeris;
 /// <remarks>NAIF, Frames Required Reading.</remarks>
 internal sealed class FrameSystem : ISpaceFrames
 {
-    private const int PckClass = 2;
-    private const int CkClass = 3;
-    private const int TkClass = 4;
-
     /// <summary>Maximum number of frames from one to J2000; more mean that they are defined by each other.</summary>
     private const int MaximumLinks = 20;
-
-    /// <summary>rad: obliquity of the ecliptic at J2000 (IAU 1976), 84381.448 arcseconds.</summary>
-    private const double Obliquity = 84381.448 / 3600.0 * Math.PI / 180.0;
-
-    private static readonly Dictionary<string, int> BuiltIn = new(StringComparer.Ordinal) { ["J2000"] = 1, ["ECLIPJ2000"] = 17 };
 
     private readonly KernelPool _pool;
     private readonly Lazy<SegmentTable> _orientations;
@@ -30,36 +21,41 @@ internal sealed class FrameSystem : ISpaceFrames
     public FrameSystem(KernelPool pool, Func<SegmentTable> orientations, SpacecraftAttitudes attitudes) =>
         (_pool, _orientations, _attitudes) = (pool, new Lazy<SegmentTable>(orientations), attitudes);
 
-    public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) => FromJ2000(frame, tdbSeconds, 0);
+    public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) => Of(frame, tdbSeconds, 0).FromJ2000;
 
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
     /// <param name="frame">NAIF's number of the frame.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
-    public RotationMatrix FrameFromJ2000(int frame, double tdbSeconds) => FromJ2000(NameOf(frame), tdbSeconds, 0);
+    public RotationMatrix FrameFromJ2000(int frame, double tdbSeconds) => FrameFromJ2000(NameOf(frame), tdbSeconds);
 
-    /// <summary>The class IDs of the CK frames on the way from a frame to one that is not of a CK.</summary>
-    /// <exception cref="BadInputException">The frame is not known.</exception>
+    /// <summary>How fast a frame turns, as kernels say it.</summary>
+    /// <param name="frame">The frame's name.</param>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <returns>rad/s relative to J2000, along its axes; null if a CK on the way to J2000 does not say it.</returns>
+    /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
+    public Vector3D? RateJ2000(string frame, double tdbSeconds) => Of(frame, tdbSeconds, 0).Rate;
+
+    /// <summary>The class IDs of the CK frames on the way from a frame to one that is not of a CK, or that no kernel defines.</summary>
+    /// <exception cref="BadInputException">The frame itself is not known.</exception>
     public IReadOnlyList<int> AttitudesOf(string frame)
     {
         List<int> instruments = [];
-        string current = frame;
-        for (int links = 0; links < MaximumLinks && !BuiltIn.ContainsKey(current); links++)
+        FrameDefinition? current = InertialFrames.NumberOf(frame) is null ? DefinitionOf(frame) : null;
+        for (int links = 0; links < MaximumLinks && current is not null; links++)
         {
-            (int id, int kind) = ClassOf(current);
-            if (kind is not (CkClass or TkClass))
+            string? next = null;
+            if (current.Class == FrameDefinition.CkClass)
             {
-                break;
+                instruments.Add(current.ClassId);
+                next = _attitudes.ReferenceOf(current.ClassId) is { } reference ? NameIfKnown(reference) : null;
+            }
+            else if (current.Class == FrameDefinition.TkClass)
+            {
+                next = current.Relative;
             }
 
-            if (kind == CkClass)
-            {
-                instruments.Add(ClassIdOf(current, id));
-            }
-
-            current = kind == TkClass
-                ? _pool.Text(FrameKernel.Variable(_pool, "TKFRAME", id, current, "RELATIVE"))
-                : _attitudes.ReferenceOf(instruments[^1]) is { } reference ? NameOf(reference) : "J2000";
+            current = next is null ? null : FrameDefinition.Find(_pool, next);
         }
 
         return instruments;
@@ -70,62 +66,50 @@ internal sealed class FrameSystem : ISpaceFrames
         ? Invariant($"{name} ({frame})")
         : frame.ToString(CultureInfo.InvariantCulture);
 
-    private RotationMatrix FromJ2000(string frame, double tdbSeconds, int links)
+    private (RotationMatrix FromJ2000, Vector3D? Rate) Of(string frame, double tdbSeconds, int links)
     {
         if (links > MaximumLinks)
         {
             throw new BadInputException($"Frame {frame} is defined by itself, over other frames. Use other frame kernels.");
         }
 
-        if (BuiltIn.TryGetValue(frame, out int builtIn))
+        if (InertialFrames.NumberOf(frame) is { } inertial)
         {
-            return builtIn == 1 ? RotationMatrix.Identity : RotationMatrix.FrameAboutX(Obliquity);
+            return (InertialFrames.FrameFromJ2000(inertial), default(Vector3D));
         }
 
-        (int id, int kind) = ClassOf(frame);
-        switch (kind)
+        FrameDefinition definition = DefinitionOf(frame);
+        switch (definition.Class)
         {
-            case PckClass:
-                KernelOrientation orientation = new(
-                    _orientations.Value, new BodyFixedFrame(ClassIdOf(frame, id), RotationMatrix.Identity));
-                return orientation.FrameFromJ2000(tdbSeconds) ?? throw new BadInputException(
-                    $"No binary PCK has the orientation of frame {frame} at that time. Add it, or choose another time.");
-            case CkClass:
-                (RotationMatrix turn, int reference) = _attitudes.InstrumentFromReference(ClassIdOf(frame, id), frame, tdbSeconds);
-                return turn * FromJ2000(NameOf(reference), tdbSeconds, links + 1);
-            case TkClass:
-                string relative = _pool.Text(FrameKernel.Variable(_pool, "TKFRAME", id, frame, "RELATIVE"));
-                return FrameKernel.ReadRelativeFromFrame(_pool, id, frame).Transposed * FromJ2000(relative, tdbSeconds, links + 1);
+            case FrameDefinition.PckClass:
+                KernelOrientation orientation = new(_orientations.Value, new BodyFixedFrame(definition.ClassId, RotationMatrix.Identity));
+                return orientation.FrameFromJ2000(tdbSeconds) is { } fromJ2000
+                    ? (fromJ2000, orientation.RateJ2000(tdbSeconds))
+                    : throw new BadInputException(
+                        $"No binary PCK has the orientation of frame {frame} at that time. Add it, or choose another time.");
+            case FrameDefinition.CkClass:
+                (CkAttitude attitude, int number) = _attitudes.At(definition.ClassId, frame, tdbSeconds);
+                (RotationMatrix FromJ2000, Vector3D? Rate) reference = Of(NameOf(number), tdbSeconds, links + 1);
+                return (
+                    attitude.InstrumentFromReference * reference.FromJ2000,
+                    attitude.Rate is { } rate ? (reference.FromJ2000.Transposed * rate) + reference.Rate : null);
+            case FrameDefinition.TkClass:
+                (RotationMatrix FromJ2000, Vector3D? Rate) relative = Of(definition.Relative, tdbSeconds, links + 1);
+                return relative with { FromJ2000 = definition.RelativeFromFrame().Transposed * relative.FromJ2000 };
             default:
                 throw new BadInputException(
-                    $"Frame {frame} is of class {kind}; the built-in reader knows the classes 2 (binary PCK), 3 (CK) and 4 (constant). "
-                        + "Use --ephemeris cspice.");
+                    $"Frame {frame} is of class {definition.Class}; the built-in reader knows the classes 2 (binary PCK), 3 (CK) and 4 "
+                        + "(constant). Use --ephemeris cspice.");
         }
     }
 
-    private (int Id, int Class) ClassOf(string frame)
-    {
-        if (_pool.Find($"FRAME_{frame}") is null)
-        {
-            throw new BadInputException(
-                $"No frame kernel defines the frame {frame}. Add its frame kernel (FK) with --kernels, or use --ephemeris cspice if it is "
-                    + "one that SPICE itself knows.");
-        }
-
-        int id = _pool.WholeNumber($"FRAME_{frame}");
-        int kind = _pool.WholeNumber(FrameKernel.Variable(_pool, "FRAME", id, frame, "CLASS"));
-        return (id, kind);
-    }
-
-    private int ClassIdOf(string frame, int id) => _pool.WholeNumber(FrameKernel.Variable(_pool, "FRAME", id, frame, "CLASS_ID"));
+    private FrameDefinition DefinitionOf(string frame) => FrameDefinition.Find(_pool, frame) ?? throw new BadInputException(
+        $"No frame kernel defines the frame {frame}. Add its frame kernel (FK) with --kernels, or use --ephemeris cspice if it is "
+            + "one that SPICE itself knows.");
 
     private string NameOf(int frame) => NameIfKnown(frame) ?? throw new BadInputException(Invariant(
-        $"A kernel gives data in frame {frame}, which no frame kernel names. Add its FK with --kernels, or use --ephemeris cspice."));
+        $"A kernel gives data in frame {frame}, which no frame kernel names. Add its FK with --kernels, or use --ephemeris cspice if it is "
+            + $"one that SPICE itself knows."));
 
-    private string? NameIfKnown(int frame)
-    {
-        string variable = Invariant($"FRAME_{frame}_NAME");
-        return BuiltIn.FirstOrDefault(known => known.Value == frame).Key
-            ?? (_pool.Find(variable) is not null ? _pool.Text(variable) : null);
-    }
+    private string? NameIfKnown(int frame) => InertialFrames.NameOf(frame) ?? FrameDefinition.NameOf(_pool, frame);
 }

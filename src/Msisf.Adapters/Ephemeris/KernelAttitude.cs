@@ -33,9 +33,29 @@ public sealed class KernelAttitude : IAttitudeSource
     public TdbCover Cover { get; }
 
     /// <inheritdoc/>
+    /// <remarks>By the built-in reader, because CSPICE's frames take another segment where the first one has no rates.</remarks>
+    public TurnRate? RateOf(in TrajectoryPoint point)
+    {
+        double time = Cover.InstantNear(point.TdbSeconds) ?? point.TdbSeconds;
+        FrameSystem frames = _opened.Catalogue.Frames;
+        try
+        {
+            return frames.RateJ2000(_frame, time) is { } rate
+                ? new TurnRate(_instrumentFromCamera.Conjugate * (frames.FrameFromJ2000(_frame, time) * rate), IsOverBody: false)
+                : null;
+        }
+        catch (BadInputException)
+        {
+            return null; // a frame that only CSPICE knows
+        }
+    }
+
+    /// <inheritdoc/>
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
     {
-        if (!Cover.Contains(point.TdbSeconds))
+        // CSPICE's frames know no attitude at a single instant, because no time hits its tick; its reader of CKs has tolerances for that.
+        double? instant = Cover.InstantNear(point.TdbSeconds);
+        if (instant is null && !Cover.Contains(point.TdbSeconds))
         {
             throw new BadInputException(
                 $"{point.Time.ToIsoUtc()} is outside what the CKs have of frame {_frame}: "
@@ -43,7 +63,9 @@ public sealed class KernelAttitude : IAttitudeSource
         }
 
         RotationMatrix moonFromInstrument =
-            point.BodyFromJ2000 * _opened.Frames.FrameFromJ2000(_frame, point.TdbSeconds).Transposed;
+            point.BodyFromJ2000 * (instant is { } at
+                ? _opened.Catalogue.Frames.FrameFromJ2000(_frame, at)
+                : _opened.Frames.FrameFromJ2000(_frame, point.TdbSeconds)).Transposed;
         return UnitQuaternion.FromMatrix(moonFromInstrument) * _instrumentFromCamera;
     }
 }

@@ -6,7 +6,6 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>Turns what the user names (a meta-kernel, or kernels) into the kernels' absolute paths, in load order.</summary>
 public static class KernelList
 {
-    private const string MetaKernelIdWord = "KPL/MK";
     private const string Kernels = "KERNELS_TO_LOAD";
     private const string PathSymbols = "PATH_SYMBOLS";
     private const string PathValues = "PATH_VALUES";
@@ -16,8 +15,8 @@ public static class KernelList
     /// <returns>Absolute paths; each file exists.</returns>
     /// <exception cref="BadInputException">A file is missing, or a meta-kernel can't be used.</exception>
     /// <remarks>
-    /// A relative name in a meta-kernel starts at the meta-kernel's own folder. (SPICE starts at the working directory, so that
-    /// a program runs from one folder only.) SPICE's limit of 80 characters a value does not apply; '+' at a value's end
+    /// A relative name in a meta-kernel starts at the meta-kernel's own folder or, if no file is there, at the working directory, as in
+    /// SPICE. SPICE's limit of 80 characters a value does not apply; '+' at a value's end
     /// goes on with the next one, as in SPICE.
     /// </remarks>
     public static IReadOnlyList<string> Expand(IReadOnlyList<string> files)
@@ -25,7 +24,7 @@ public static class KernelList
         List<string> kernels = [];
         foreach (string file in files)
         {
-            string path = Existing(Path.GetFullPath(file), "");
+            string path = Existing(file);
             if (IsMetaKernel(path))
             {
                 kernels.AddRange(ReadMetaKernel(path));
@@ -42,24 +41,19 @@ public static class KernelList
     /// <summary>The kernels of a run, in load order: a later one wins.</summary>
     /// <param name="installed">The meta-kernel of the installation.</param>
     /// <param name="named">What the user names: meta-kernels, which replace the installed one, and kernels on top of them.</param>
-    /// <param name="ofTrajectory">Kernels of the camera's trajectory, which come last.</param>
+    /// <param name="ofSpacecraft">Kernels of the camera's spacecraft, which come last.</param>
     /// <returns>Meta-kernels, and kernels.</returns>
-    /// <exception cref="BadInputException">A file is missing, or a kernel of the trajectory is a meta-kernel.</exception>
-    public static IReadOnlyList<string> OnTop(string installed, IReadOnlyList<string> named, IReadOnlyList<string> ofTrajectory)
+    /// <exception cref="BadInputException">A file is missing, or a kernel of the spacecraft is of another kind.</exception>
+    public static IReadOnlyList<string> OnTop(string installed, IReadOnlyList<string> named, SpacecraftKernels ofSpacecraft)
     {
-        ILookup<bool, string> byKind = named.ToLookup(file => IsMetaKernel(Existing(Path.GetFullPath(file), "")));
-        return
-        [
-            .. byKind[true].DefaultIfEmpty(installed), .. byKind[false],
-            .. ofTrajectory.Select(file => !IsMetaKernel(Existing(Path.GetFullPath(file), ""))
-                ? file
-                : throw new BadInputException($"{file}: a meta-kernel, where one kernel is meant. Name it with --kernels.")),
-        ];
+        ILookup<bool, string> byKind = named.ToLookup(file => IsMetaKernel(Existing(file)));
+        ofSpacecraft.Check();
+        return [.. byKind[true].DefaultIfEmpty(installed), .. byKind[false], .. ofSpacecraft.All];
     }
 
     private static bool IsMetaKernel(string path) =>
         path.EndsWith(".tm", StringComparison.OrdinalIgnoreCase)
-        || KernelFile.IdWordOf(path) == MetaKernelIdWord;
+        || KernelFile.IdWordOf(path) == KernelFile.MetaKernel;
 
     private static IEnumerable<string> ReadMetaKernel(string path)
     {
@@ -98,7 +92,7 @@ public static class KernelList
                         + $"Is the meta-kernel damaged?");
             }
 
-            string kernel = Existing(Path.GetFullPath(file, folder), $", which {path} lists");
+            string kernel = Found(file, folder, path);
             yield return IsMetaKernel(kernel)
                 ? throw new BadInputException($"{path}: {name} is a meta-kernel itself; SPICE allows no nesting. List its kernels instead.")
                 : kernel;
@@ -145,7 +139,52 @@ public static class KernelList
         return best < 0 ? name : name[..dollar] + values[best] + name[(dollar + 1 + symbols[best].Length)..];
     }
 
-    private static string Existing(string path, string context) => File.Exists(path)
+    /// <summary>The path of a kernel that a meta-kernel lists.</summary>
+    private static string Found(string file, string folder, string metaKernel)
+    {
+        string besideMetaKernel = Path.GetFullPath(file, folder);
+        string inWorkingFolder = Path.GetFullPath(file);
+        string also = inWorkingFolder == besideMetaKernel ? string.Empty : $", nor {inWorkingFolder}";
+        return File.Exists(besideMetaKernel) ? besideMetaKernel
+            : File.Exists(inWorkingFolder) ? inWorkingFolder
+            : throw new BadInputException(
+                $"{besideMetaKernel}: no such kernel, which {metaKernel} lists{also}. Mend the name, or get the kernel "
+                    + "(kernels/README.md says where).");
+    }
+
+    /// <summary>The absolute path of a kernel that the user names.</summary>
+    internal static string Existing(string file) => Path.GetFullPath(file) is var path && File.Exists(path)
         ? path
-        : throw new BadInputException($"{path}: no such kernel{context}. Mend the name, or get the kernel (kernels/README.md says where).");
+        : throw new BadInputException($"{path}: no such kernel. Mend the name, or get the kernel (kernels/README.md says where).");
+}
+
+/// <summary>The kernels that say where a spacecraft is and how it points.</summary>
+/// <param name="Spk">Trajectories, in load order.</param>
+/// <param name="Ck">Attitudes, in load order.</param>
+public sealed record SpacecraftKernels(IReadOnlyList<string> Spk, IReadOnlyList<string> Ck)
+{
+    /// <summary>No kernel.</summary>
+    public static SpacecraftKernels None { get; } = new([], []);
+
+    /// <summary>All of them, in load order.</summary>
+    public IReadOnlyList<string> All => [.. Spk, .. Ck];
+
+    /// <summary>Checks that each file is of its kind.</summary>
+    /// <exception cref="BadInputException">A file is missing, or of another kind; the message says which option takes it.</exception>
+    internal void Check()
+    {
+        foreach ((IReadOnlyList<string> files, string option, string kind) in
+            ((IReadOnlyList<string>, string, string)[])[(Spk, "--spk", "DAF/SPK"), (Ck, "--ck", "DAF/CK")])
+        {
+            foreach (string file in files)
+            {
+                string path = KernelList.Existing(file);
+                KernelFile.Require(path, option, kind);
+                if (!KernelFile.IsBinary(path))
+                {
+                    throw new BadInputException($"{path}: no binary kernel, which {option} takes. Text kernels are given with --kernels.");
+                }
+            }
+        }
+    }
 }

@@ -29,21 +29,27 @@ internal sealed class SpacecraftAttitudes
     /// <param name="instrument">NAIF's number; the class ID of its frame.</param>
     /// <param name="frame">Its frame, for messages.</param>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    /// <returns>Turns components in the reference frame into the instrument's; and the reference frame's number.</returns>
+    /// <returns>The attitude, and the reference frame's number.</returns>
     /// <exception cref="BadInputException">No kernel has it, or not at that time.</exception>
-    public (RotationMatrix InstrumentFromReference, int Reference) InstrumentFromReference(int instrument, string frame, double tdbSeconds)
+    public (CkAttitude Attitude, int Reference) At(int instrument, string frame, double tdbSeconds)
     {
         if (!_segments.Value.Contains(instrument))
         {
             throw new BadInputException(Invariant($"No CK has the attitude of frame {frame} ({instrument}). Add its CK with --ck."));
         }
 
-        double ticks = ClockOf(instrument).TicksAt(tdbSeconds);
-        foreach (CkSegment segment in _segments.Value[instrument])
+        SpacecraftClock clock = ClockOf(instrument);
+        double ticks = clock.TicksAt(tdbSeconds);
+        double tolerance = Math.Abs(clock.TicksAt(tdbSeconds + TdbCover.InstantTolerance) - ticks);
+        foreach (Func<CkSegment, CkAttitude?> look in
+            (Func<CkSegment, CkAttitude?>[])[segment => segment.At(ticks), segment => segment.AtInstant(ticks, tolerance)])
         {
-            if (segment.InstrumentFromReference(ticks) is { } found)
+            foreach (CkSegment segment in _segments.Value[instrument])
             {
-                return (found, segment.Reference);
+                if (look(segment) is { } found)
+                {
+                    return (found, segment.Reference);
+                }
             }
         }
 

@@ -105,74 +105,16 @@ public static class TextKernelReader
 /// <summary>Numbers as text kernels write them, with Fortran's exponents and with dates.</summary>
 internal static class KernelNumber
 {
-    private const string Months = "JANFEBMARAPRMAYJUNJULAUGSEPOCTNOVDEC";
-
-    private static readonly DateTime J2000 = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
-
     /// <summary>What <see cref="TryParse"/> takes, for messages.</summary>
     public static string ValidValues =>
-        "a number (1.5, 1.657D-3), a text in single quotes ('de421.bsp') or a date (@1972-JAN-1, @1972-JAN-1-12:00:00)";
+        $"a number (1.5, 1.657D-3), a text in single quotes ('de421.bsp') or a date ({KernelDate.ValidValues})";
 
     /// <summary>A number, or a date as seconds past 2000-01-01T12:00:00 in days of 86 400 s.</summary>
     public static bool TryParse(string word, out double number) => word.StartsWith('@')
-        ? TryParseDate(word[1..], out number)
+        ? KernelDate.TryParse(word[1..], out number)
         : double.TryParse(
             word.Replace('D', 'E').Replace('d', 'e'),
             NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
             CultureInfo.InvariantCulture,
             out number) && double.IsFinite(number);
-
-    private static bool TryParseDate(string date, out double secondsPastJ2000)
-    {
-        secondsPastJ2000 = 0.0;
-        string[] parts = date.Split('-', '/');
-        if (parts.Length is not (3 or 4)
-            || !TryParseWhole(parts[0], out int year)
-            || !TryParseMonth(parts[1], out int month)
-            || !TryParseWhole(parts[2], out int day)
-            || year is < 1 or > 9999
-            || day < 1
-            || day > DateTime.DaysInMonth(year, month))
-        {
-            return false;
-        }
-
-        double secondsOfDay = 0.0;
-        if (parts.Length == 4 && !TryParseTimeOfDay(parts[3], out secondsOfDay))
-        {
-            return false;
-        }
-
-        secondsPastJ2000 = (new DateTime(year, month, day, 0, 0, 0, DateTimeKind.Utc) - J2000).TotalSeconds + secondsOfDay;
-        return true;
-    }
-
-    private static bool TryParseMonth(string text, out int month)
-    {
-        if (TryParseWhole(text, out month))
-        {
-            return month is >= 1 and <= 12;
-        }
-
-        // The full name counts too: its first three letters tell it from the others.
-        int index = text.Length < 3 ? -1 : Months.IndexOf(text[..3], StringComparison.OrdinalIgnoreCase);
-        month = (index / 3) + 1;
-        return index >= 0 && index % 3 == 0;
-    }
-
-    private static bool TryParseTimeOfDay(string text, out double secondsOfDay)
-    {
-        string[] parts = text.Split(':');
-        double seconds = 0.0;
-        int minutes = 0;
-        bool isValid = parts.Length <= 3
-            & TryParseWhole(parts[0], out int hours)
-            & (parts.Length < 2 || TryParseWhole(parts[1], out minutes))
-            & (parts.Length < 3 || double.TryParse(parts[2], NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out seconds));
-        secondsOfDay = (3600.0 * hours) + (60.0 * minutes) + seconds;
-        return isValid && hours < 24 && minutes < 60 && seconds < 60.0;
-    }
-
-    private static bool TryParseWhole(string text, out int number) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out number);
 }

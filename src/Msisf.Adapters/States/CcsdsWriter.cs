@@ -53,19 +53,29 @@ public static class CcsdsWriter
         writer.WriteLine("REF_FRAME_B = SC_BODY_1");
         writer.WriteLine("ATTITUDE_DIR = A2B");
         Times(writer, states);
-        writer.WriteLine("ATTITUDE_TYPE = QUATERNION");
+        bool hasRates = states.All(state => state.RateJ2000 is not null);
+        writer.WriteLine($"ATTITUDE_TYPE = QUATERNION{(hasRates ? "/DERIVATIVE" : string.Empty)}");
         writer.WriteLine("QUATERNION_TYPE = LAST");
-        writer.WriteLine("INTERPOLATION_METHOD = LINEAR");
-        writer.WriteLine("INTERPOLATION_DEGREE = 1");
+        writer.WriteLine($"INTERPOLATION_METHOD = {(hasRates ? "HERMITE" : "LINEAR")}");
+        writer.WriteLine($"INTERPOLATION_DEGREE = {(hasRates ? 3 : 1)}");
         writer.WriteLine("META_STOP");
         writer.WriteLine("DATA_START");
         foreach (InertialState state in states)
         {
             UnitQuaternion q = state.J2000FromCamera;
-            writer.WriteLine($"{StateTables.Calendar(state.Time)} {StateTables.Line(' ', q.X, q.Y, q.Z, q.W)}");
+            double[] derivative = hasRates ? Derivative(q, state.RateJ2000!.Value) : [];
+            writer.WriteLine($"{StateTables.Calendar(state.Time)} {StateTables.Line(' ', [q.X, q.Y, q.Z, q.W, .. derivative])}");
         }
 
         writer.WriteLine("DATA_STOP");
+    }
+
+    /// <summary>The derivative of a quaternion, scalar last, 1/s: half the rate times it.</summary>
+    /// <param name="rate">rad/s along the axes to which it turns.</param>
+    private static double[] Derivative(UnitQuaternion q, Vector3D rate)
+    {
+        Vector3D v = new(q.X, q.Y, q.Z);
+        return [.. StateTables.Numbers(0.5 * ((q.W * rate) + Vector3D.Cross(rate, v))), -0.5 * Vector3D.Dot(rate, v)];
     }
 
     private static void Begin(TextWriter writer, string version, string head, IReadOnlyList<InertialState> states)

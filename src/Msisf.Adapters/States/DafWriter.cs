@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Msisf.Adapters.States;
 
-/// <summary>Writes a binary kernel (double precision array file) with one segment, little-endian.</summary>
+/// <summary>Writes a binary kernel (double precision array file), little-endian.</summary>
 /// <remarks>NAIF, DAF Required Reading.</remarks>
 internal static class DafWriter
 {
@@ -11,6 +11,7 @@ internal static class DafWriter
     private const int RecordWords = RecordBytes / sizeof(double);
     private const int CommentBytes = 1000; // of a record
     private const int Integers = 6;
+    private const int SummaryBytes = 40; // two doubles and six integers; a name has as many
 
     /// <summary>Of file and segment; the standard allows 40 characters.</summary>
     private const string Name = "msis states";
@@ -23,20 +24,15 @@ internal static class DafWriter
     /// <param name="stream">Gets it.</param>
     /// <param name="idWord">"DAF/SPK" or "DAF/CK".</param>
     /// <param name="comments">Lines of the comment area, ASCII.</param>
-    /// <param name="first">The first double of the summary.</param>
-    /// <param name="last">The second one.</param>
-    /// <param name="integers">The summary's first four integers; the addresses are put behind them.</param>
-    /// <param name="data">The segment.</param>
-    public static void Write(
-        Stream stream, string idWord, IReadOnlyList<string> comments, double first, double last, int[] integers,
-        IReadOnlyList<double> data)
+    /// <param name="segments">At most 25, which one record of summaries holds.</param>
+    public static void Write(Stream stream, string idWord, IReadOnlyList<string> comments, IReadOnlyList<DafSegment> segments)
     {
         byte[] comment = Encoding.ASCII.GetBytes(string.Join('\0', comments) + "\0\u0004");
         int commentRecords = (comment.Length + CommentBytes - 1) / CommentBytes;
         int summaryRecord = 2 + commentRecords;
         int firstAddress = ((summaryRecord + 1) * RecordWords) + 1; // behind the records of summaries and names
-        int lastAddress = firstAddress + data.Count - 1;
-        stream.Write(FileRecord(idWord, summaryRecord, lastAddress + 1));
+        double[] data = [.. segments.SelectMany(segment => segment.Data)];
+        stream.Write(FileRecord(idWord, summaryRecord, firstAddress + data.Length));
         Span<byte> record = stackalloc byte[RecordBytes];
         for (int i = 0; i < commentRecords; i++)
         {
@@ -45,10 +41,14 @@ internal static class DafWriter
             stream.Write(record);
         }
 
-        stream.Write(SummaryRecord(first, last, [.. integers, firstAddress, lastAddress]));
+        stream.Write(SummaryRecord(segments, firstAddress));
         byte[] names = new byte[RecordBytes];
         names.AsSpan().Fill((byte)' ');
-        Encoding.ASCII.GetBytes(Name, names);
+        for (int i = 0; i < segments.Count; i++)
+        {
+            Encoding.ASCII.GetBytes(Name, names.AsSpan(SummaryBytes * i));
+        }
+
         stream.Write(names);
         WriteData(stream, data);
     }
@@ -68,15 +68,23 @@ internal static class DafWriter
         return record;
     }
 
-    private static byte[] SummaryRecord(double first, double last, int[] integers)
+    private static byte[] SummaryRecord(IReadOnlyList<DafSegment> segments, int firstAddress)
     {
         byte[] record = new byte[RecordBytes]; // no record before it, none after it
-        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(16), 1.0);
-        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(24), first);
-        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(32), last);
-        for (int i = 0; i < integers.Length; i++)
+        BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(16), segments.Count);
+        Span<byte> summary = record.AsSpan(24);
+        foreach (DafSegment segment in segments)
         {
-            BinaryPrimitives.WriteInt32LittleEndian(record.AsSpan(40 + (sizeof(int) * i)), integers[i]);
+            BinaryPrimitives.WriteDoubleLittleEndian(summary, segment.First);
+            BinaryPrimitives.WriteDoubleLittleEndian(summary[8..], segment.Last);
+            int[] integers = [.. segment.Integers, firstAddress, firstAddress + segment.Data.Count - 1];
+            for (int i = 0; i < integers.Length; i++)
+            {
+                BinaryPrimitives.WriteInt32LittleEndian(summary[(16 + (sizeof(int) * i))..], integers[i]);
+            }
+
+            firstAddress += segment.Data.Count;
+            summary = summary[SummaryBytes..];
         }
 
         return record;
@@ -97,3 +105,9 @@ internal static class DafWriter
         }
     }
 }
+
+/// <summary>A segment of a binary kernel.</summary>
+/// <param name="First">The first double of the summary.</param>
+/// <param name="Last">The second one.</param>
+/// <param name="Integers">The summary's first four integers; the addresses are put behind them.</param>
+internal sealed record DafSegment(double First, double Last, int[] Integers, IReadOnlyList<double> Data);

@@ -9,8 +9,9 @@ namespace Msisf.Adapters.States;
 /// <param name="Time">UTC.</param>
 /// <param name="State">Position (m) and velocity (m/s) relative to the Moon's centre.</param>
 /// <param name="J2000FromCamera">Turns camera axes (looks along -x, y right, z up) into J2000's.</param>
+/// <param name="RateJ2000">rad/s of the camera relative to J2000, along its axes; null where nothing says it.</param>
 public readonly record struct InertialState(
-    double TdbSeconds, ModifiedJulianDate Time, StateVector State, UnitQuaternion J2000FromCamera)
+    double TdbSeconds, ModifiedJulianDate Time, StateVector State, UnitQuaternion J2000FromCamera, Vector3D? RateJ2000)
 {
     /// <summary>Neighbours whose positions give a velocity that no state says: a polynomial of degree 7.</summary>
     private const int Neighbours = 8;
@@ -47,7 +48,11 @@ public readonly record struct InertialState(
                     new StateVector(state.PositionBodyFixed, motion.VelocityBodyFixed), RotationMatrix.Identity, times[i],
                     ephemeris).Velocity
                 : Velocity(times, positions, i)),
-            UnitQuaternion.FromMatrix(j2000FromBody[i]) * state.MoonFromCamera))];
+            UnitQuaternion.FromMatrix(j2000FromBody[i]) * state.MoonFromCamera,
+            state.Motion is { } turning
+                ? j2000FromBody[i] * (TurningMoon.RateBodyFixed(times[i], ephemeris)
+                    + (state.MoonFromCamera * turning.AngularVelocityCamera))
+                : null))];
     }
 
     /// <summary>The derivative of the polynomial through the neighbours' positions; 0 for one state alone.</summary>

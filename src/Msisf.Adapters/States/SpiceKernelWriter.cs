@@ -30,48 +30,54 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
     private const int DirectoryStep = 100;
     private const int WindowSize = 4; // Hermite of degree 7
     private const double TicksPerSecond = 1e6;
-    private const double Padding = 1.0; // s: beside one state alone
-    private const double TickPadding = 1.0; // so that rounding of a clock's time never leads out of the CK
+    private const double Padding = 1.0; // s: how far the kernels reach beyond the states, for whoever asks a little outside
     private const double KilometresPerMetre = 1e-3;
     private const double PitchMillimetres = 0.01; // any: the camera is known in pixels, and only the quotient counts
 
     /// <summary>TDB: the clock's zero, a whole second before the first state.</summary>
     private readonly double _clockZero = Math.Floor(states[0].TdbSeconds) - 10.0;
 
-    /// <summary>The SPK.</summary>
+    /// <summary>The SPK. What lies beyond the states is a segment of its own, so that it bends no polynomial between them.</summary>
     public void WriteSpk(Stream stream)
     {
-        InertialState[] all = Padded();
-        List<double> data = [];
-        foreach (InertialState state in all)
-        {
-            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Position));
-            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Velocity));
-        }
-
-        double[] epochs = [.. all.Select(state => state.TdbSeconds)];
-        data.AddRange([.. epochs, .. Directory(epochs), Math.Min(WindowSize, all.Length) - 1.0, all.Length]);
+        InertialState[] padded = Padded();
+        InertialState[][] segments = states.Count == 1 ? [padded] : [padded[..2], padded[^2..], padded[1..^1]]; // the last one wins
         DafWriter.Write(
-            stream, "DAF/SPK", Comments("J2000, about the Moon (301); km, km/s; TDB"), epochs[0], epochs[^1],
-            [Spacecraft, Moon, J2000, SpkType], data);
+            stream, "DAF/SPK", Comments("J2000, about the Moon (301); km, km/s; TDB"), [.. segments.Select(SpkSegment)]);
     }
 
     /// <summary>The CK.</summary>
     public void WriteCk(Stream stream)
     {
         InertialState[] all = Padded();
-        List<double> ticks = [.. all.Select(state => (state.TdbSeconds - _clockZero) * TicksPerSecond)];
-        List<UnitQuaternion> turns = [.. all.Select(state => (state.J2000FromCamera * StateTables.CameraFromOpenCv).Conjugate)];
-        ticks.Insert(0, ticks[0] - TickPadding);
-        ticks.Add(ticks[^1] + TickPadding);
-        turns.Insert(0, turns[0]);
-        turns.Add(turns[^1]);
-        List<double> data = [.. turns.SelectMany(q => (double[])[q.W, q.X, q.Y, q.Z])];
-        data.AddRange([.. ticks, .. Directory(ticks), ticks[0], 1.0, ticks.Count]); // one interval, that begins with the first record
+        bool hasRates = all[0].RateJ2000 is not null;
+        double[] ticks = [.. all.Select(state => (state.TdbSeconds - _clockZero) * TicksPerSecond)];
+        List<double> data = [];
+        foreach (InertialState state in all)
+        {
+            UnitQuaternion q = (state.J2000FromCamera * StateTables.CameraFromOpenCv).Conjugate;
+            data.AddRange([q.W, q.X, q.Y, q.Z, .. hasRates ? StateTables.Numbers(state.RateJ2000!.Value) : []]);
+        }
+
+        data.AddRange([.. ticks, .. Directory(ticks), ticks[0], 1.0, ticks.Length]); // one interval, that begins with the first record
+        string rates = hasRates ? "angular velocities rad/s along J2000" : "no angular velocities";
         DafWriter.Write(
-            stream, "DAF/CK",
-            Comments($"J2000 to {CameraName}; quaternions scalar first, as SPICE has them (M2Q); no angular velocities"),
-            ticks[0], ticks[^1], [Instrument, J2000, CkType, 0], data);
+            stream, "DAF/CK", Comments($"J2000 to {CameraName}; quaternions scalar first, as SPICE has them (M2Q); {rates}"),
+            [new DafSegment(ticks[0], ticks[^1], [Instrument, J2000, CkType, hasRates ? 1 : 0], data)]);
+    }
+
+    private static DafSegment SpkSegment(InertialState[] part)
+    {
+        List<double> data = [];
+        foreach (InertialState state in part)
+        {
+            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Position));
+            data.AddRange(StateTables.Numbers(KilometresPerMetre * state.State.Velocity));
+        }
+
+        double[] epochs = [.. part.Select(state => state.TdbSeconds)];
+        data.AddRange([.. epochs, .. Directory(epochs), Math.Min(WindowSize, part.Length) - 1.0, part.Length]);
+        return new DafSegment(epochs[0], epochs[^1], [Spacecraft, Moon, J2000, SpkType], data);
     }
 
     /// <summary>The clock: microseconds since <see cref="_clockZero"/>, in TDB.</summary>
@@ -141,19 +147,32 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
     private static double[] Directory(IReadOnlyList<double> values) =>
         [.. Enumerable.Range(1, (values.Count - 1) / DirectoryStep).Select(i => values[(i * DirectoryStep) - 1])];
 
-    /// <summary>The states; one alone with others beside it, at rest or on its straight line.</summary>
-    private InertialState[] Padded() => states.Count > 1
-        ? [.. states]
-        : [.. new[] { -Padding, 0.0, Padding }.Select(seconds => states[0] with
+    /// <summary>The states, and one a second before and after them, on straight lines and turning at the rates there.</summary>
+    private InertialState[] Padded()
+    {
+        bool hasRates = states.All(state => state.RateJ2000 is not null);
+        return [.. new[] { Moved(states[0], -Padding) }.Concat(states).Append(Moved(states[^1], Padding))
+            .Select(state => hasRates ? state : state with { RateJ2000 = null })];
+    }
+
+    private static InertialState Moved(InertialState state, double seconds)
+    {
+        Vector3D rate = state.RateJ2000 ?? default;
+        return state with
         {
-            TdbSeconds = states[0].TdbSeconds + seconds,
-            State = states[0].State with { Position = states[0].State.Position + (seconds * states[0].State.Velocity) },
-        })];
+            TdbSeconds = state.TdbSeconds + seconds,
+            State = state.State with { Position = state.State.Position + (seconds * state.State.Velocity) },
+            J2000FromCamera = rate == default
+                ? state.J2000FromCamera
+                : UnitQuaternion.FromAxisAngle(rate, seconds * rate.Length) * state.J2000FromCamera,
+        };
+    }
 
     private string[] Comments(string content) =>
     [
         head, content, $"{CameraName}: x right in the image, y down, z along the line of sight",
-        .. states.Count > 1 ? (string[])[] : ["one state alone: padded by 1 s on either side, on a straight line with its velocity"],
+        "padded by 1 s at either end, on a straight line with the velocity there",
+        .. states.Count > 1 ? (string[])[] : ["one state alone: its velocity is 0 where nothing says it"],
     ];
 
     private void Write(TextWriter writer, string kind, string assignments, string? note = null)

@@ -20,7 +20,7 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
     {
         if (Opened is null)
         {
-            Opened = Open(host, settings.Ephemeris, settings.Body, settings.Kernels, settings.TrajectoryKernels);
+            Opened = Open(host, settings.Ephemeris, settings.Body, settings.Kernels, settings.SpacecraftKernels);
             host.Log.Note(Opened.Notice);
             Orientation = NamedOrientation(Opened);
         }
@@ -37,14 +37,14 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
 
     /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>
     public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(
-        () => KernelList.Expand(NamesOf(host, settings.Body, settings.Kernels, settings.TrajectoryKernels)));
+        () => KernelList.Expand(NamesOf(host, settings.Body, settings.Kernels, settings.SpacecraftKernels)));
 
     /// <summary>Opens an engine with the kernels of the installation and those that a user names.</summary>
-    /// <param name="ofTrajectory">Those of the spacecraft.</param>
+    /// <param name="ofSpacecraft">Those of the spacecraft.</param>
     public static OpenedEphemeris Open(
         ProgramHost host, EphemerisChoice engine, CelestialBody body, IReadOnlyList<string> kernels,
-        IReadOnlyList<string> ofTrajectory) => LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
-            engine, NamesOf(host, body, kernels, ofTrajectory), host.Installation.Root, host.Environment("MSISF_CSPICE"))
+        SpacecraftKernels ofSpacecraft) => LightOptions.Kernels.NamedInErrors(() => EphemerisFactory.Open(new EphemerisRequest(
+            engine, NamesOf(host, body, kernels, ofSpacecraft), host.Installation.Root, host.Environment("MSISF_CSPICE"))
         {
             Body = body,
         }));
@@ -52,14 +52,14 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
     public void Dispose() => Opened?.Dispose();
 
     private static IReadOnlyList<string> NamesOf(
-        ProgramHost host, CelestialBody body, IReadOnlyList<string> kernels, IReadOnlyList<string> ofTrajectory) => KernelList.OnTop(
-        body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel, kernels, ofTrajectory);
+        ProgramHost host, CelestialBody body, IReadOnlyList<string> kernels, SpacecraftKernels ofSpacecraft) => KernelList.OnTop(
+        body.IsMoon ? host.Installation.MetaKernel : host.Installation.BodiesMetaKernel, kernels, ofSpacecraft);
 
     /// <summary>Which kernels give the Moon's frame; null for those of the installation.</summary>
     /// <exception cref="BadInputException">Two of them give different ones.</exception>
     private string? NamedOrientation(OpenedEphemeris opened)
     {
-        if (!settings.Body.IsMoon || (settings.Kernels.Count == 0 && settings.TrajectoryKernels.Count == 0))
+        if (!settings.Body.IsMoon || (settings.Kernels.Count == 0 && settings.SpacecraftKernels.All.Count == 0))
         {
             return null;
         }

@@ -32,7 +32,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         {
             KernelPosition position => MissionOptions.Spacecraft.NamedInErrors(() => new KernelTrajectory(kernels, position.Spacecraft)),
             FilePosition file => new SampledTrajectory(
-                OpenFile(file.Option, file.Path, () => TrajectoryFile.Read(file.Path, file.Path, kernels, note)), file.Path,
+                OpenFile(file.Option, "CCSDS_OE", file.Path, () => TrajectoryFile.Read(file.Path, file.Path, kernels, note)), file.Path,
                 kernels.Engine),
             SampledPosition sampled => new SampledTrajectory(sampled.Blocks(kernels), sampled.Name, kernels.Engine),
             _ => throw new ArgumentException($"no trajectory is known of {settings.Position.GetType().Name}", nameof(settings)),
@@ -43,7 +43,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
             QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
             AemChoice aem => new SampledAttitude(
-                OpenFile(MissionOptions.Aem, aem.Path, () =>
+                OpenFile(MissionOptions.Aem, "CCSDS_AE", aem.Path, () =>
                 {
                     using FileStream stream = new(
                         aem.Path, FileMode.Open, FileAccess.Read, FileShare.Read, 1 << 16, FileOptions.SequentialScan);
@@ -98,7 +98,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         return new KernelAttitude(kernels, instrument.Frame, choice.Axes ?? instrument.Axes());
     }
 
-    private static T OpenFile<T>(PathSpec option, string path, Func<T> read)
+    private static T OpenFile<T>(PathSpec option, string start, string path, Func<T> read)
     {
         if (!File.Exists(path))
         {
@@ -106,6 +106,7 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
             throw new BadInputException($"{option.Name} {path}: {what}.");
         }
 
+        option.NamedInErrors(() => KernelFile.Require(path, option.Name, start));
         return option.NamedInErrors(() => FileErrors.ToBadInput($"{path}: can't be read", read));
     }
 
@@ -116,6 +117,12 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         for (int i = 0; i < count; i++)
         {
             ModifiedJulianDate time = Scale.ToUtc(interval.Start + (i * step));
+            if (interval.IsInstant)
+            {
+                yield return time;
+                continue;
+            }
+
             ModifiedJulianDate later = new(double.BitIncrement(time.Days));
             ModifiedJulianDate earlier = new(double.BitDecrement(time.Days));
             foreach (ModifiedJulianDate candidate in (ModifiedJulianDate[])[time, later, earlier])

@@ -47,7 +47,7 @@ internal static class ScanStates
         ? path.States.Select((exposure, index) => new SpacecraftState(
             state.Time.After(exposure.Seconds), exposure.PositionBodyFixed, exposure.MoonFromCamera)
         {
-            Motion = path.MotionBetween(
+            Motion = path.MotionAt(exposure.Seconds) ?? path.MotionBetween(
                 path.States[Math.Max(0, index - 1)].Seconds, path.States[Math.Min(index + 1, path.States.Count - 1)].Seconds),
             SunPositionBodyFixed = state.SunPositionBodyFixed,
         })
@@ -76,11 +76,21 @@ internal static class ScanStates
         bool hasVelocities = samples.All(sample => sample.Motion is not null);
         InterpolationMethod positions =
             settings.Positions ?? (hasVelocities ? InterpolationMethod.Hermite : InterpolationMethod.Lagrange);
-        return positions != InterpolationMethod.Hermite || hasVelocities
-            ? new SampledMotion(samples, positions, settings.IsSmooth)
-            : throw ScanOptions.Positions.Wrong(
+        if (positions == InterpolationMethod.Hermite && !hasVelocities)
+        {
+            throw ScanOptions.Positions.Wrong(
                 $"hermite needs velocities: {string.Join(", ", CameraMotion.NumberNames)} in each line of {file}. Add them, or choose "
                     + "lagrange.");
+        }
+
+        // Writers without rates write zeros.
+        bool hasRates = hasVelocities && samples.Any(sample => sample.Motion!.Value.AngularVelocityCamera != default);
+        AttitudePath attitudes = settings.Attitudes ?? (hasRates ? AttitudePath.Hermite : AttitudePath.Slerp);
+        return attitudes != AttitudePath.Hermite || hasVelocities
+            ? new SampledMotion(samples, positions, attitudes)
+            : throw ScanOptions.Attitudes.Wrong(
+                $"hermite needs angular velocities: {string.Join(", ", CameraMotion.NumberNames)} in each line of {file}. Add them, or "
+                    + "choose slerp.");
     }
 
     /// <summary>The state of an image between samples.</summary>
@@ -91,7 +101,10 @@ internal static class ScanStates
     {
         double start = time.SecondsSince(motion.Start);
         CameraState state = At(0.0);
-        return new SpacecraftState(time, state.PositionBodyFixed, state.MoonFromCamera) { Path = new ScanPath(At) };
+        return new SpacecraftState(time, state.PositionBodyFixed, state.MoonFromCamera) 
+        {
+            Path = new ScanPath(At, seconds => motion.MotionAt(Math.Clamp(start + seconds, 0.0, motion.End))),
+        };
 
         CameraState At(double seconds)
         {
@@ -105,13 +118,9 @@ internal static class ScanStates
         }
     }
 
-    /// <summary>The motion about a time, from states 5 ms before and after it where there are any.</summary>
-    public static CameraMotion MotionAbout(SampledMotion motion, ModifiedJulianDate time)
-    {
-        double seconds = time.SecondsSince(motion.Start);
-        (double from, double to) = (Math.Max(0.0, seconds - HalfStep), Math.Min(motion.End, seconds + HalfStep));
-        return new ScanPath(motion.At).MotionBetween(from, to);
-    }
+    /// <summary>The motion at a time.</summary>
+    public static CameraMotion MotionAbout(SampledMotion motion, ModifiedJulianDate time) =>
+        motion.MotionAt(Math.Clamp(time.SecondsSince(motion.Start), 0.0, motion.End));
 
     private static ScanPath PathOf(SpacecraftState state, CameraMotion? motion, Scan? scan)
     {

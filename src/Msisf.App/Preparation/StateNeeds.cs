@@ -172,14 +172,19 @@ internal static class StateMotions
     }
 
     /// <summary>
-    /// The motion on a mission's path at a time; at the ends of its cover of the inner side. Null where the files say the state at this
-    /// time only, and no shutter needs more.
+    /// The motion on a mission's path at a time: as its files state it, else from states about the time; at the ends of the cover from
+    /// those of the inner side. Null where the files say the state at this time only, and no shutter needs more.
     /// </summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, inside the cover.</param>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="BadInputException">A shutter needs a motion that is not known.</exception>
-    public static CameraMotion? About(double tdbSeconds, ICameraPath path, string? cameraWithShutter)
+    public static CameraMotion? About(double tdbSeconds, SpacecraftPath path, string? cameraWithShutter)
     {
+        if (path.StatedMotionAt(tdbSeconds) is { } stated)
+        {
+            return stated;
+        }
+
         double start = path.Cover.Contains(tdbSeconds - HalfStep) ? tdbSeconds - HalfStep : tdbSeconds;
         double end = path.Cover.Contains(tdbSeconds + HalfStep) ? tdbSeconds + HalfStep : tdbSeconds;
         if (start == end)

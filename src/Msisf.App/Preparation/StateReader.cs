@@ -243,7 +243,9 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             double start = mission.Scale.FromUtc(time);
             SpacecraftState state = mission.Path.At(time) with
             {
-                Path = NeedsPath ? new ScanPath(seconds => mission.Path.At(start + seconds)) : null,
+                Path = NeedsPath
+                    ? new ScanPath(seconds => mission.Path.At(start + seconds), seconds => mission.Path.StatedMotionAt(start + seconds))
+                    : null,
             };
             return NeedsMotion ? state with { Motion = StateMotions.About(start, mission.Path, CameraWithShutter) } : state;
         })];

@@ -61,7 +61,7 @@ internal static class CameraChoice
 
         Installation installation = Installation.Above(AppContext.BaseDirectory);
         KernelPool pool = LightOptions.Kernels.NamedInErrors(() => KernelPool.Of(KernelList.Expand(
-            KernelList.OnTop(installation.MetaKernel, LightOptions.Kernels.ReadAll(values), []))));
+            KernelList.OnTop(installation.MetaKernel, LightOptions.Kernels.ReadAll(values), SpacecraftKernels.None))));
         return Drawable(
             MissionOptions.Instrument.NamedInErrors(() => new InstrumentKernel(pool, instrument).Camera(
                 MissionSettingsReader.ReadAxes(values))),

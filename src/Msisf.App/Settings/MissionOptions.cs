@@ -1,3 +1,4 @@
+using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 
@@ -60,6 +61,9 @@ internal static class MissionOptions
     {
         Limits = new NumberRange(0.0, 1e9) { ExcludesMin = true },
     };
+
+    /// <summary>Reads which kernels say where the spacecraft is and how it points.</summary>
+    public static SpacecraftKernels ReadKernels(OptionValues values) => new([.. Spk.ReadAll(values)], [.. Ck.ReadAll(values)]);
 
     /// <summary>The ways in which a mission's files say where the camera is.</summary>
     public static OptionSpec[] Ways { get; } = [Spacecraft, Oem];

@@ -109,7 +109,7 @@ internal sealed record RenderSettings
     public required IReadOnlyList<string> Kernels { get; init; }
 
     /// <summary>Kernels of the camera's trajectory, in their order; they are loaded last.</summary>
-    public IReadOnlyList<string> TrajectoryKernels { get; init; } = [];
+    public SpacecraftKernels SpacecraftKernels { get; init; } = SpacecraftKernels.None;
 
     /// <summary>Whether kernels are needed: for the Sun, for the trajectory, or for camera models.</summary>
     public bool NeedsKernels => !IgnoreSun || IsMission || CameraFormats.Any(format => format.NeedsEphemeris);

@@ -73,7 +73,7 @@ internal static class RenderSettingsReader
             Ephemeris = LightOptions.Ephemeris.Read(values),
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadAll(values),
-            TrajectoryKernels = [.. MissionOptions.Spk.ReadAll(values), .. MissionOptions.Ck.ReadAll(values)],
+            SpacecraftKernels = MissionOptions.ReadKernels(values),
             IsMission = TrajectorySettingsReader.IsMission(values),
             PovPath = PovOptions.Program.ReadIfGiven(values),
             PovOptions = PovOptions.MoreOptions.NamedInErrors(

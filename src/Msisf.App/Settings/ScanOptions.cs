@@ -4,6 +4,7 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
+using Msisf.Core.Scene;
 
 namespace Msisf.App.Settings;
 
@@ -48,11 +49,13 @@ internal static class ScanOptions
         DefaultNote = "hermite where the file has velocities, else lagrange",
     };
 
-    public static ChoiceSpec<bool> Attitudes { get; } = new(
-        "--trajectory-attitudes", DecidesBytes.ByStates, [("slerp", false), ("squad", true)],
-        "With --trajectory: attitudes by turns at a constant rate from sample to sample, or by squad, whose rate does not jump")
+    public static ChoiceSpec<AttitudePath> Attitudes { get; } = new(
+        "--trajectory-attitudes", DecidesBytes.ByStates,
+        [("slerp", AttitudePath.Slerp), ("squad", AttitudePath.Squad), ("hermite", AttitudePath.Hermite)],
+        "With --trajectory: attitudes by turns at a constant rate from sample to sample, by squad, whose rate does not jump, or by cubic "
+            + "polynomials with the samples' angular velocities")
     {
-        Default = false,
+        DefaultNote = "hermite where the file has angular velocities, else slerp",
     };
 
     /// <summary>The options that say how an image is scanned.</summary>

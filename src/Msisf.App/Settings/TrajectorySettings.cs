@@ -53,8 +53,8 @@ internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<Mo
     /// <summary>How positions are found; null for Hermite where all samples have velocities, else Lagrange.</summary>
     public InterpolationMethod? Positions { get; init; }
 
-    /// <summary>Whether the rate of turning does not jump at the samples.</summary>
-    public bool IsSmooth { get; init; }
+    /// <summary>How attitudes are found; null for Hermite where all samples have angular velocities, else at constant rates.</summary>
+    public AttitudePath? Attitudes { get; init; }
 }
 
 /// <summary>Images along an orbit.</summary>

@@ -173,7 +173,7 @@ internal sealed class TrajectorySettingsReader
             : new SampledSettings(samples, hasTimes ? Times() : null)
             {
                 Positions = ScanOptions.Positions.ReadIfGiven(_values),
-                IsSmooth = ScanOptions.Attitudes.Read(_values),
+                Attitudes = ScanOptions.Attitudes.ReadIfGiven(_values),
             };
     }
 

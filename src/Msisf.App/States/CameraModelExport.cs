@@ -37,7 +37,7 @@ internal static class CameraModelExport
             }
 
             using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris)
-                ? EphemerisSource.Open(host, engine, frame.Globe.Body, kernels, [])
+                ? EphemerisSource.Open(host, engine, frame.Globe.Body, kernels, SpacecraftKernels.None)
                 : null;
             string stem = Path.ChangeExtension(metaFile, null);
             ExportedFrame exported = frame with

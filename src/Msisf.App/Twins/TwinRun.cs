@@ -132,7 +132,6 @@ internal sealed class TwinRun
     /// <summary>What is drawn, the options of the run, and how far the Sun of a cube's table is from the one that is drawn.</summary>
     private (TwinPlan Plan, OptionValues OfRun, double? SunOffsetDegrees) Plan(OptionValues values, TwinCamera camera)
     {
-        string[] ofTrajectory = [.. MissionOptions.Spk.ReadAll(values), .. MissionOptions.Ck.ReadAll(values)];
         bool hasKernels = TwinOptions.ReadHasKernels(values);
         CubeStates? states = hasKernels || _label.Tables is null ? null : new CubeStates(_label.Tables, _label.Path);
         if (!hasKernels && states is null)
@@ -143,7 +142,8 @@ internal sealed class TwinRun
 
         CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));
         using OpenedEphemeris kernels = EphemerisSource.Open(
-            _host, LightOptions.Ephemeris.Read(values), body, LightOptions.Kernels.ReadAll(values), ofTrajectory);
+            _host, LightOptions.Ephemeris.Read(values), body, LightOptions.Kernels.ReadAll(values),
+            MissionOptions.ReadKernels(values));
         TwinTimes times = camera.Times(
             _label, new TwinClock(_label, kernels, camera.Known?.Spacecraft ?? 0), ScanOptions.Period.ReadIfGiven(values));
         TwinPlan plan = TwinPlan.Of(_label, camera.File, times, camera.Known, TwinOptions.ReadLines(values));

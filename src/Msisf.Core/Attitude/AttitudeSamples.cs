@@ -6,7 +6,7 @@ namespace Msisf.Core.Attitude;
 /// Attitudes of a spacecraft at rising times, and those between them: one block of a file, in its frame. It takes 40 bytes an attitude,
 /// 72 with rates.
 /// </summary>
-public sealed class AttitudeSamples
+public sealed class AttitudeSamples : IAttitudeSamples
 {
     private readonly SampleTimes _times = new();
     private readonly LongList<Components> _attitudes = new();
@@ -32,7 +32,7 @@ public sealed class AttitudeSamples
     /// <summary>Adds a sample. q and -q are one attitude: the one that is nearer to the last sample is kept.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, after that of the last sample.</param>
     /// <param name="frameFromBody">Turns the body's axes into those of the frame.</param>
-    /// <param name="rateBody">rad/s about the body's axes; only where the interpolation is Hermite's.</param>
+    /// <param name="rateBody">rad/s about the body's axes; of all samples or of none, and of all for Hermite's interpolation.</param>
     public void Add(double tdbSeconds, UnitQuaternion frameFromBody, Vector3D? rateBody = null)
     {
         Components attitude = Components.Of(frameFromBody);
@@ -61,9 +61,49 @@ public sealed class AttitudeSamples
             return AtConstantRate(first, tdbSeconds);
         }
 
+        return Polynomial(first, count, tdbSeconds).Value.Normalized();
+    }
+
+    /// <inheritdoc/>
+    public Vector3D? RateAt(double tdbSeconds)
+    {
+        if (_rates.Count == 0)
+        {
+            return null;
+        }
+
+        (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
+        if (count == 1)
+        {
+            return RateOf(_attitudes[first], _rates[first]);
+        }
+
+        if (Interpolation.Method == InterpolationMethod.Hermite)
+        {
+            (Components value, Components rate) = Polynomial(first, count, tdbSeconds);
+            return RateOf(value, rate);
+        }
+
+        // The rates that the samples state have a polynomial of their own, of the same degree.
         Span<double> times = stackalloc double[count];
         _times.CopyTo(first, tdbSeconds, times);
-        Components sum = default;
+        Span<double> weights = stackalloc double[count];
+        SampleWeights.Lagrange(times, 0.0, weights, stackalloc double[count]);
+        Vector3D sum = default;
+        for (int i = 0; i < count; i++)
+        {
+            sum += weights[i] * RateOf(_attitudes[first + i], _rates[first + i]);
+        }
+
+        return sum;
+    }
+
+    /// <summary>The quaternion of the polynomial, of any length, and its derivative.</summary>
+    private (Components Value, Components Rate) Polynomial(int first, int count, double tdbSeconds)
+    {
+        Span<double> times = stackalloc double[count];
+        _times.CopyTo(first, tdbSeconds, times);
+        (Components value, Components rate) = (default, default);
         if (Interpolation.Method == InterpolationMethod.Hermite)
         {
             Span<(double Value, double Rate)> ofValues = stackalloc (double, double)[count];
@@ -71,20 +111,30 @@ public sealed class AttitudeSamples
             SampleWeights.Hermite(times, 0.0, ofValues, ofRates);
             for (int i = 0; i < count; i++)
             {
-                sum += (ofValues[i].Value * _attitudes[first + i]) + (ofRates[i].Value * _rates[first + i]);
+                value += (ofValues[i].Value * _attitudes[first + i]) + (ofRates[i].Value * _rates[first + i]);
+                rate += (ofValues[i].Rate * _attitudes[first + i]) + (ofRates[i].Rate * _rates[first + i]);
             }
         }
         else
         {
-            Span<double> weights = stackalloc double[count];
-            SampleWeights.Lagrange(times, 0.0, weights, stackalloc double[count]);
+            Span<double> values = stackalloc double[count];
+            Span<double> rates = stackalloc double[count];
+            SampleWeights.Lagrange(times, 0.0, values, rates);
             for (int i = 0; i < count; i++)
             {
-                sum += weights[i] * _attitudes[first + i];
+                value += values[i] * _attitudes[first + i];
+                rate += rates[i] * _attitudes[first + i];
             }
         }
 
-        return sum.Normalized();
+        return (value, rate);
+    }
+
+    /// <summary>rad/s about the body's axes: twice the imaginary part of q* dq, for a q of any length.</summary>
+    private static Vector3D RateOf(Components q, Components dq)
+    {
+        (Vector3D v, Vector3D dv) = (new Vector3D(q.X, q.Y, q.Z), new Vector3D(dq.X, dq.Y, dq.Z));
+        return 2.0 / Components.Dot(q, q) * ((q.W * dv) - (dq.W * v) - Vector3D.Cross(v, dv));
     }
 
     private UnitQuaternion AtConstantRate(int first, double tdbSeconds)
@@ -150,10 +200,39 @@ public sealed class SampledAttitude(
         RotationMatrix moonFromFrame = block.MoonMeFromFrame ?? point.BodyFromJ2000;
         return UnitQuaternion.FromMatrix(moonFromFrame) * block.Samples.At(point.TdbSeconds) * bodyFromCamera;
     }
+
+    /// <inheritdoc/>
+    public TurnRate? RateOf(in TrajectoryPoint point)
+    {
+        AttitudeBlock block = blocks[_times.Find(point.TdbSeconds)];
+        return block.Samples.RateAt(point.TdbSeconds) is { } rate
+            ? new TurnRate(bodyFromCamera.Conjugate * rate, IsOverBody: block.MoonMeFromFrame is not null)
+            : null;
+    }
 }
 
 /// <summary>A part of a file's attitudes, which are of one frame.</summary>
 /// <param name="MoonMeFromFrame">
 /// For a frame that turns with the Moon, the constant rotation to MOON_ME; null for J2000's axes.
 /// </param>
-public sealed record AttitudeBlock(AttitudeSamples Samples, RotationMatrix? MoonMeFromFrame);
+public sealed record AttitudeBlock(IAttitudeSamples Samples, RotationMatrix? MoonMeFromFrame);
+
+/// <summary>Attitudes of a body at rising times, and those between them, in one frame.</summary>
+public interface IAttitudeSamples
+{
+    /// <summary>The times of the samples, TDB seconds past J2000.</summary>
+    SampleTimes Times { get; }
+
+    /// <summary>When they hold; there must be a sample.</summary>
+    TdbInterval Cover { get; }
+
+    /// <summary>The attitude at a time.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <returns>Turns the body's axes into those of the frame.</returns>
+    UnitQuaternion At(double tdbSeconds);
+
+    /// <summary>How fast the body turns in the frame.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <returns>rad/s about the body's axes; null if the samples do not say it.</returns>
+    Vector3D? RateAt(double tdbSeconds);
+}

@@ -41,12 +41,23 @@ public readonly record struct EulerSequence
     public UnitQuaternion FrameFromBody(ReadOnlySpan<double> angles) =>
         About(0, angles[0]) * About(1, angles[1]) * About(2, angles[2]);
 
-    private UnitQuaternion About(int turn, double angle) => UnitQuaternion.FromAxisAngle(
-        Axes[turn] switch
-        {
-            'X' => Vector3D.UnitX,
-            'Y' => Vector3D.UnitY,
-            _ => Vector3D.UnitZ,
-        },
-        angle);
+    /// <summary>How fast a body turns whose angles change.</summary>
+    /// <param name="angles">rad, in the order of the turns.</param>
+    /// <param name="rates">rad/s.</param>
+    /// <returns>rad/s of the body in the reference frame, about the body's axes.</returns>
+    public Vector3D RateBody(ReadOnlySpan<double> angles, ReadOnlySpan<double> rates)
+    {
+        UnitQuaternion last = About(2, angles[2]);
+        UnitQuaternion lastTwo = About(1, angles[1]) * last;
+        return (rates[2] * AxisOf(2)) + (rates[1] * (last.Conjugate * AxisOf(1))) + (rates[0] * (lastTwo.Conjugate * AxisOf(0)));
+    }
+
+    private UnitQuaternion About(int turn, double angle) => UnitQuaternion.FromAxisAngle(AxisOf(turn), angle);
+
+    private Vector3D AxisOf(int turn) => Axes[turn] switch
+    {
+        'X' => Vector3D.UnitX,
+        'Y' => Vector3D.UnitY,
+        _ => Vector3D.UnitZ,
+    };
 }

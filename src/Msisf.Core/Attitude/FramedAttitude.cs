@@ -38,6 +38,11 @@ public sealed class FramedAttitude : IAttitudeSource
         return MoonFromCamera(point.Time, point.PositionBodyFixed, _ => orbitNormal);
     }
 
+    /// <inheritdoc/>
+    public TurnRate? RateOf(in TrajectoryPoint point) => _frame == AttitudeFrame.Lvlh
+        ? null
+        : new TurnRate(_attitude.AngularVelocityCamera, IsOverBody: _frame == AttitudeFrame.MoonMe);
+
     /// <summary>The attitude at a time.</summary>
     /// <param name="time">UTC.</param>
     /// <param name="positionBodyFixed">Spacecraft, m, body-fixed; not the centre.</param>

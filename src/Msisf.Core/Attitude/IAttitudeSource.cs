@@ -14,7 +14,16 @@ public interface IAttitudeSource
     /// <returns>Turns camera axes (looks along -x, y right, z up) into axes of MOON_ME.</returns>
     /// <exception cref="MsisfException">The time is outside the cover, which the message names, or the data are damaged.</exception>
     UnitQuaternion MoonFromCamera(in TrajectoryPoint point);
+
+    /// <summary>How fast the camera turns, where the source says it; null where that only follows from neighbouring attitudes.</summary>
+    /// <exception cref="MsisfException">The time is outside the cover, or the data are damaged.</exception>
+    TurnRate? RateOf(in TrajectoryPoint point) => null;
 }
+
+/// <summary>How fast a camera turns; <c>default</c> is not at all, along J2000's axes.</summary>
+/// <param name="AboutCamera">rad/s about the camera's axes (looks along -x, y right, z up), right-handed.</param>
+/// <param name="IsOverBody">Whether it is relative to the turning body; else relative to J2000.</param>
+public readonly record struct TurnRate(Vector3D AboutCamera, bool IsOverBody);
 
 /// <summary>A spacecraft at one time of its trajectory; <c>default</c> is no point.</summary>
 /// <param name="TdbSeconds">TDB seconds past J2000.</param>

@@ -14,19 +14,22 @@ public sealed class ScanPath
     private const int PartsOfFastest = 16;
 
     private readonly Func<double, CameraState> _stateAt;
+    private readonly Func<double, CameraMotion?>? _motionAt;
     private readonly Jitter? _jitter;
     private readonly double _jitterStart;
     private readonly Mounting? _mounting;
 
     /// <summary>Takes a motion without any exposure.</summary>
     /// <param name="stateAt">The state some seconds after the image's time.</param>
-    public ScanPath(Func<double, CameraState> stateAt)
-        : this(stateAt, null, 0.0, null)
+    /// <param name="motionAt">How it moves then, where what gives the states says it; null for what does not.</param>
+    public ScanPath(Func<double, CameraState> stateAt, Func<double, CameraMotion?>? motionAt = null)
+        : this(stateAt, motionAt, null, 0.0, null)
     {
     }
 
-    private ScanPath(Func<double, CameraState> stateAt, Jitter? jitter, double jitterStart, Mounting? mounting) =>
-        (_stateAt, _jitter, _jitterStart, _mounting, States) = (stateAt, jitter, jitterStart, mounting, []);
+    private ScanPath(
+        Func<double, CameraState> stateAt, Func<double, CameraMotion?>? motionAt, Jitter? jitter, double jitterStart, Mounting? mounting) =>
+        (_stateAt, _motionAt, _jitter, _jitterStart, _mounting, States) = (stateAt, motionAt, jitter, jitterStart, mounting, []);
 
     /// <summary>The states of the exposures, the first one's first.</summary>
     public IReadOnlyList<CameraState> States { get; private init; }
@@ -38,8 +41,8 @@ public sealed class ScanPath
     /// <param name="mounting">How the camera sits on the body that moves and shakes so; null for a camera that does it itself.</param>
     public ScanPath Of(Scan? scan, Jitter? jitter, double jitterStart, Mounting? mounting = null)
     {
-        ScanPath path = new(_stateAt, jitter, jitterStart, mounting);
-        return new ScanPath(_stateAt, jitter, jitterStart, mounting)
+        ScanPath path = new(_stateAt, _motionAt, jitter, jitterStart, mounting);
+        return new ScanPath(_stateAt, _motionAt, jitter, jitterStart, mounting)
         {
             States = scan is null
                 ? [path.At(0.0)]
@@ -55,6 +58,12 @@ public sealed class ScanPath
         state = _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
         return _mounting?.Of(state) ?? state;
     }
+
+    /// <summary>How the camera moves at a time, with mounting; null where nothing says it, and with jitter.</summary>
+    /// <param name="seconds">s after the image's time.</param>
+    public CameraMotion? MotionAt(double seconds) => _jitter is not null || _motionAt?.Invoke(seconds) is not { } motion ? null
+        : _mounting is { } mounting ? mounting.Of(motion, _stateAt(seconds).MoonFromCamera)
+        : motion;
 
     /// <summary>The motion about a time: what the camera does on average from one time to another.</summary>
     /// <param name="from">s after the image's time.</param>

@@ -32,4 +32,21 @@ public sealed class KernelOrientation(SegmentTable segments, BodyFixedFrame fram
         Vector3D angles = segment.ValueAt(tdbSeconds);
         return frame.FrameFromOrientation * EulerAngles.ToRotation(angles.X, angles.Y, angles.Z);
     }
+
+    /// <summary>How fast the frame turns: rad/s relative to J2000, along its axes; null at a time that is not covered.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <remarks>The kernel's angles turn about the axes 3, 1 and 3; each rate is about its axis as the turns before it leave it.</remarks>
+    public Vector3D? RateJ2000(double tdbSeconds)
+    {
+        if (segments.Find(frame.OrientationBody, tdbSeconds) is not { } segment)
+        {
+            return null;
+        }
+
+        (Vector3D angles, Vector3D rates) = (segment.ValueAt(tdbSeconds), segment.RateAt(tdbSeconds));
+        RotationMatrix afterFirst = RotationMatrix.FrameAboutZ(angles.X);
+        RotationMatrix afterSecond = RotationMatrix.FrameAboutX(angles.Y) * afterFirst;
+        return (rates.X * Vector3D.UnitZ) + (rates.Y * (afterFirst.Transposed * Vector3D.UnitX))
+            + (rates.Z * (afterSecond.Transposed * Vector3D.UnitZ));
+    }
 }

@@ -5,6 +5,9 @@ public sealed class TdbCover
 {
     private TdbCover(IReadOnlyList<TdbInterval> intervals) => Intervals = intervals;
 
+    /// <summary>s: how near to an instant a time must be to mean it, because people write times to the millisecond.</summary>
+    public const double InstantTolerance = 1e-3;
+
     /// <summary>No time at all.</summary>
     public static TdbCover Empty { get; } = new([]);
 
@@ -45,6 +48,19 @@ public sealed class TdbCover
     /// <summary>Whether data exist at a time.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public bool Contains(double tdbSeconds) => Intervals.Any(interval => interval.Contains(tdbSeconds));
+
+    /// <summary>The single instant with data that is meant by a time; null if there is none, or the time is inside an interval.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000, at most <see cref="InstantTolerance"/> from the instant.</param>
+    public double? InstantNear(double tdbSeconds)
+    {
+        if (Intervals.Count == 0)
+        {
+            return null;
+        }
+
+        TdbInterval nearest = Intervals.MinBy(interval => Math.Max(interval.Start - tdbSeconds, tdbSeconds - interval.End));
+        return nearest.IsInstant && Math.Abs(tdbSeconds - nearest.Start) <= InstantTolerance ? nearest.Start : null;
+    }
 }
 
 /// <summary>
@@ -54,6 +70,9 @@ public sealed class TdbCover
 /// <param name="End">TDB seconds past J2000, not before <paramref name="Start"/>.</param>
 public readonly record struct TdbInterval(double Start, double End)
 {
+    /// <summary>Whether it is a single instant.</summary>
+    public bool IsInstant => Start == End;
+
     /// <summary>Whether a time is in the interval; both ends belong to it.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     public bool Contains(double tdbSeconds) => tdbSeconds >= Start && tdbSeconds <= End;

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Ephemeris;
 
-/// <summary>Turns states that turn with the Moon into those along J2000's axes.</summary>
+/// <summary>Turns states that turn with the Moon into those along J2000's axes, and the reverse.</summary>
 public static class TurningMoon
 {
     /// <summary>s: the turning of a frame is a difference of its axes this long before and after.</summary>
@@ -19,5 +19,14 @@ public static class TurningMoon
             j2000FromFrame * state.Position, (j2000FromFrame * state.Velocity) + ((later - earlier) / (2.0 * HalfStep)));
 
         RotationMatrix J2000FromBody(double seconds) => ephemeris.BodyFromJ2000(seconds).Transposed;
+    }
+
+    /// <summary>How fast the Moon turns: rad/s relative to J2000, along its own axes.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    public static Vector3D RateBodyFixed(double tdbSeconds, IEphemeris ephemeris)
+    {
+        RotationMatrix turn = ephemeris.BodyFromJ2000(tdbSeconds - HalfStep) * ephemeris.BodyFromJ2000(tdbSeconds + HalfStep).Transposed;
+        return 0.5 / (2.0 * HalfStep)
+            * new Vector3D(turn.Row2.Y - turn.Row1.Z, turn.Row0.Z - turn.Row2.X, turn.Row1.X - turn.Row0.Y);
     }
 }

@@ -52,4 +52,14 @@ public readonly record struct RotationMatrix(Vector3D Row0, Vector3D Row1, Vecto
         (double sin, double cos) = Math.SinCos(angle);
         return new RotationMatrix(new Vector3D(cos, sin, 0.0), new Vector3D(-sin, cos, 0.0), Vector3D.UnitZ);
     }
+
+    /// <summary>The frame rotation about the first, second or third axis by an angle in rad.</summary>
+    /// <param name="axis">1, 2 or 3.</param>
+    public static RotationMatrix FrameAbout(int axis, double angle) => axis switch
+    {
+        1 => FrameAboutX(angle),
+        2 => FrameAboutY(angle),
+        3 => FrameAboutZ(angle),
+        _ => throw new ArgumentOutOfRangeException(nameof(axis)),
+    };
 }

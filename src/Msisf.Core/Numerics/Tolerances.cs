@@ -36,10 +36,9 @@ public static class Tolerances
     public const double IntervalSteps = 1e-9;
 
     /// <summary>
-    /// 1: how far a frame kernel's matrix may be from a rotation. The engines must agree to 1e-12, and CSPICE corrects a worse matrix
-    /// before use.
+    /// 1: how far a frame kernel's matrix may be from a rotation: that of three decimals. Like CSPICE, the reader makes it one before use.
     /// </summary>
-    public const double FrameMatrix = 1e-12;
+    public const double PrintedMatrix = 1e-3;
 
     /// <summary>
     /// rad: the minimum field of view. A viewing direction is rounded by about 4e-16 rad; an image 2500 times as wide still has distinct

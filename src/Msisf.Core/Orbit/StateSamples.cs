@@ -49,7 +49,10 @@ public sealed class StateSamples
 
     /// <summary>The state at a time.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
-    /// <returns>Position (m) and its derivative (m/s).</returns>
+    /// <returns>
+    /// Position (m) and velocity (m/s): the derivative of Hermite's polynomial; else of the samples' own velocities by the same weights, as
+    /// SPICE does it, or where there are none the derivative.
+    /// </returns>
     public StateVector At(double tdbSeconds)
     {
         (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
@@ -81,7 +84,7 @@ public sealed class StateSamples
             {
                 Vector3D offset = _positions[first + i] - origin;
                 position += values[i] * offset;
-                velocity += rates[i] * offset;
+                velocity += HasVelocities ? values[i] * _velocities[first + i] : rates[i] * offset;
             }
         }
 

@@ -13,6 +13,9 @@ namespace Msisf.Core.Scene;
 /// <param name="ephemeris">How the Moon turns; counts the times.</param>
 public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attitude, IEphemeris ephemeris) : ICameraPath
 {
+    /// <summary>s: as long before and after a time the camera is looked at to know its turning, where no source says it.</summary>
+    private const double HalfStep = 0.005;
+
     /// <summary>What the finite speed of light does to the ground that is seen.</summary>
     public Aberration OfGround { get; init; }
 
@@ -25,12 +28,56 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
     /// <inheritdoc/>
     public CameraState At(double tdbSeconds)
     {
-        TrajectoryPoint point = new(
-            tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), trajectory.StateJ2000(tdbSeconds), ephemeris.BodyFromJ2000(tdbSeconds));
+        TrajectoryPoint point = PointAt(tdbSeconds, trajectory.StateJ2000(tdbSeconds));
         (Vector3D position, UnitQuaternion moonFromCamera) = GroundAberration.Pose(
             point, attitude.MoonFromCamera(point), OfGround, ephemeris, GroundRadius);
         return new CameraState(position, moonFromCamera);
     }
+
+    /// <summary>How the camera moves, by the velocity that its trajectory has and the rate that its attitude has.</summary>
+    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <returns>
+    /// Null where the source has no velocity (0 stands for none), the turning is not known, or the ground's aberration moves the pose.
+    /// </returns>
+    /// <exception cref="MsisfException">The time is outside the cover, or the data are damaged.</exception>
+    public CameraMotion? StatedMotionAt(double tdbSeconds)
+    {
+        StateVector state = trajectory.StateJ2000(tdbSeconds);
+        if (OfGround != Aberration.None || state.Velocity == default)
+        {
+            return null;
+        }
+
+        TrajectoryPoint point = PointAt(tdbSeconds, state);
+        Vector3D ofBody = TurningMoon.RateBodyFixed(tdbSeconds, ephemeris);
+        Vector3D velocity = (point.BodyFromJ2000 * state.Velocity) - Vector3D.Cross(ofBody, point.PositionBodyFixed);
+        if (attitude.RateOf(point) is not { } stated)
+        {
+            return Turning(tdbSeconds, state) is { } turning ? new CameraMotion(velocity, turning) : null;
+        }
+
+        return new CameraMotion(
+            velocity,
+            stated.IsOverBody ? stated.AboutCamera : stated.AboutCamera - (attitude.MoonFromCamera(point).Conjugate * ofBody));
+    }
+
+    /// <summary>
+    /// rad/s over the Moon, about the camera's axes, from its attitudes on a straight line; null if they are known at a single time only.
+    /// </summary>
+    private Vector3D? Turning(double tdbSeconds, StateVector state)
+    {
+        double before = attitude.Cover.Contains(tdbSeconds - HalfStep) ? -HalfStep : 0.0;
+        double after = attitude.Cover.Contains(tdbSeconds + HalfStep) ? HalfStep : 0.0;
+        return before == after
+            ? null
+            : CameraMotion.Between((default, At(before)), (default, At(after)), after - before).AngularVelocityCamera;
+
+        UnitQuaternion At(double seconds) => attitude.MoonFromCamera(PointAt(
+            tdbSeconds + seconds, state with { Position = state.Position + (seconds * state.Velocity) }));
+    }
+
+    private TrajectoryPoint PointAt(double tdbSeconds, StateVector state) =>
+        new(tdbSeconds, ephemeris.TimeScale.ToUtc(tdbSeconds), state, ephemeris.BodyFromJ2000(tdbSeconds));
 
     /// <summary>The state of a frame.</summary>
     /// <param name="time">UTC.</param>

@@ -59,7 +59,7 @@ public sealed class AemTests
     [InlineData("QUATERNION", "", "0 0 0.70710678 0.70710678")]
     [InlineData("QUATERNION/ANGVEL", "ANGVEL_FRAME = SC_BODY_1\n", "0 0 0.70710678 0.70710678 0 0 1.5")]
     [InlineData("EULER_ANGLE", "EULER_ROT_SEQ = ZXZ\n", "60 0 30")]
-    [InlineData("EULER_ANGLE/ANGVEL", "EULER_ROT_SEQ = 321\n", "90 0 0 0 0 1.5")]
+    [InlineData("EULER_ANGLE/ANGVEL", "EULER_ROT_SEQ = 321\nANGVEL_FRAME = SC_BODY_1\n", "90 0 0 0 0 1.5")]
     public void ReadAem_SecondVersion_IsRead(string type, string keys, string numbers)
     {
         string text = CcsdsTexts.Aem.Replace("VERS = 1.0", "VERS = 2.0", StringComparison.Ordinal)
@@ -102,6 +102,63 @@ public sealed class AemTests
         AssertNear(new Vector3D(Math.Cos(35.0 * Rate), Math.Sin(35.0 * Rate), 0.0), turned * Vector3D.UnitX, 1e-7);
     }
 
+    /// <summary>
+    /// A spinner whose three angles change at constant rates, with lines 30 s apart: the angles between the lines go on at these rates, and
+    /// so do both directions of the turn, version 1.0 and rates about the spacecraft's axes.
+    /// </summary>
+    [Theory]
+    [InlineData("2.0", "EULER_ANGLE/DERIVATIVE", "ZXZ", "REF_FRAME_A = EME2000\nREF_FRAME_B = SC_BODY_1", false)]
+    [InlineData("2.0", "EULER_ANGLE/DERIVATIVE", "321", "REF_FRAME_A = SC_BODY_1\nREF_FRAME_B = EME2000", true)]
+    [InlineData("1.0", "EULER_ANGLE/RATE", "XYZ", "REF_FRAME_A = EME2000\nREF_FRAME_B = SC_BODY_1", false)]
+    public void ReadAem_AnglesWithDerivatives_GoOnBetweenLines(string version, string type, string sequence, string frames, bool turnsBack)
+    {
+        string head = CcsdsTexts.Aem[..CcsdsTexts.Aem.IndexOf("2024-01-19T12:00:00.000 0.0", StringComparison.Ordinal)]
+            .Replace("VERS = 1.0", $"VERS = {version}", StringComparison.Ordinal)
+            .Replace("REF_FRAME_A = EME2000\nREF_FRAME_B = SC_BODY_1", frames, StringComparison.Ordinal)
+            .Replace("ATTITUDE_DIR = A2B\n", version == "1.0" ? "ATTITUDE_DIR = A2B\n" : string.Empty, StringComparison.Ordinal)
+            .Replace(
+                "TYPE = QUATERNION\nQUATERNION_TYPE = LAST\n", $"TYPE = {type}\nEULER_ROT_SEQ = {sequence}\n", StringComparison.Ordinal);
+        IEnumerable<string> lines = Enumerable.Range(0, 12).Select(i => FormattableString.Invariant(
+            $"2024-01-19T12:{i / 2:D2}:{30 * (i % 2):D2} {(10 + (45 * i)) % 360} {20 + (3 * i)} {(-10 - (30 * i)) % 360} 1.5 0.1 -1"));
+
+        IAttitudeSamples samples = Assert.Single(CcsdsTexts.ReadAem(head + string.Join('\n', lines))).Samples;
+
+        const double Seconds = 100.0;
+        double[] angles =
+        [
+            .. new[] { 10.0 + (1.5 * Seconds), 20.0 + (0.1 * Seconds), -10.0 - Seconds }.Select(double.DegreesToRadians),
+        ];
+        UnitQuaternion turned = EulerSequence.Parse(sequence).FrameFromBody(angles);
+        UnitQuaternion expected = turnsBack ? turned.Conjugate : turned;
+        UnitQuaternion actual = samples.At(CcsdsTexts.Noon + Seconds);
+        foreach (Vector3D axis in (Vector3D[])[Vector3D.UnitX, Vector3D.UnitY])
+        {
+            AssertNear(expected * axis, actual * axis, 1e-7); // s of a time in TDB, times 0.03 rad/s
+        }
+
+        Assert.NotNull(samples.RateAt(CcsdsTexts.Noon + Seconds));
+    }
+
+    /// <summary>Rates that lines state are used where the file says nothing of interpolation, and where it says something else.</summary>
+    [Theory]
+    [InlineData("")]
+    [InlineData("INTERPOLATION_METHOD = LINEAR\n")]
+    [InlineData("INTERPOLATION_METHOD = LAGRANGE\nINTERPOLATION_DEGREE = 1\n")]
+    public void ReadAem_StatedRates_AreTheRates(string interpolation)
+    {
+        string text = CcsdsTexts.Aem.Replace("VERS = 1.0", "VERS = 2.0", StringComparison.Ordinal)
+            .Replace("ATTITUDE_DIR = A2B\n", string.Empty, StringComparison.Ordinal)
+            .Replace(
+                "TYPE = QUATERNION\nQUATERNION_TYPE = LAST\n", $"TYPE = QUATERNION/ANGVEL\nANGVEL_FRAME = SC_BODY_1\n{interpolation}",
+                StringComparison.Ordinal)
+            .Replace("0.0 0.0 0.0 1.0", "0.0 0.0 0.0 1.0 1 2 3", StringComparison.Ordinal)
+            .Replace(Quaternion, Quaternion + " 4 5 6", StringComparison.Ordinal);
+
+        Vector3D rate = Assert.Single(CcsdsTexts.ReadAem(text)).Samples.RateAt(CcsdsTexts.Noon + 60.0)!.Value;
+
+        AssertNear(Math.PI / 180.0 * new Vector3D(4.0, 5.0, 6.0), rate, 1e-7);
+    }
+
     [Fact]
     public void ReadAem_RoundedQuaternion_IsReadIfAsked()
     {
@@ -126,7 +183,7 @@ public sealed class AemTests
     [InlineData(
         "= QUATERNION\nQUATERNION_TYPE = LAST", "= EULER_ANGLE\nEULER_ROT_SEQ = 312",
         "17: 4 numbers behind the time; EULER_ANGLE has 3.")]
-    [InlineData("12:01:00.000 ", "12:00:00.000 ", "18: the time of the line before stands again.")]
+    [InlineData("12:01:00.000 ", "12:00:00.000 ", "18: the time of the line before stands again, with other numbers.")]
     public void ReadAem_Wrong_SaysWhereAndWhat(string right, string wrong, string expected)
     {
         BadInputException failure = Assert.Throws<BadInputException>(

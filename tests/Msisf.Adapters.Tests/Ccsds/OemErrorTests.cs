@@ -12,7 +12,7 @@ public sealed class OemErrorTests
     [Theory]
     [InlineData("2060.0 1.0", "NaN 1.0", "18: 'NaN' is not finite; a finite number is needed.")]
     [InlineData("2060.0 1.0", "2060.0", "18: 5 numbers behind the time; 6 are needed (X Y Z X_DOT Y_DOT Z_DOT), or 9 with accelerations.")]
-    [InlineData("12:01:00.000 ", "12:02:00.000 ", "19: the time of the line before stands again. Remove one of the lines")]
+    [InlineData("12:01:00.000 ", "12:02:00.000 ", "19: the time of the line before stands again, with other numbers. Remove")]
     [InlineData("12:01:00.000 ", "12:02:30.000 ", "19: the time is before that of the line above. Put the lines into the order of time.")]
     [InlineData("12:01:00.000 ", "12:61:00.000 ", "18: '2024-01-19T12:61:00.000' is not a time, which looks like 2024-01-19T12:00:00.000")]
     [InlineData("2024-01-19T12:01", "2024-02-30T12:01", "18: '2024-02-30T12:01:00.000' is not a time")]
@@ -50,6 +50,32 @@ public sealed class OemErrorTests
         BadInputException failure = Assert.Throws<BadInputException>(() => CcsdsTexts.ReadOem(CcsdsTexts.Oem + second));
 
         Assert.StartsWith($"{Begins}22: OBJECT_NAME = 'LANDER': the blocks above are of ORBITER.", failure.Message);
+    }
+
+    /// <summary>Two of one name are told apart by their IDs; an ID that nobody knows says nothing.</summary>
+    [Fact]
+    public void ReadOem_BlocksOfTwoIds_AreRefused()
+    {
+        string second = CcsdsTexts.Oem[CcsdsTexts.Oem.IndexOf("META_START", StringComparison.Ordinal)..]
+            .Replace("2024-01-19T12", "2024-01-19T13", StringComparison.Ordinal);
+
+        BadInputException failure = Assert.Throws<BadInputException>(
+            () => CcsdsTexts.ReadOem(CcsdsTexts.Oem + second.Replace("2024-001A", "2024-001B", StringComparison.Ordinal)));
+
+        Assert.StartsWith($"{Begins}23: OBJECT_ID = '2024-001B': the blocks above are of 2024-001A.", failure.Message);
+        Assert.Equal(2, CcsdsTexts.ReadOem(CcsdsTexts.Oem + second.Replace("2024-001A", "NONE", StringComparison.Ordinal)).Count);
+        Assert.Equal(2, CcsdsTexts.ReadOem(CcsdsTexts.Oem + second.Replace("2024-001A", "2024-001a", StringComparison.Ordinal)).Count);
+    }
+
+    [Fact]
+    public void ReadAem_BlocksOfTwoIds_AreRefused()
+    {
+        string second = CcsdsTexts.Aem[CcsdsTexts.Aem.IndexOf("META_START", StringComparison.Ordinal)..]
+            .Replace("2024-001A", "2024-001B", StringComparison.Ordinal);
+
+        Assert.Contains(
+            "OBJECT_ID = '2024-001B': the blocks above are of 2024-001A.",
+            Assert.Throws<BadInputException>(() => CcsdsTexts.ReadAem(CcsdsTexts.Aem + second)).Message);
     }
 
     [Theory]

@@ -146,6 +146,17 @@ public sealed class OemTests
     [InlineData("DEGREE = 7", "DEGREE = 6", "HERMITE 6 needs an odd degree; 7 is used.")]
     [InlineData("OBJECT_ID = 2024-001A", "OBJECT_ID = 2024-001A\nQUALITY_OF_FIT = 1", "'QUALITY_OF_FIT' is not known; it is left out.")]
     [InlineData("DEGREE = 7", "DEGREE = 9", "HERMITE 9 needs 5 states, a block has 4")]
+    [InlineData(
+        "2024-01-19T12:01:00.000 2060.0 1.0 0.0 1.0 0.0333333333333 0.0\n",
+        "2024-01-19T12:01:00.000 2060.0 1.0 0.0 1.0 0.0333333333333 0.0\n2024-01-19T12:01:00 2060 1 0 1 0.0333333333333 0\n",
+        "line 19: A line stands twice; the second one is left out.")]
+    [InlineData(
+        "START_TIME = 2024-01-19T12:00:00.000", "START_TIME = 2024-01-19T11:00:00.000",
+        "START_TIME = '2024-01-19T11:00:00.000' is not the time of the block's first line, 2024-01-19T12:00:00Z (UTC); the lines count.")]
+    [InlineData(
+        "STOP_TIME = 2024-01-19T12:03:00.000", "STOP_TIME = 2024-01-20",
+        "STOP_TIME = '2024-01-20' is not the time of the block's last line, 2024-01-19T12:03:00Z (UTC); the lines count.")]
+    [InlineData("OBJECT_ID = 2024-001A", "OBJECT_ID = none\nLINES = 4", "'LINES' is not known; it is left out.")]
     public void ReadOem_SmallFault_IsReadWithANote(string right, string wrong, string expected)
     {
         List<string> notes = [];
@@ -156,6 +167,45 @@ public sealed class OemTests
         Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, OfTime);
         Assert.Contains(expected, Assert.Single(notes));
         Assert.StartsWith("orbit.oem, line ", notes[0]);
+    }
+
+    /// <summary>
+    /// Circular orbits, a line each minute: what their curvature says of unit and centre, against what the file says. GM (km^3/s^2) of
+    /// DE421.
+    /// </summary>
+    [Theory]
+    [InlineData("MOON", 1838.0, 4902.800076, 1.0, null)]
+    [InlineData("EARTH", 42164.0, 398600.436, 1.0, null)]
+    [InlineData("MOON", 1838.0, 4902.800076, 1000.0, "curve as an orbit about the Moon in m does, but an OEM has km and km/s.")]
+    [InlineData("EARTH", 6778.0, 398600.436, 1000.0, "curve as an orbit about the Earth in m does, but an OEM has km and km/s.")]
+    [InlineData("EARTH", 1838.0, 4902.800076, 1.0, "curve as an orbit about the Moon in km does, but CENTER_NAME is EARTH.")]
+    [InlineData("MOON", 6778.0, 398600.436, 1.0, "curve as an orbit about the Earth in km does, but CENTER_NAME is MOON.")]
+    public void ReadOem_CurvatureOfAnotherUnitOrCentre_IsNoted(string center, double radius, double gm, double scale, string? expected)
+    {
+        double rate = Math.Sqrt(gm / (radius * radius * radius));
+        IEnumerable<string> lines = Enumerable.Range(0, 30).Select(i =>
+        {
+            (double sin, double cos) = Math.SinCos(60.0 * i * rate);
+            (double r, double v) = (scale * radius, scale * radius * rate);
+            return FormattableString.Invariant(
+                $"2024-01-19T12:{i:00}:00 {r * cos:F9} {r * sin:F9} 0 {-v * sin:F12} {v * cos:F12} 0");
+        });
+        string head = CcsdsTexts.Oem[..CcsdsTexts.Oem.IndexOf("2024-01-19T12:00:00.000 2000", StringComparison.Ordinal)]
+            .Replace("CENTER_NAME = MOON", $"CENTER_NAME = {center}", StringComparison.Ordinal)
+            .Replace("STOP_TIME = 2024-01-19T12:03", "STOP_TIME = 2024-01-19T12:29", StringComparison.Ordinal);
+        List<string> notes = [];
+
+        TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(head + string.Join('\n', lines), notes));
+
+        Assert.Equal(1000.0 * scale * radius, block.Samples[0].Position.X, 1e-3); // read as it stands
+        if (expected is null)
+        {
+            Assert.Empty(notes);
+        }
+        else
+        {
+            Assert.Contains(expected, Assert.Single(notes), StringComparison.Ordinal);
+        }
     }
 
     /// <summary>Heads as GMAT (with its name of the Moon) and Orekit write them.</summary>

@@ -208,11 +208,11 @@ public sealed class BuiltInKernelsTests : IDisposable
         "MOON_ME", Assert.Throws<BadInputException>(() => new BuiltInKernels([Lsk])).Message, StringComparison.Ordinal);
 
     [Theory]
-    [InlineData("NAIF/DAF garbage", "neither a text kernel nor a binary SPK or PCK")]
+    [InlineData("NAIF/DAF garbage", "neither a text kernel nor a binary SPK, CK or PCK")]
     [InlineData("DAFETF NAIF DAF ENCODED TRANSFER FILE", "neither a text kernel")]
     [InlineData("\0\0\u0001\u0002binary", "neither a text kernel")]
     [InlineData("<html>not found</html>", "no line \\begindata")]
-    [InlineData("", "no line \\begindata")]
+    [InlineData("", "the file is empty")]
     public void Open_NotAKernel_SaysSo(string content, string expected) => Assert.Contains(
         expected,
         Assert.Throws<BadInputException>(() => new BuiltInKernels([Lsk, Fk, _folder.Write("x.bin", content)])).Message,

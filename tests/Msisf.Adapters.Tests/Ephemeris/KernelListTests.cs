@@ -25,6 +25,30 @@ public sealed class KernelListTests : IDisposable
         Assert.Equal([kernel], KernelList.Expand([meta]));
     }
 
+    /// <summary>SPICE starts at the working directory, and so do tutorials and archives; the folder of the meta-kernel wins.</summary>
+    [Fact]
+    public void Expand_RelativeNameThatIsNotBesideTheMetaKernel_StartsAtTheWorkingDirectory()
+    {
+        string name = $"{Guid.NewGuid():N}.tls";
+        string inWorkingFolder = Path.GetFullPath(name);
+        string meta = _folder.Write("list.tm", $"KPL/MK\n\\begindata\nKERNELS_TO_LOAD = './{name}'\n");
+        File.WriteAllText(inWorkingFolder, "x");
+        try
+        {
+            Assert.Equal([inWorkingFolder], KernelList.Expand([meta]));
+            string beside = _folder.Write(name, "x");
+            Assert.Equal([beside], KernelList.Expand([meta]));
+        }
+        finally
+        {
+            File.Delete(inWorkingFolder);
+        }
+
+        File.Delete(_folder[name]);
+        string message = Assert.Throws<BadInputException>(() => KernelList.Expand([meta])).Message;
+        Assert.Contains($"{_folder[name]}: no such kernel, which {meta} lists, nor {inWorkingFolder}.", message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Expand_NulInAName_IsRefused()
     {
@@ -82,9 +106,9 @@ public sealed class KernelListTests : IDisposable
     {
         string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
         string frames = Path.Combine(TestParts.Kernels, "moon_080317.tf");
-        Assert.Equal([meta], KernelList.OnTop(meta, [], []));
+        Assert.Equal([meta], KernelList.OnTop(meta, [], SpacecraftKernels.None));
         string trajectory = Path.Combine(TestParts.Kernels, "de421.bsp");
-        Assert.Equal([meta, frames, trajectory], KernelList.OnTop(meta, [frames], [trajectory]));
+        Assert.Equal([meta, frames, trajectory], KernelList.OnTop(meta, [frames], new SpacecraftKernels([trajectory], [])));
     }
 
     [Fact]
@@ -92,11 +116,68 @@ public sealed class KernelListTests : IDisposable
     {
         string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
         string frames = Path.Combine(TestParts.Kernels, "moon_080317.tf");
-        Assert.Equal([meta, frames], KernelList.OnTop("installed.tm", [frames, meta], []));
-        Assert.Contains(
-            "a meta-kernel, where one kernel is meant",
-            Assert.Throws<BadInputException>(() => KernelList.OnTop(meta, [], [meta])).Message,
-            StringComparison.Ordinal);
+        Assert.Equal([meta, frames], KernelList.OnTop("installed.tm", [frames, meta], SpacecraftKernels.None));
+    }
+
+    /// <summary>Each kind of file in the place of another: it is called what it is, with the option that takes it.</summary>
+    [Theory]
+    [InlineData("DAF/CK  ", "--spk", "this is a CK (attitudes). Give it with --ck in place of --spk.")]
+    [InlineData("DAF/PCK ", "--spk", "this is a binary PCK (orientations of bodies). Give it with --kernels in place of --spk.")]
+    [InlineData("DAF/SPK ", "--ck", "this is an SPK (trajectories). Give it with --spk in place of --ck.")]
+    [InlineData("DAF/PCK ", "--ck", "this is a binary PCK (orientations of bodies). Give it with --kernels in place of --ck.")]
+    [InlineData("DAS/DSK ", "--spk", "this is a DSK (shapes), which is not used for images. Leave it out.")]
+    [InlineData("DAS/EK  ", "--ck", "this is an EK (events), which is not used for images. Leave it out.")]
+    [InlineData("KPL/FK\n", "--spk", "this is a frame kernel (FK). Give it with --kernels in place of --spk.")]
+    [InlineData("KPL/IK\n", "--ck", "this is an instrument kernel (IK). Give it with --kernels in place of --ck.")]
+    [InlineData("KPL/SCLK\n", "--ck", "this is a clock kernel (SCLK). Give it with --kernels in place of --ck.")]
+    [InlineData("KPL/LSK\n", "--spk", "this is a leap seconds kernel (LSK). Give it with --kernels in place of --spk.")]
+    [InlineData("KPL/PCK\n", "--ck", "this is a text PCK. Give it with --kernels in place of --ck.")]
+    [InlineData("KPL/MK\n", "--spk", "this is a meta-kernel. Give it with --kernels in place of --spk.")]
+    [InlineData("CCSDS_OEM_VERS = 2.0\n", "--spk", "this is a CCSDS orbit message (OEM). Give it with --oem in place of --spk.")]
+    [InlineData("CCSDS_AEM_VERS = 2.0\n", "--ck", "this is a CCSDS attitude message (AEM). Give it with --aem in place of --ck.")]
+    [InlineData("\\begindata\nA = 1\n", "--ck", "no binary kernel, which --ck takes. Text kernels are given with --kernels.")]
+    [InlineData("DAF/S", "--spk", "damaged kernel: it begins with \"DAF/S\", which no kernel does. Is it cut off? Get the file anew.")]
+    [InlineData("", "--spk", "the file is empty. Get the kernel anew.")]
+    [InlineData("NAIF/DAF", "--spk", "convert it with NAIF's tobin.")]
+    [InlineData("DAFETF NAIF DAF ENCODED", "--ck", "convert it with NAIF's tobin.")]
+    public void OnTop_KernelOfAnotherKind_SaysWhatItIs(string content, string option, string expected)
+    {
+        string meta = Path.Combine(TestParts.Kernels, "msisf.tm");
+        string file = _folder.Write("kernel", content);
+        SpacecraftKernels kernels = option == "--spk" ? new([file], []) : new([], [file]);
+
+        string message = Assert.Throws<BadInputException>(() => KernelList.OnTop(meta, [], kernels)).Message;
+
+        Assert.StartsWith($"{file}: ", message, StringComparison.Ordinal);
+        Assert.EndsWith(expected, message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("CCSDS_OEM_VERS = 2.0\n", "Give it with --oem in place of --kernels.")]
+    [InlineData("CCSDS_AEM_VERS = 2.0\n", "Give it with --aem in place of --kernels.")]
+    public void Pool_NoKernel_SaysWhatItIs(string content, string expected) => Assert.EndsWith(
+        expected,
+        Assert.Throws<BadInputException>(() => KernelPool.Of([_folder.Write("kernel", content)])).Message,
+        StringComparison.Ordinal);
+
+    [Theory]
+    [InlineData("DAF/SPK ", "--oem", "CCSDS_OE", "this is an SPK (trajectories). Give it with --spk in place of --oem.")]
+    [InlineData("DAF/CK  ", "--aem", "CCSDS_AE", "this is a CK (attitudes). Give it with --ck in place of --aem.")]
+    [InlineData("CCSDS_AEM_VERS =", "--oem", "CCSDS_OE", "this is a CCSDS attitude message (AEM). Give it with --aem in place of --oem.")]
+    [InlineData("CCSDS_OEM_VERS =", "--aem", "CCSDS_AE", "this is a CCSDS orbit message (OEM). Give it with --oem in place of --aem.")]
+    public void Require_MessageOfAnotherKind_SaysWhatItIs(string content, string option, string takes, string expected)
+    {
+        string compressed = _folder["message.gz"];
+        using (System.IO.Compression.GZipStream stream = new(File.Create(compressed), System.IO.Compression.CompressionLevel.Fastest))
+        {
+            stream.Write(System.Text.Encoding.ASCII.GetBytes(content));
+        }
+
+        foreach (string file in (string[])[_folder.Write("message", content), compressed])
+        {
+            string message = Assert.Throws<BadInputException>(() => KernelFile.Require(file, option, takes)).Message;
+            Assert.Equal($"{file}: {expected}", message);
+        }
     }
 
     [Fact]

@@ -25,13 +25,38 @@ public sealed class AttitudeSamplesTests
 
             // Every third sample has the other sign, as files that keep the scalar positive have.
             UnitQuaternion written = i % 3 == 0 ? attitude : Negated(attitude);
-            samples.Add(10.0 * i, written, method == InterpolationMethod.Hermite ? Rate * Axis : null);
+            samples.Add(10.0 * i, written, Rate * Axis);
         }
 
         for (double time = 0.0; time <= 110.0; time += 3.7)
         {
             Assert.InRange(Angle(samples.At(time), Turned(time)), 0.0, limit * (time is > 25.0 and < 85.0 ? 1.0 : 1e4));
+            Assert.InRange(((Rate * Axis) - samples.RateAt(time)!.Value).Length, 0.0, limit * (time is > 25.0 and < 85.0 ? 1.0 : 1e4));
         }
+    }
+
+    /// <summary>The rates that a file states are those at its lines, whatever the attitudes say.</summary>
+    [Theory]
+    [InlineData(InterpolationMethod.Linear, 1)]
+    [InlineData(InterpolationMethod.Lagrange, 3)]
+    [InlineData(InterpolationMethod.Hermite, 3)]
+    public void RateAt_StatedRates_AreTheirs(InterpolationMethod method, int degree)
+    {
+        AttitudeSamples samples = new() { Interpolation = new Interpolation(method, degree) };
+        for (int i = 0; i < 6; i++)
+        {
+            samples.Add(10.0 * i, Turned(10.0 * i), new Vector3D(0.02, 0.001 * i, 0.0));
+        }
+
+        Assert.InRange((new Vector3D(0.02, 0.002, 0.0) - samples.RateAt(20.0)!.Value).Length, 0.0, Rounding.OfUnits);
+        if (method != InterpolationMethod.Hermite)
+        {
+            Assert.InRange((new Vector3D(0.02, 0.0025, 0.0) - samples.RateAt(25.0)!.Value).Length, 0.0, Rounding.OfUnits);
+        }
+
+        AttitudeSamples without = new();
+        without.Add(5.0, Turned(5.0));
+        Assert.Null(without.RateAt(5.0));
     }
 
     [Fact]

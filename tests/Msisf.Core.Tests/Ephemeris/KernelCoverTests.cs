@@ -43,6 +43,39 @@ public class KernelCoverTests
             cover.LightFromOutside(new ModifiedJulianDate(51544.5)).Message);
     }
 
+    /// <summary>2000-01-01T11:58:55.816 UTC is J2000 to the millisecond.</summary>
+    [Theory]
+    [InlineData(0.25, 0.25, "2000-01-01T11:58:56.066073Z")]
+    [InlineData(0.25, 0.75, "2000-01-01T11:58:56.066073Z to 2000-01-01T11:58:56.566072Z")]
+    [InlineData(0.15, 0.25, "2000-01-01T11:58:55.966073Z to 2000-01-01T11:58:56.066072Z")]
+    [InlineData(0.15, 1.25, "2000-01-01T11:58:56Z to 2000-01-01T11:58:57Z")]
+    public void Describe_ShortTime_NeverEndsBeforeItsBeginning(double start, double end, string expected) => Assert.Equal(
+        expected, new KernelCover(SampleScale.Naif0012, TdbCover.Union([new TdbInterval(start, end)])).Describe());
+
+    [Fact]
+    public void Describe_ManyInstants_NamesSomeAndTheLast()
+    {
+        TdbCover cover = TdbCover.Union(Enumerable.Range(0, 500).Select(i => new TdbInterval(10.0 * i, 10.0 * i)));
+
+        string text = new KernelCover(SampleScale.Naif0012, cover).Describe();
+
+        Assert.StartsWith("2000-01-01T11:58:55.816073Z and 2000-01-01T11:59:05.816073Z and ", text, StringComparison.Ordinal);
+        Assert.EndsWith(" and 494 more and 2000-01-01T13:22:05.816071Z", text, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void InstantNear_TimesAboutAnInstant_AreItWithinAMillisecond()
+    {
+        TdbCover cover = TdbCover.Union([new TdbInterval(10.0, 10.0), new TdbInterval(20.0, 30.0), new TdbInterval(40.0, 40.0)]);
+
+        Assert.Equal(10.0, cover.InstantNear(10.0009));
+        Assert.Equal(40.0, cover.InstantNear(39.9995));
+        Assert.Null(cover.InstantNear(10.002));
+        Assert.Null(cover.InstantNear(19.9999));
+        Assert.Null(cover.InstantNear(25.0));
+        Assert.Null(TdbCover.Empty.InstantNear(25.0));
+    }
+
     [Fact]
     public void Describe_NoCommonTime_SaysWhatIsMissing() =>
         Assert.StartsWith("no time at all", new KernelCover(SampleScale.Naif0012, TdbCover.Empty).Describe(), StringComparison.Ordinal);

@@ -44,6 +44,24 @@ public sealed class SampledTrajectoryTests
         Assert.InRange(error, limit / 100.0, limit);
     }
 
+    /// <summary>Velocities that a file states are its own, also beside a polynomial of positions (as in SPICE's type 9).</summary>
+    [Theory]
+    [InlineData(InterpolationMethod.Lagrange, 7)]
+    [InlineData(InterpolationMethod.Linear, 1)]
+    public void StateJ2000_VelocitiesBesidePositions_AreTheirs(InterpolationMethod method, int degree)
+    {
+        StateSamples samples = new() { Interpolation = new Interpolation(method, degree) };
+        for (int i = 0; i < 12; i++)
+        {
+            samples.Add(60.0 * i, OnCircle(60.0 * i) with { Velocity = new Vector3D(7.0, 0.5 * i, -3.0) });
+        }
+
+        SampledTrajectory trajectory = new([Block(samples)], "orbit.oem", Moon);
+
+        Assert.InRange((trajectory.StateJ2000(300.0).Velocity - new Vector3D(7.0, 2.5, -3.0)).Length, 0.0, Rounding.OfChains);
+        Assert.InRange((trajectory.StateJ2000(330.0).Velocity - new Vector3D(7.0, 2.75, -3.0)).Length, 0.0, Rounding.OfChains);
+    }
+
     [Fact]
     public void StateJ2000_TwoBlocks_NeverUsesSamplesOfBoth()
     {

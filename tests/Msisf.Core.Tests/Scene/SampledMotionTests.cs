@@ -22,7 +22,7 @@ public sealed class SampledMotionTests
     [InlineData(InterpolationMethod.Hermite)]
     public void At_PolynomialOfDegreeSeven_IsThePolynomial(InterpolationMethod method)
     {
-        SampledMotion motion = new([.. Seconds.Select(State)], method, isSmooth: false);
+        SampledMotion motion = new([.. Seconds.Select(State)], method, AttitudePath.Slerp);
         foreach (double seconds in Enumerable.Range(0, 50).Select(i => i / 49.0 * Seconds[^1]))
         {
             // m: weights of alternating sign take digits away
@@ -33,7 +33,7 @@ public sealed class SampledMotionTests
     [Fact]
     public void At_Linear_IsTheLineBetweenNeighbours()
     {
-        SampledMotion motion = new([.. Seconds.Select(State)], InterpolationMethod.Linear, isSmooth: false);
+        SampledMotion motion = new([.. Seconds.Select(State)], InterpolationMethod.Linear, AttitudePath.Slerp);
         double middle = 0.5 * (Seconds[3] + Seconds[4]);
         Vector3D expected = 0.5 * (Position(Seconds[3]) + Position(Seconds[4]));
         Assert.InRange((expected - motion.At(middle).PositionBodyFixed).Length, 0.0, 1e-6); // m: thousands of ulps
@@ -46,13 +46,45 @@ public sealed class SampledMotionTests
     public void At_TurnAtAConstantRate_StaysOne(bool isSmooth)
     {
         double[] times = isSmooth ? [.. Enumerable.Range(0, 6).Select(i => i * 50 * 86400.0 / (1L << 24))] : Seconds;
-        SampledMotion motion = new([.. times.Select(State)], InterpolationMethod.Linear, isSmooth);
+        SampledMotion motion = new(
+            [.. times.Select(State)], InterpolationMethod.Linear, isSmooth ? AttitudePath.Squad : AttitudePath.Slerp);
         Assert.Equal(times[^1], motion.End);
         foreach (double seconds in Enumerable.Range(0, 40).Select(i => i / 39.0 * times[^1]))
         {
             UnitQuaternion between = motion.At(seconds).MoonFromCamera.Conjugate * Attitude(seconds);
             Assert.InRange(new Vector3D(between.X, between.Y, between.Z).Length, 0.0, Rounding.OfChains);
         }
+    }
+
+    /// <summary>Angular velocities that samples state are those of the motion, and the attitude follows them between the samples.</summary>
+    [Fact]
+    public void At_StatedRates_AreFollowed()
+    {
+        // A turn about one axis whose rate grows: the angle is quadratic, so cubic polynomials of quaternions are off by its fourth power.
+        static double AngleAt(double seconds) => (2e-4 * seconds) + (3e-3 * seconds * seconds);
+        double[] times = [.. Enumerable.Range(0, 6).Select(i => i * 50 * 86400.0 / (1L << 24))];
+        SpacecraftState[] states =
+        [
+            .. times.Select(seconds => State(seconds) with
+            {
+                MoonFromCamera = UnitQuaternion.FromAxisAngle(Axis, AngleAt(seconds)),
+                Motion = new CameraMotion(new Vector3D(1.0, 2.0, 3.0), (2e-4 + (6e-3 * seconds)) * Axis),
+            }),
+        ];
+        double middle = 0.5 * (times[2] + times[3]);
+        double Error(AttitudePath path)
+        {
+            UnitQuaternion turn = UnitQuaternion.FromAxisAngle(Axis, AngleAt(middle)).Conjugate
+                * new SampledMotion(states, InterpolationMethod.Hermite, path).At(middle).MoonFromCamera;
+            return new Vector3D(turn.X, turn.Y, turn.Z).Length;
+        }
+
+        Assert.InRange(Error(AttitudePath.Hermite), 0.0, 1e-10);
+        Assert.InRange(Error(AttitudePath.Slerp), 1e-6, 1e-3); // else the case says nothing
+
+        CameraMotion stated = new SampledMotion(states, InterpolationMethod.Hermite, AttitudePath.Hermite).MotionAt(times[3]);
+        Assert.InRange((stated.AngularVelocityCamera - states[3].Motion!.Value.AngularVelocityCamera).Length, 0.0, Rounding.OfUnits);
+        Assert.InRange((stated.VelocityBodyFixed - new Vector3D(1.0, 2.0, 3.0)).Length, 0.0, 1e-6);
     }
 
     /// <summary>The rate of slerp jumps at a sample where the turning changes, that of squad does not.</summary>

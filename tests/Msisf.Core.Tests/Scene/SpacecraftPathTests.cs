@@ -40,6 +40,29 @@ public sealed class SpacecraftPathTests
         Assert.Equal(time, state.Time);
     }
 
+    /// <summary>Velocity and rate are those that the sources state, seen from the turning Moon.</summary>
+    [Fact]
+    public void StatedMotionAt_SourcesWithRates_AreTheirsOverTheMoon()
+    {
+        SpacecraftPath path = new(new AlongY(), new SaysItsRate(), new Turning());
+
+        CameraMotion motion = path.StatedMotionAt(1000.0)!.Value;
+
+        double ofMoon = Math.PI / 2.0 / 1000.0; // rad/s about z
+        Assert.InRange((motion.VelocityBodyFixed - new Vector3D(1.0, -ofMoon * 2_001_000.0, 0.0)).Length, 0.0, 1e-2); // m/s: 3e-6 of it
+        Assert.InRange((motion.AngularVelocityCamera - new Vector3D(0.1, 0.2, 0.3 - ofMoon)).Length, 0.0, 1e-8);
+    }
+
+    /// <summary>A camera that keeps looking at the centre turns with the line to it, and no source says so.</summary>
+    [Fact]
+    public void StatedMotionAt_AttitudeWithoutRate_TurnsAsItsAttitudesDo()
+    {
+        CameraMotion motion = new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).StatedMotionAt(1000.0)!.Value;
+
+        Assert.InRange(motion.AngularVelocityCamera.Length, 0.0, 2e-3); // at most as fast as the Moon turns below it
+        Assert.Equal(Math.PI / 2.0 / 1000.0, motion.AngularVelocityCamera.Length, 1e-8);
+    }
+
     [Fact]
     public void Cover_IsWhereBothAreKnown() =>
         Assert.Equal([new TdbInterval(50.0, 1500.0)], new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).Cover.Intervals);
@@ -57,6 +80,14 @@ public sealed class SpacecraftPathTests
         public TdbCover Cover { get; } = TdbCover.Union([new TdbInterval(50.0, 2000.0)]);
 
         public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => NadirPointing.MoonFromCamera(point.PositionBodyFixed);
+    }
+
+    /// <summary>Along the Moon's axes, and turning in space as no neighbouring attitude would tell.</summary>
+    private sealed class SaysItsRate : IAttitudeSource
+    {
+        public UnitQuaternion MoonFromCamera(in TrajectoryPoint point) => UnitQuaternion.Identity;
+
+        public TurnRate? RateOf(in TrajectoryPoint point) => new TurnRate(new Vector3D(0.1, 0.2, 0.3), IsOverBody: false);
     }
 
     private sealed class Turning : IEphemeris

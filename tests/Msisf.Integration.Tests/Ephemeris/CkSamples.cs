@@ -13,7 +13,7 @@ internal static class CkSamples
     private static readonly byte[] Id = SpiceItself.Bytes("test");
 
     public static string[] Kinds { get; } =
-        ["1", "2", "3", "3 rates", "4", "5 subtype 0", "5 subtype 1", "5 subtype 2", "5 subtype 3", "6", "6 earlier"];
+        ["1", "1 rates", "2", "3", "3 rates", "4", "5 subtype 0", "5 subtype 1", "5 subtype 2", "5 subtype 3", "6", "6 earlier"];
 
     /// <summary>Unevenly spaced, about 10 s.</summary>
     public static double[] Ticks { get; } =
@@ -22,9 +22,9 @@ internal static class CkSamples
     public static void Write(int handle, string kind)
     {
         (double first, double last, int instrument) = (Ticks[0], Ticks[^1], TestClock.Instrument);
-        int hasRates = kind is "3 rates" or "6" or "6 earlier" || kind.StartsWith('5') ? 1 : 0;
+        int hasRates = kind is "1 rates" or "3 rates" or "6" or "6 earlier" || kind.StartsWith('5') ? 1 : 0;
         double[] quaternions = [.. Ticks.SelectMany((tick, i) => Quaternion(tick, i % 3 == 1 && kind[0] is '1' or '3'))];
-        double[] rates = [.. Enumerable.Repeat(1e-3, 3 * Count)];
+        double[] rates = [.. Enumerable.Range(0, 3 * Count).Select(i => 1e-3 * (1.0 + (0.3 * Math.Sin(i))))];
         double[] starts = [Ticks[0], Ticks[60], Ticks[61], Ticks[150]];
         switch (kind[0])
         {

@@ -1,5 +1,7 @@
 using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
 using Msisf.TestSupport;
 using Xunit;
@@ -38,8 +40,13 @@ public sealed class CkTypesTests : IDisposable
             using OpenedEphemeris cspice = Engines.CSpice(Engines.MetaKernel, sclk, frames, path);
             using OpenedEphemeris builtIn = Engines.BuiltIn(Engines.MetaKernel, sclk, frames, path);
             int found = CompareAtTicks(cspice, builtIn, path, count);
-            Assert.InRange(found, kind == "1" ? CkSamples.Count : count / 2, int.MaxValue);
-            if (kind != "1")
+            Assert.InRange(found, kind[0] == '1' ? CkSamples.Count : count / 2, int.MaxValue);
+            CompareRates(cspice, path, kind);
+            if (kind[0] == '1')
+            {
+                CompareInstants(cspice, builtIn);
+            }
+            else
             {
                 CompareAtTimes(cspice, builtIn, count);
             }
@@ -71,7 +78,7 @@ public sealed class CkTypesTests : IDisposable
                 {
                     double tick = segment.Ticks.Start + ((segment.Ticks.End - segment.Ticks.Start) * random.NextDouble());
                     RotationMatrix expected = MatrixOf(segment.Instrument, tick, reference)!.Value;
-                    AssertClose(expected, segment.InstrumentFromReference(tick)!.Value, AtTicks);
+                    AssertClose(expected, segment.At(tick)!.Value.InstrumentFromReference, AtTicks);
                 }
             }
 
@@ -93,7 +100,7 @@ public sealed class CkTypesTests : IDisposable
         {
             RotationMatrix? expected = MatrixOf(TestClock.Instrument, tick, "J2000");
             RotationMatrix? matrix = segments.Select(
-                segment => segment.InstrumentFromReference(tick)).FirstOrDefault(turn => turn is not null);
+                segment => segment.At(tick)?.InstrumentFromReference).FirstOrDefault(turn => turn is not null);
             Assert.True(expected is not null == matrix is not null, $"{tick:R}: CSPICE {expected}, built in {matrix}");
             if (matrix is { } actual)
             {
@@ -103,6 +110,62 @@ public sealed class CkTypesTests : IDisposable
         }
 
         return both;
+    }
+
+    /// <summary>Rates that a kernel states are those that CSPICE finds; where it has none, neither has a segment.</summary>
+    private static void CompareRates(OpenedEphemeris cspice, string path, string kind)
+    {
+        Assert.NotNull(cspice.Engine.EngineName);
+        using DafFile file = DafFile.Open(path);
+        CkSegment segment = Assert.Single(DafSegments.OfCk(file));
+        bool hasRates = kind is "1 rates" or "2" or "3 rates" || kind[0] is '5' or '6';
+        int compared = 0;
+        foreach (double tick in CkSamples.Ticks.SelectMany(tick => (double[])[tick, tick + 123_456.0]))
+        {
+            double[] rate = new double[3];
+            SpiceItself.ckgpav_c(
+                TestClock.Instrument, tick, 0.0, SpiceItself.Bytes("J2000"), new double[9], rate, out _, out int isFound);
+            SpiceItself.ThrowIfFailed();
+            CkAttitude? attitude = segment.At(tick);
+            Assert.Equal(isFound == 1, attitude?.Rate is not null);
+            if (attitude?.Rate is { } actual)
+            {
+                compared++;
+                Assert.InRange((actual - new Vector3D(rate[0], rate[1], rate[2])).Length, 0.0, AtTicks);
+            }
+        }
+
+        Assert.Equal(hasRates, compared > CkSamples.Count / 2);
+    }
+
+    /// <summary>What a kernel has at instants only is usable at them, by both engines and times to the millisecond.</summary>
+    private static void CompareInstants(OpenedEphemeris cspice, OpenedEphemeris builtIn)
+    {
+        foreach (OpenedEphemeris engine in (OpenedEphemeris[])[cspice, builtIn])
+        {
+            Assert.NotNull(cspice.Engine.EngineName);
+            KernelAttitude attitude = new(engine, "TEST_SC", InstrumentAxes.Parse("+x,+y"));
+            Assert.Equal(CkSamples.Count, attitude.Cover.Intervals.Count);
+            Assert.All(attitude.Cover.Intervals, interval => Assert.True(interval.IsInstant));
+            foreach (int index in (int[])[0, 1, 77, CkSamples.Count - 1])
+            {
+                double tick = CkSamples.Ticks[index];
+                RotationMatrix expected = MatrixOf(TestClock.Instrument, tick, "J2000")!.Value;
+                SpiceItself.sct2e_c(TestClock.Clock, tick, out double time);
+                foreach (double asked in (double[])[time, time + 4e-4, time - 9e-4])
+                {
+                    TrajectoryPoint point = new(asked, engine.Engine.TimeScale.ToUtc(asked), default, RotationMatrix.Identity);
+                    Vector3D sight = attitude.MoonFromCamera(point) * -Vector3D.UnitX;
+                    Assert.InRange((sight - expected.Row2).Length, 0.0, AtTicks);
+                    Assert.Equal(builtIn.Catalogue.Frames.RateJ2000("TEST_SC", asked) is null, attitude.RateOf(point) is null);
+                }
+
+                TrajectoryPoint between = new(time + 2.0, engine.Engine.TimeScale.ToUtc(time + 2.0), default, RotationMatrix.Identity);
+                string message = Assert.Throws<BadInputException>(() => attitude.MoonFromCamera(between)).Message;
+                Assert.Contains("is outside what the CKs have of frame TEST_SC: ", message, StringComparison.Ordinal);
+                Assert.Contains(" more and ", message, StringComparison.Ordinal);
+            }
+        }
     }
 
     private static RotationMatrix? MatrixOf(int instrument, double tick, string reference)

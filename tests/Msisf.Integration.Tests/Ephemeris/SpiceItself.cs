@@ -166,6 +166,30 @@ public sealed class SpiceItself
         int instrument, double ticks, double tolerance, byte[] frame, double[] matrix, out double ticksFound, out int isFound);
 
     [DllImport(Library)]
+    internal static extern void ckgpav_c(
+        int instrument, double ticks, double tolerance, byte[] frame, double[] matrix, double[] rate, out double ticksFound,
+        out int isFound);
+
+    [DllImport(Library)]
+    internal static extern void pxform_c(byte[] from, byte[] to, double tdbSeconds, double[] matrix);
+
+    [DllImport(Library)]
+    internal static extern void spkpos_c(
+        byte[] target, double tdbSeconds, byte[] frame, byte[] correction, byte[] observer, double[] positionKm, out double lightTime);
+
+    [DllImport(Library)]
+    internal static extern void furnsh_c(byte[] path);
+
+    [DllImport(Library)]
+    internal static extern void unload_c(byte[] path);
+
+    [DllImport(Library)]
+    internal static extern void gdpool_c(byte[] name, int start, int room, out int count, double[] values, out int isFound);
+
+    [DllImport(Library)]
+    internal static extern void tparse_c(byte[] text, int length, out double seconds, byte[] error);
+
+    [DllImport(Library)]
     internal static extern void sce2c_c(int clock, double tdbSeconds, out double ticks);
 
     [DllImport(Library)]

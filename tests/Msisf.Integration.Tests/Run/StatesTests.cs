@@ -2,6 +2,8 @@ using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -48,6 +50,39 @@ public sealed class StatesTests : IDisposable
         double[] expected =
             [-right, -right / 2.0, 1.0, right, -right / 2.0, 1.0, right, right / 2.0, 1.0, -right, right / 2.0, 1.0];
         Assert.All(corners.Zip(expected), pair => Assert.Equal(pair.Second, pair.First, 1e-11)); // the kernel has 12 digits or more
+    }
+
+    /// <summary>SPK and CK reach a second beyond the states, and the CK says how fast the camera turns.</summary>
+    [RequiresTheory(Part.CSpice)]
+    [InlineData("cspice")]
+    [InlineData("builtin")]
+    public void Spice_BeyondTheStates_CoversASecond(string name)
+    {
+        Succeed(["states", "--format", "spice", "--to", _folder["kernels"], "--fov", "40", .. Orbit.Split(' ')]);
+        EphemerisChoice engine = name == "cspice" ? EphemerisChoice.CSpice : EphemerisChoice.BuiltIn;
+        using OpenedEphemeris opened = Ephemeris.Engines.Open(
+            engine, [Ephemeris.Engines.MetaKernel, .. Directory.GetFiles(_folder["kernels"]).Order(StringComparer.Ordinal)]);
+        KernelTrajectory trajectory = new(opened, "-999");
+        double start = opened.Engine.TimeScale.FromUtc(new Core.Time.ModifiedJulianDate(55289.0));
+        TdbInterval cover = Assert.Single(trajectory.Cover.Intervals);
+        Assert.Equal(start - 1.0, cover.Start, 1e-6);
+        TdbInterval turning = Assert.Single(opened.Catalogue.Attitudes.CoverOf(-999001).Intervals);
+        Assert.Equal(start - 1.0, turning.Start, 1e-5);
+        Assert.Equal(cover.End, turning.End, 1e-5);
+
+        StateVector first = trajectory.StateJ2000(start);
+        StateVector before = trajectory.StateJ2000(start - 0.75);
+        Assert.InRange((before.Position - (first.Position - (0.75 * first.Velocity))).Length, 0.0, 1e-6);
+        foreach (double time in (double[])[start - 0.75, start + 0.02, start + 4000.0, cover.End - 0.25])
+        {
+            RotationMatrix earlier = opened.Frames.FrameFromJ2000("MSISF_CAMERA", time - 0.01);
+            RotationMatrix turn = earlier * opened.Frames.FrameFromJ2000("MSISF_CAMERA", time + 0.01).Transposed;
+            Vector3D rate = 0.5 / 0.02 * (earlier.Transposed * new Vector3D(
+                turn.Row2.Y - turn.Row1.Z, turn.Row0.Z - turn.Row2.X, turn.Row1.X - turn.Row0.Y));
+            Vector3D stated = opened.Catalogue.Frames.RateJ2000("MSISF_CAMERA", time)!.Value;
+            Assert.InRange((rate - stated).Length, 0.0, 2e-5 * stated.Length); // between states both are interpolated
+            Assert.InRange(stated.Length, 2.4e-3, 2.5e-3); // rad/s: that of --attitude-transition, over the Moon
+        }
     }
 
     /// <summary>
