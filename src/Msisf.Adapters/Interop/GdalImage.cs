@@ -24,6 +24,7 @@ internal sealed unsafe class GdalImage : IDisposable
     private readonly string _path;
     private readonly nint _band;
     private readonly GdalImage? _source;
+    private readonly SpecialValues _special;
     private nint _image;
 
     private GdalImage(GdalNative gdal, string path, nint image, GdalImage? source = null)
@@ -45,6 +46,7 @@ internal sealed unsafe class GdalImage : IDisposable
         int isThere = 0;
         double value = gdal.GDALGetRasterNoDataValue(_band, &isThere);
         NoData = isThere != 0 ? value : null;
+        _special = SpecialValues.Of(Driver, type, Metadata(gdal, image, "xml:PDS4"));
     }
 
     /// <summary>Pixels of a row.</summary>
@@ -65,11 +67,23 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <summary>The value of pixels without data; null if there is none.</summary>
     public double? NoData { get; }
 
+    /// <summary>Whether the file, or its format, says which values are of pixels without data.</summary>
+    public bool DeclaresGaps => NoData is not null || _special.Any;
+
+    /// <summary>Short name of GDAL's driver, e.g. "GTiff".</summary>
+    public string Driver => _gdal.GDALGetDatasetDriver(_image) is not 0 and nint driver
+        ? Marshal.PtrToStringUTF8((nint)_gdal.GDALGetDriverShortName(driver)) ?? string.Empty
+        : string.Empty;
+
+    /// <summary>Number of bands.</summary>
+    public int Bands => _gdal.GDALGetRasterCount(_image);
+
     /// <summary>Opens an image.</summary>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
     /// <exception cref="BadInputException">GDAL can't read the file.</exception>
-    public static GdalImage Open(string path, string? libraryPath)
+    /// <param name="advice">What to give instead of a file that is none.</param>
+    public static GdalImage Open(string path, string? libraryPath, string advice = "Give a PDS3, TIFF, JPEG or PNG image.")
     {
         GdalNative gdal = GdalLibrary.Require(libraryPath, $"{Path.GetFileName(path)}, which is no PDS3 image,");
         nint opened;
@@ -83,7 +97,7 @@ internal sealed unsafe class GdalImage : IDisposable
         {
             throw new BadInputException(IsRemote(path)
                 ? $"{path}: GDAL can't open the remote file ({Message(gdal)}). {RemoteAdvice}"
-                : $"{path}: GDAL can't read it as an image ({Message(gdal)}). Give a PDS3, TIFF, JPEG or PNG image.");
+                : $"{path}: GDAL can't read it as an image ({Message(gdal)}). {advice}");
         }
 
         GdalImage image = new(gdal, path, opened);
@@ -160,21 +174,29 @@ internal sealed unsafe class GdalImage : IDisposable
     }
 
     /// <summary>The map projection as PROJ writes it, e.g. "+proj=stere +lat_0=-90 ..."; null if the file has none.</summary>
-    public string? Projection()
-    {
-        byte* text = _gdal.GDALGetProjectionRef(_image);
-        nint reference = text is null || *text == 0 ? 0 : _gdal.OSRNewSpatialReference(text);
-        if (reference == 0)
-        {
-            return null;
-        }
+    public string? Projection() => GdalProjection.TextOf(_gdal, _image);
 
-        byte* words = null;
-        int result = _gdal.OSRExportToProj4(reference, &words);
-        string? projection = result == GdalNative.NoError ? Marshal.PtrToStringUTF8((nint)words) : null;
-        _gdal.VSIFree(words);
-        _gdal.OSRDestroySpatialReference(reference);
-        return projection;
+    /// <summary>The way from one coordinate system to another.</summary>
+    /// <param name="from">In PROJ's form.</param>
+    /// <param name="to">In PROJ's form.</param>
+    /// <returns>Null if PROJ knows no way.</returns>
+    public GdalTransformation? Transformation(string from, string to) => GdalTransformation.Of(_gdal, from, to);
+
+    /// <summary>Whether the file stores nothing for a rectangle, as a sparse one may.</summary>
+    /// <param name="line">Top row, from 0.</param>
+    /// <param name="lines">How many rows.</param>
+    /// <param name="sample">Leftmost pixel, from 0.</param>
+    /// <param name="samples">How many pixels of a row.</param>
+    public bool IsEmpty(int line, int lines, int sample, int samples) => _gdal.GDALGetDataCoverageStatus(
+        _band, sample, line, samples, lines, GdalNative.CoverageData, null) == GdalNative.CoverageEmpty;
+
+    private static string Metadata(GdalNative gdal, nint image, string domain)
+    {
+        fixed (byte* name = Encoding.UTF8.GetBytes(domain + '\0'))
+        {
+            byte** list = gdal.GDALGetMetadata(image, name);
+            return list is null || *list is null ? string.Empty : Marshal.PtrToStringUTF8((nint)(*list)) ?? string.Empty;
+        }
     }
 
     /// <summary>The image in another projection, bilinear between pixels, computed where it is read.</summary>
@@ -223,6 +245,11 @@ internal sealed unsafe class GdalImage : IDisposable
         for (int i = 0; NoData is double noData && i < lines; i++)
         {
             values.Slice(i * stride, samples).Replace((float)noData, float.NaN);
+        }
+
+        for (int i = 0; _special.Any && i < lines; i++)
+        {
+            _special.Remove(values.Slice(i * stride, samples));
         }
     }
 

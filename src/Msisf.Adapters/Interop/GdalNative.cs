@@ -26,6 +26,18 @@ internal sealed unsafe class GdalNative
     /// <summary>OGRERR_NONE.</summary>
     internal const int NoError = 0;
 
+    /// <summary>GDAL_DATA_COVERAGE_STATUS_DATA.</summary>
+    internal const int CoverageData = 2;
+
+    /// <summary>GDAL_DATA_COVERAGE_STATUS_EMPTY.</summary>
+    internal const int CoverageEmpty = 4;
+
+    /// <summary>OAMS_TRADITIONAL_GIS_ORDER: longitude before latitude.</summary>
+    internal const int LongitudeFirst = 0;
+
+    /// <summary>OAO_West.</summary>
+    internal const int West = 4;
+
     /// <summary>CE_Warning.</summary>
     internal const int Warning = 2;
 
@@ -62,6 +74,19 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint> OSRNewSpatialReference;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte**, int> OSRExportToProj4;
     internal readonly delegate* unmanaged[Cdecl]<nint, void> OSRDestroySpatialReference;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*, int> OSRImportFromProj4;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, void> OSRSetAxisMappingStrategy;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*, int, int*, byte*> OSRGetAxis;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte**, double> OSRGetAngularUnits;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> OSRIsGeographic;
+    internal readonly delegate* unmanaged[Cdecl]<nint, nint, nint> OCTNewCoordinateTransformation;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, double*, double*, double*, int*, int> OCTTransformEx;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> OCTDestroyCoordinateTransformation;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int> GDALGetRasterCount;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, double*, int> GDALGetDataCoverageStatus;
+    internal readonly delegate* unmanaged[Cdecl]<nint, nint> GDALGetDatasetDriver;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetDriverShortName;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*, byte**> GDALGetMetadata;
     internal readonly delegate* unmanaged[Cdecl]<byte**, nint, nint> GDALWarpAppOptionsNew;
     internal readonly delegate* unmanaged[Cdecl]<nint, void> GDALWarpAppOptionsFree;
     internal readonly delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint> GDALWarp;
@@ -112,6 +137,21 @@ internal sealed unsafe class GdalNative
         OSRNewSpatialReference = (delegate* unmanaged[Cdecl]<byte*, nint>)Find(nameof(OSRNewSpatialReference));
         OSRExportToProj4 = (delegate* unmanaged[Cdecl]<nint, byte**, int>)Find(nameof(OSRExportToProj4));
         OSRDestroySpatialReference = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(OSRDestroySpatialReference));
+        OSRImportFromProj4 = (delegate* unmanaged[Cdecl]<nint, byte*, int>)Find(nameof(OSRImportFromProj4));
+        OSRSetAxisMappingStrategy = (delegate* unmanaged[Cdecl]<nint, int, void>)Find(nameof(OSRSetAxisMappingStrategy));
+        OSRGetAxis = (delegate* unmanaged[Cdecl]<nint, byte*, int, int*, byte*>)Find(nameof(OSRGetAxis));
+        OSRGetAngularUnits = (delegate* unmanaged[Cdecl]<nint, byte**, double>)Find(nameof(OSRGetAngularUnits));
+        OSRIsGeographic = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(OSRIsGeographic));
+        OCTNewCoordinateTransformation = (delegate* unmanaged[Cdecl]<nint, nint, nint>)Find(nameof(OCTNewCoordinateTransformation));
+        OCTTransformEx = (delegate* unmanaged[Cdecl]<nint, int, double*, double*, double*, int*, int>)Find(nameof(OCTTransformEx));
+        OCTDestroyCoordinateTransformation =
+            (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(OCTDestroyCoordinateTransformation));
+        GDALGetRasterCount = (delegate* unmanaged[Cdecl]<nint, int>)Find(nameof(GDALGetRasterCount));
+        GDALGetDataCoverageStatus =
+            (delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, double*, int>)Find(nameof(GDALGetDataCoverageStatus));
+        GDALGetDatasetDriver = (delegate* unmanaged[Cdecl]<nint, nint>)Find(nameof(GDALGetDatasetDriver));
+        GDALGetDriverShortName = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetDriverShortName));
+        GDALGetMetadata = (delegate* unmanaged[Cdecl]<nint, byte*, byte**>)Find(nameof(GDALGetMetadata));
         GDALWarpAppOptionsNew = (delegate* unmanaged[Cdecl]<byte**, nint, nint>)Find(nameof(GDALWarpAppOptionsNew));
         GDALWarpAppOptionsFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(GDALWarpAppOptionsFree));
         GDALWarp = (delegate* unmanaged[Cdecl]<byte*, nint, int, nint*, nint, int*, nint>)Find(nameof(GDALWarp));

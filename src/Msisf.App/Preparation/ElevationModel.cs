@@ -28,7 +28,7 @@ internal sealed class ElevationModel : IDisposable
     private const string SummaryExtension = ".summary";
 
     private readonly IReadOnlyList<IDisposable> _files;
-    private readonly LdemImage? _image;
+    private readonly IGlobalGrid? _moon;
     private readonly ILog? _log;
     private readonly Lazy<SummarySource>? _source;
     private readonly Lazy<ElevationSummary> _summary;
@@ -39,17 +39,19 @@ internal sealed class ElevationModel : IDisposable
     private readonly IReadOnlyList<PartMove?> _moves = [];
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
-    internal ElevationModel(LdemImage image, ILog log, Func<ModelLevels> openLevels)
-        : this(image, image.Set, image)
+    /// <summary>A model of the whole Moon.</summary>
+    internal ElevationModel(
+        IGlobalGrid moon, LdemSet set, IDisposable file, Func<SummarySource> source, ILog log, Func<ModelLevels> openLevels)
+        : this(moon, [set], [file])
     {
-        _image = image;
+        _moon = moon;
         _log = log;
-        _source = new Lazy<SummarySource>(() => SummarySource.Of(image.Set));
-        _summary = new Lazy<ElevationSummary>(() => image.PixelsPerDegree <= FinestSummarisedEachRun
-            ? ElevationSummary.Build(image)
-            : ElevationSummaryFile.Open(image.Set.FileBeside(SummaryExtension), _source.Value, image));
+        _source = new Lazy<SummarySource>(source);
+        _summary = new Lazy<ElevationSummary>(() => moon.PixelsPerDegree <= FinestSummarisedEachRun
+            ? ElevationSummary.Build(moon)
+            : ElevationSummaryFile.Open(set.FileBeside(SummaryExtension), _source.Value, moon));
         _levels = new Lazy<ModelLevels>(openLevels);
-        _detailOf = error => error is double pixels ? new ModelDetail(Levels, pixels) : new FullDetail(image);
+        _detailOf = error => error is double pixels ? new ModelDetail(Levels, pixels) : new FullDetail(moon);
     }
 
     internal ElevationModel(ITerrainGrid grid, LdemSet set, IDisposable file)
@@ -89,11 +91,11 @@ internal sealed class ElevationModel : IDisposable
     public ITerrain Grid { get; }
 
     /// <summary>Whether it is a model of the whole Moon, which has tiles and patterns.</summary>
-    public bool IsWholeMoon => _image is not null;
+    public bool IsWholeMoon => _moon is not null;
 
     /// <summary>The samples of a model of the whole Moon.</summary>
     /// <exception cref="UsageException">It is a map of a part.</exception>
-    public IGlobalGrid WholeMoon => _image ?? throw NotWholeMoon();
+    public IGlobalGrid WholeMoon => _moon ?? throw NotWholeMoon();
 
     /// <summary>Identifies the model; the fingerprint is the same on every computer.</summary>
     public LdemFingerprint Fingerprint() => LdemFingerprint.Of(Sets);

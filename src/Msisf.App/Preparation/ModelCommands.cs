@@ -4,6 +4,7 @@ using Msisf.Adapters.Synthesis;
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Preparation;
 
@@ -167,7 +168,8 @@ internal static class SyntheticModel
     /// <exception cref="MsisfException">The base model is not suitable, or the folder can't be written.</exception>
     public static string Write(SynthesisSettings settings, ProgramHost host, CancellationToken cancellation)
     {
-        using LdemImage? continued = settings.BaseModel is { } path ? LdemImage.Open(LdemCatalog.Read(path)) : null;
+        using ElevationModel? baseModel = settings.BaseModel is { } path ? OpenBase(path, host, cancellation) : null;
+        IGlobalGrid? continued = baseModel?.WholeMoon;
         if (settings.Map is { } map)
         {
             return WriteMap(map, settings, continued, host, cancellation);
@@ -187,8 +189,12 @@ internal static class SyntheticModel
         return SyntheticLdemWriter.Write(options, new FractionProgress(progress, "synthesis"), cancellation);
     }
 
+    private static ElevationModel OpenBase(string path, ProgramHost host, CancellationToken cancellation) => ModelOpening.Open(
+        path, RasterFiles.IsForGdal(ModelPath.Parse(path).Path) ? 1 : LdemCatalog.Read(path).PixelsPerDegree, isSparing: false, host,
+        cancellation: cancellation);
+
     private static string WriteMap(
-        SyntheticMapSettings map, SynthesisSettings settings, LdemImage? continued, ProgramHost host, CancellationToken cancellation)
+        SyntheticMapSettings map, SynthesisSettings settings, IGlobalGrid? continued, ProgramHost host, CancellationToken cancellation)
     {
         SyntheticMapOptions options = new(map.IsSouth, map.MetresPerPixel, map.LatitudeDegrees, settings.Seed, settings.Folder)
         {

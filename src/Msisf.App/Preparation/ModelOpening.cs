@@ -49,15 +49,18 @@ internal static class ModelOpening
         {
             LdemMapImage band = SurfaceOptions.Ldem.NamedInErrors(() => LdemMapImage.Open(set));
             Tell(set, host.Log);
+            string longitudes = band.Window.Samples == band.Samples
+                ? string.Empty
+                : Invariant($" and longitudes {set.Parts[0].WestDegrees:R} to {set.Parts[0].EastDegrees:R}");
             host.Log.Note(Invariant(
-                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R} "
-                    + $"degrees; beyond them there is no ground."));
+                $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R}")
+                    + $"{longitudes} degrees; beyond them there is no ground.");
             return new ElevationModel(band, set, band);
         }
 
         LdemImage image = SurfaceOptions.Resolution.NamedInErrors(() => SurfaceOptions.Ldem.NamedInErrors(() => LdemImage.Open(set)));
         Tell(set, host.Log);
-        return new ElevationModel(image, host.Log, () => OpenLevels(image, isSparing, host));
+        return new ElevationModel(image, set, image, () => SummarySource.Of(set), host.Log, () => OpenLevels(image, isSparing, host));
     }
 
     /// <summary>Opens several models that make one surface.</summary>
@@ -82,6 +85,7 @@ internal static class ModelOpening
 
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
+                UnitAgainstModel.Check(opened);
                 MovedModel.MeetBorders(opened, paths, blend, host.Log);
                 SeamFiles files = new([.. opened.Select(model => model.Set)], host.CacheFolder, host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
@@ -140,12 +144,19 @@ internal static class ModelOpening
             host.Log.Warning(warning);
         }
 
+        if (grid.Bands > 1)
+        {
+            host.Log.Note($"It has {grid.Bands} bands; heights are those of the first one.");
+        }
+
         if (grid.NoteOfGaps() is { } gaps)
         {
             host.Log.Note(gaps);
         }
 
-        return new ElevationModel(grid, set, grid);
+        return grid.AsWholeMoon() is { } moon
+            ? new ElevationModel(moon, set, grid, grid.ToSummarySource, host.Log, () => ModelLevels.Of(moon))
+            : new ElevationModel(grid, set, grid);
     });
 
     /// <summary>A large raster is looked at once.</summary>

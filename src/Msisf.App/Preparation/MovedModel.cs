@@ -27,9 +27,14 @@ internal static class MovedModel
 
         try
         {
-            bool hasOffset = model.Grid is GeoTiffGrid; // its values became heights with the offset
+            bool hasOffset = RasterOf(model.Grid) is not null; // its values became heights with the offset
             double offset = path.Heights.Offset ?? 0.0;
             Check(path, model, hasOffset);
+            if (model.IsWholeMoon)
+            {
+                return model;
+            }
+
             ITerrainGrid grid = (ITerrainGrid)model.Grid;
             grid = hasOffset || offset == 0.0 ? grid : new OffsetGrid(grid, offset);
             grid = path.Placement.IsShifted
@@ -86,7 +91,7 @@ internal static class MovedModel
             throw Wrong(path, "the product of a PDS3 model says what its values are; values= is for other rasters. Leave it out.");
         }
 
-        if (model.IsWholeMoon)
+        if (model.IsWholeMoon && (!hasOffset || path.Placement != default))
         {
             throw Wrong(
                 path, "a model of the whole Moon is what others are joined to, and is not moved. Move the others the other way.");
@@ -104,6 +109,9 @@ internal static class MovedModel
             throw Wrong(path, Invariant($"shift= is at most {MaxShift / 1000.0:R} km: farther off is another place."));
         }
     }
+
+    /// <summary>The raster whose samples a model has; null of a PDS3 model.</summary>
+    internal static GeoTiffGrid? RasterOf(ITerrain grid) => grid as GeoTiffGrid ?? (grid as ChangedGrid)?.Source as GeoTiffGrid;
 
     private static UsageException Wrong(ModelPath path, string what) =>
         SurfaceOptions.Ldem.Wrong($"{path.Path}: {what}");

@@ -31,7 +31,7 @@ internal sealed class ServedModels : IDisposable
     {
         _host = host;
         string[] folders = ModelOpening.Folders(host);
-        All = [.. SurfaceOptions.Ldem.NamedInErrors(() => ldem.Count < 2 ? Whole(ldem.SingleOrDefault(), folders) : ldem.SelectMany(
+        All = [.. SurfaceOptions.Ldem.NamedInErrors(() => ldem.Count == 0 ? Whole(path: null, folders) : ldem.SelectMany(
             path => Map(path) is { } map ? [map] : Whole(path, folders)))
             .OrderByDescending(model => model.Resolution.MetresPerPixel)];
         if (All.Count == 0)
@@ -175,7 +175,7 @@ internal sealed class ServedModels : IDisposable
         {
             return new ServedModel(
                 RasterFiles.ProductIdOf(model.Path), _host.GeoTiffs.ResolutionOf(model.Path, model.Heights), isSynthetic: false,
-                isWholeMoon: false, model.Path, path, _host);
+                _host.GeoTiffs.CoversWholeMoon(model.Path, model.Heights), model.Path, path, _host);
         }
 
         return LdemCatalog.TryReadMap(model.Path) is { Polar: { } polar } label

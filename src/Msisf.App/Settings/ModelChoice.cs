@@ -58,6 +58,13 @@ internal static class ModelChoice
         bool isFile = File.Exists(path); // a missing one is told when it is opened
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
+        if (path is not null && RasterFiles.IsForGdal(path))
+        {
+            using GeoTiffFiles closed = new(libraryPath: null);
+            return ResolutionOfMap(SurfaceOptions.Ldem.ReadIfGiven(values)!, closed)?.PixelsPerDegree ?? throw SurfaceOptions.Ldem.Wrong(
+                $"{path}: a map around a pole; a model of the whole Moon is needed here.");
+        }
+
         return isFile && !isSaid
             ? SurfaceOptions.Ldem.NamedInErrors(() => LdemCatalog.ResolutionOf(path!))
             : SurfaceOptions.Resolution.Read(values);

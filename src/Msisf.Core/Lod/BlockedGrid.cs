@@ -109,7 +109,7 @@ public abstract class BlockedGrid : ITerrainGrid
         int sample = Math.Max(firstSample << _halvings, all.FirstSample);
         return _source.BoundsOf(
             line, Math.Min((firstLine + lines) << _halvings, all.EndLine) - line,
-            sample, Math.Min((firstSample + samples) << _halvings, all.EndSample) - sample) is { } known
+            sample, EndOf(firstSample + samples) - sample) is { } known
             ? new KnownBounds(
                 known.Min - Tolerances.VertexLattice, known.Max + Tolerances.VertexLattice,
                 (known.Step * (1 << _halvings)) + Tolerances.VertexLattice)
@@ -124,8 +124,12 @@ public abstract class BlockedGrid : ITerrainGrid
         int sample = Math.Max(firstSample << _halvings, all.FirstSample);
         return MayHaveGaps && _source.MayHaveGapsIn(
             line, Math.Min((firstLine + lines) << _halvings, all.EndLine) - line,
-            sample, Math.Min((firstSample + samples) << _halvings, all.EndSample) - sample);
+            sample, EndOf(firstSample + samples) - sample);
     }
+
+    /// <summary>The source's sample after those of a range; what goes all around goes on beyond its last sample.</summary>
+    private int EndOf(int endSample) =>
+        Layout.IsRing ? endSample << _halvings : Math.Min(endSample << _halvings, _source.Window.EndSample);
 
     /// <summary>The samples of a block.</summary>
     /// <param name="row">From the top.</param>

@@ -11,7 +11,7 @@ public abstract class ChangedGrid(ITerrainGrid grid) : ITerrainGrid
     public string ProductId => grid.ProductId;
 
     /// <inheritdoc/>
-    public bool IsWholeBody => grid.IsWholeBody;
+    public virtual bool IsWholeBody => grid.IsWholeBody;
 
     /// <inheritdoc/>
     public virtual MapProjection Projection => grid.Projection;

@@ -15,6 +15,12 @@ public static class MoonConstants
     /// </summary>
     public const double MaxRelief = 20_000.0;
 
+    /// <summary>
+    /// m over the reference radius: heights beyond these are none. The Moon's ground lies from -9.2 to +10.8 km, with its steepest steps
+    /// (D. E. Smith et al., Icarus 283 (2017) 70); fill values such as -9999 and -32768 lie beyond.
+    /// </summary>
+    public static (double Min, double Max) PlausibleHeights => (-9_500.0, 11_500.0);
+
     /// <summary>m: mean radius MMR, for the flight altitude only (thesis, list of constants).</summary>
     public const double MeanRadius = 1_737_150.0;
 

@@ -26,6 +26,15 @@ public sealed class GeoTiffFiles(string? libraryPath) : IDisposable
         return grid.Projection.Resolution;
     }
 
+    /// <summary>Whether a map has a sample for each place of the Moon, be it without data.</summary>
+    /// <param name="given">What the user says of its values.</param>
+    /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>
+    public bool CoversWholeMoon(string path, HeightOptions given = default)
+    {
+        ResolutionOf(path, given);
+        return _kept.TryGetValue(KeyOf(path, given), out GeoTiffGrid? grid) && grid.CoversWholeMoon;
+    }
+
     /// <summary>A map, which the caller closes.</summary>
     /// <param name="given">What the user says of its values.</param>
     /// <inheritdoc cref="GeoTiffGrid.Open" path="/exception"/>

@@ -13,8 +13,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     private readonly string _path;
     private readonly GeoTiffPlacement _placement;
     private readonly HeightRule _rule;
-    private readonly bool _isRing;
-    private UndeclaredGaps _gapsOfSource;
 
     private GeoTiffGrid(string path, OpenedRaster raster, Func<OpenedRaster> open, HeightOptions given)
     {
@@ -22,14 +20,15 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
         ProductId = RasterFiles.ProductIdOf(path);
         Files = raster.File.Files();
         WarpedFrom = raster.IsWarped ? raster.File.Projection() : null;
-        _rule = HeightRule.Of(path, raster.File, given, raster.Placement.Projection.Resolution.MetresPerPixel);
+        _rule = HeightRule.Of(
+            path, raster.File, given, raster.Placement.Projection.Resolution.MetresPerPixel, raster.Placement.SphereRadius);
+        HasUnit = HeightUnit.Of(path, raster.File, given).IsKnown || raster.File.Scale != (1.0, 0.0);
+        Bands = raster.File.Bands;
         RasterBlocks blocks = new(raster, open, _rule);
         (Lines, Samples) = _placement.Projection is Equirectangular cylinder
             ? (180 * cylinder.PixelsPerDegree, 360 * cylinder.PixelsPerDegree)
             : (blocks.Height, blocks.Width);
-        _isRing = _placement.Projection is Equirectangular && _placement.Window.Samples == Samples;
-        _content = new RasterContent(
-            blocks, new RasterPart(this, _rule, _placement.SphereRadius), hasLevels: !_isRing || _placement.RingStart == 0);
+        _content = new RasterContent(blocks, new RasterPart(this, _rule, _placement.SphereRadius));
     }
 
     /// <inheritdoc/>
@@ -65,13 +64,19 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <summary>What the user says of the values.</summary>
     public HeightOptions Given { get; }
 
+    /// <summary>Whether somebody says in which unit its heights are: the file, its name or the user.</summary>
+    public bool HasUnit { get; }
+
+    /// <summary>Number of bands; heights are those of the first.</summary>
+    public int Bands { get; }
+
     /// <summary>
     /// A note on the pixels that can't be heights and that the file does not declare; null if there are none. The first request looks at
     /// all pixels.
     /// </summary>
     public string? NoteOfGaps()
     {
-        UndeclaredGaps gaps = _gapsOfSource.Count > 0 ? _gapsOfSource : _content.Scan().Undeclared;
+        UndeclaredGaps gaps = _content.Scan().Undeclared;
         return gaps.Count == 0 ? null : Invariant(
             $"{ProductId}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
                 + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
@@ -93,17 +98,14 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
                 : $"{path}: there is no such file. Name an elevation model.");
         }
 
+        path = RasterFiles.LabelOrFile(path);
         OpenedRaster raster = OpenedRaster.Open(path, libraryPath);
         try
         {
-            if (raster.IsWarped && GapsOfSource.Find(path, raster.File, given) is { Count: > 0 } gaps)
+            if (!RasterFiles.IsVirtual(path) && raster.File.IsEmpty(0, raster.File.Height, 0, raster.File.Width))
             {
-                raster.Dispose();
-                raster = OpenedRaster.Open(path, libraryPath, gaps.Value);
-                return new GeoTiffGrid(path, raster, () => OpenedRaster.Open(path, libraryPath, gaps.Value), given)
-                {
-                    _gapsOfSource = gaps,
-                };
+                throw new BadInputException(
+                    $"{path}: a sparse file of {raster.File.Width} x {raster.File.Height} pixels that stores none of them. Get it again.");
             }
 
             return new GeoTiffGrid(path, raster, () => OpenedRaster.Open(path, libraryPath), given);
@@ -153,19 +155,30 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) =>
         _content.Verify(this, Kept(cacheFolder), cancellation);
 
+    /// <summary>What tells it from other models of the whole Moon, and from an older one of the same name.</summary>
+    public SummarySource ToSummarySource() => new(
+        ProductId, Projection.Resolution.PixelsPerDegree ?? 0, ImageBytes: 0, ImageWritten: default, Convert.ToHexString(Fingerprint()));
+
+    private byte[] Fingerprint() => RasterScanFile.Fingerprint(Files, Invariant($"{_placement} {_rule}"));
+
     private KeptRaster Kept(string? cacheFolder)
     {
         LdemSet set = LdemSet.OfMap(ToLabel());
         return new KeptRaster(
-            set.PlacesOf(RasterScanFile.Extension, cacheFolder), set.PlacesOf(PyramidFile.Extension, cacheFolder),
-            RasterScanFile.Fingerprint(Files, Invariant($"{_placement} {_rule} {_gapsOfSource}")));
+            set.PlacesOf(RasterScanFile.Extension, cacheFolder), set.PlacesOf(PyramidFile.Extension, cacheFolder), Fingerprint());
     }
+
+    /// <summary>The model of the whole Moon that it is; null for a map of a part, or one with places without data.</summary>
+    public WholeGrid? AsWholeMoon() => CoversWholeMoon && !MayHaveGaps ? new WholeGrid(this) : null;
+
+    /// <summary>Whether it has a sample for each place of the Moon, be it without data.</summary>
+    public bool CoversWholeMoon => _placement.IsRing && (Window.FirstLine, Window.EndLine) == (0, Lines);
 
     /// <summary>The file as the label of a model, for its name, fingerprint and checksum.</summary>
     public LdemLabel ToLabel() => new(
         _path, _path, ImageOffset: 0, ProductId, CelestialBody.Moon, Projection.Resolution.PixelsPerDegree ?? 0, _content.Blocks.Height,
-        _content.Blocks.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, -MoonConstants.MaxRelief,
-        MoonConstants.MaxRelief, Polar: Projection as PolarStereographic)
+        _content.Blocks.Width, LdemSampleType.Float32LittleEndian, ScalingFactor: 1.0, SphereRadius, _rule.Lowest,
+        _rule.Highest, Polar: Projection as PolarStereographic)
     { OtherFiles = [.. Files.Skip(1)] };
 
     /// <inheritdoc/>
@@ -175,18 +188,13 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public IReadOnlyList<ITerrainGrid> StoredLevels => _content.Levels;
 
     /// <inheritdoc/>
-    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) => _content.Scan() is { HasGaps: true } scan
-        && (_isRing || scan.Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples).Gaps > 0);
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        _content.Scan().HasGaps && SquaresOf(firstLine, lines, firstSample, samples).Gaps > 0;
 
     /// <inheritdoc/>
     public KnownBounds? BoundsOf(int firstLine, int lines, int firstSample, int samples)
     {
-        if (_isRing)
-        {
-            return null;
-        }
-
-        ScannedSquare all = _content.Scan().Of(firstLine - Window.FirstLine, lines, firstSample - Window.FirstSample, samples);
+        ScannedSquare all = SquaresOf(firstLine, lines, firstSample, samples);
         return all.Min > all.Max ? null : new KnownBounds(
             _placement.SphereRadius + _rule.HeightOf(all.Min), _placement.SphereRadius + _rule.HeightOf(all.Max), _rule.Factor * all.Step);
     }
@@ -243,6 +251,15 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
             ? run
             : _content.Blocks.RunAt(row, column, most);
 
+    /// <summary>What the pixels of a rectangle are; of a map that goes all around also across the grid's last sample.</summary>
+    private ScannedSquare SquaresOf(int firstLine, int lines, int firstSample, int samples)
+    {
+        (int row, int column) = (firstLine - Window.FirstLine, ColumnOf(firstSample));
+        int before = Math.Min(samples, _content.Blocks.Width - column);
+        ScannedSquare all = _content.Scan().Of(row, lines, column, before);
+        return before == samples ? all : all.With(_content.Scan().Of(row, lines, 0, samples - before));
+    }
+
     private int RowOf(int line)
     {
         int row = line - Window.FirstLine;
@@ -252,14 +269,13 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
 
     private int ColumnOf(int sample)
     {
-        int column = sample - (_isRing ? _placement.RingStart : Window.FirstSample);
-        column += _isRing && column < 0 ? Samples : 0;
-        column -= _isRing && column >= Samples ? Samples : 0;
+        int column = sample - Window.FirstSample;
+        column -= _placement.IsRing && column >= Samples ? Samples : 0;
         ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual((uint)column, (uint)_content.Blocks.Width, nameof(sample));
         return column;
     }
 
     private BadInputException Hole(int row, int column) => new(Invariant(
-        $"{_path}, line {row + 1}, sample {column + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, cut the file to what "
-            + $"is whole, with gdal_translate -srcwin, or put a coarser model around it, with a second --ldem."));
+        $"{_path}, line {row + 1}, sample {_placement.ColumnOf(column) + 1}: no data there. Fill the hole, e.g. with gdal_fillnodata.py, "
+            + $"cut the file to what is whole, with gdal_translate -srcwin, or put a coarser model around it, with a second --ldem."));
 }

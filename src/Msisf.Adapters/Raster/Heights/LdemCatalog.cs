@@ -73,7 +73,7 @@ public static class LdemCatalog
 
     /// <summary>A named model.</summary>
     /// <param name="labelOrImage">
-    /// Path of the label, or of the image beside it; of a split product that of any part, the others lie beside it.
+    /// Path of the label, or of the image beside it; of a split product that of any part: the others count if all lie beside it.
     /// </param>
     /// <exception cref="BadInputException">
     /// It is missing, no label of a cylindrical lunar model, or its parts don't make up a whole Moon.
@@ -173,6 +173,9 @@ public static class LdemCatalog
         return null;
     }
 
+    /// <summary>
+    /// The model of which a label is: with the parts beside it, if these make up the whole Moon or a band around it, else itself.
+    /// </summary>
     private static LdemSet WithSiblings(LdemLabel label)
     {
         if (label.CoversWholeMoon)
@@ -186,7 +189,8 @@ public static class LdemCatalog
             && !other.CoversWholeMoon
             && ModelOf(other) == ModelOf(label)
             && Path.GetFileName(other.LabelPath) != Path.GetFileName(label.LabelPath));
-        return LdemSet.Join([label, .. siblings], mayBeBand: true);
+        LdemLabel[] all = [label, .. siblings];
+        return LdemSet.Join(LdemSetChecks.AreComplete(all) ? all : [label], mayBePart: true);
     }
 
     /// <summary>The name that the parts of one model share. Parts whose names have no borders count as parts of one model.</summary>

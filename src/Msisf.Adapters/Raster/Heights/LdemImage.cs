@@ -102,15 +102,16 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
         while (true)
         {
             LdemPart part = PartAt(line, firstSample);
-            int count = Math.Min(radii.Length, part.EndSample - firstSample);
-            part.ReadRadii(line, firstSample, radii[..count]);
+            int at = InPart(part, firstSample);
+            int count = Math.Min(radii.Length, part.EndSample - at);
+            part.ReadRadii(line, at, radii[..count]);
             if (count == radii.Length)
             {
                 return;
             }
 
             radii = radii[count..];
-            firstSample = part.EndSample == _samples ? 0 : part.EndSample;
+            firstSample = part.EndSample % _samples;
         }
     }
 
@@ -146,11 +147,15 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
             {
                 int sample = firstSample + done < _samples ? firstSample + done : firstSample + done - _samples;
                 LdemPart part = PartAt(line, sample);
-                count = Math.Min(samples - done, part.EndSample - sample);
-                yield return (part, new GridWindow(line, next, sample, sample + count));
+                int at = InPart(part, sample);
+                count = Math.Min(samples - done, part.EndSample - at);
+                yield return (part, new GridWindow(line, next, at, at + count));
             }
         }
     }
+
+    /// <summary>A sample as the part counts it: one across the prime meridian counts on there.</summary>
+    private int InPart(LdemPart part, int sample) => sample < part.FirstSample ? sample + _samples : sample;
 
     private LdemPart PartAt(int line, int sample) =>
         _parts.Length == 1

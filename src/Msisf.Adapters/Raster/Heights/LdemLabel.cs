@@ -36,8 +36,10 @@ public enum LdemSampleType
 /// <param name="Polar">The projection of a polar map; null for a cylindrical model.</param>
 /// <param name="NorthDegrees">MAXIMUM_LATITUDE, degrees: of a cylindrical model the northern border of line 1.</param>
 /// <param name="SouthDegrees">MINIMUM_LATITUDE, degrees.</param>
-/// <param name="WestDegrees">WESTERNMOST_LONGITUDE, degrees: of a cylindrical model the western border of sample 1.</param>
-/// <param name="EastDegrees">EASTERNMOST_LONGITUDE, degrees.</param>
+/// <param name="WestDegrees">
+/// WESTERNMOST_LONGITUDE, degrees: of a cylindrical model the western border of sample 1, 0 to 360.
+/// </param>
+/// <param name="EastDegrees">EASTERNMOST_LONGITUDE, degrees; above the western border.</param>
 /// <param name="CoordinateSystem">COORDINATE_SYSTEM_NAME.</param>
 public sealed record LdemLabel(
     string LabelPath, string ImagePath, long ImageOffset, string ProductId, CelestialBody Body, int PixelsPerDegree, int Lines,
@@ -76,6 +78,14 @@ public sealed record LdemLabel(
     /// <summary>Bytes of all samples.</summary>
     public long ImageBytes => LineBytes * Lines;
 
-    /// <summary>Whether it covers latitudes -90 to 90 and longitudes 0 to 360 degrees.</summary>
-    public bool CoversWholeMoon => Polar is null && (NorthDegrees, SouthDegrees, WestDegrees, EastDegrees) == (90.0, -90.0, 0.0, 360.0);
+    /// <summary>Whether it covers latitudes -90 to 90 and all longitudes, from whichever on.</summary>
+    public bool CoversWholeMoon =>
+        Polar is null && (NorthDegrees, SouthDegrees, EastDegrees - WestDegrees) == (90.0, -90.0, 360.0);
+
+    /// <summary>The same label with a western border from 0 on; the eastern one lies beyond 360 if the prime meridian is inside.</summary>
+    internal LdemLabel FromPrimeMeridian()
+    {
+        double turned = 360.0 * Math.Floor(WestDegrees / 360.0);
+        return this with { WestDegrees = WestDegrees - turned, EastDegrees = EastDegrees - turned };
+    }
 }

@@ -1,4 +1,6 @@
 using Msisf.Adapters.Raster.Pds;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
 
@@ -10,6 +12,9 @@ public static class LdemLabelReader
 {
     /// <summary>Bytes. A label has a few kilobytes; of a file with an attached label no more than this is read.</summary>
     private const int LabelLimit = 1 << 20;
+
+    /// <summary>What DATA_SET_ID or PRODUCT_ID of LOLA's products and of synthetic ones have.</summary>
+    private static readonly string[] OwnNames = ["LOLA", "LDEM", LdemLabel.SyntheticMark];
 
     /// <summary>180 degrees at 23 000 px/deg, far more than any product has.</summary>
     private const int LineLimit = 1 << 22;
@@ -26,9 +31,32 @@ public static class LdemLabelReader
             throw new BadInputException($"{labelPath}: there is no such file or folder. Name an elevation model's label or its folder.");
         }
 
+        if (BareImage.LabelOf(labelPath) is { } ofImage)
+        {
+            return ofImage;
+        }
+
         using FileStream stream = File.OpenRead(labelPath);
         return Read(stream, labelPath);
     });
+
+    /// <summary>Whether what is wrong in a label is to be told: one of LOLA's products, of a synthetic one, or of another body.</summary>
+    /// <param name="labelPath">A label that can't be read as that of an elevation model.</param>
+    internal static bool IsOfReader(string labelPath)
+    {
+        try
+        {
+            using FileStream stream = File.OpenRead(labelPath);
+            PdsObject root = PdsLabelParser.Parse(PdsLabelParser.TextOf(stream, LabelLimit), labelPath);
+            string names = $"{root.Find("DATA_SET_ID")} {root.Find("PRODUCT_ID")}".ToUpperInvariant();
+            return Array.Exists(OwnNames, name => names.Contains(name, StringComparison.Ordinal))
+                || !(root.Find("TARGET_NAME") is { } target && CelestialBody.Find(target.ToString()) is { IsMoon: true });
+        }
+        catch (Exception exception) when (exception is BadInputException || exception.IsFileError())
+        {
+            return true;
+        }
+    }
 
     /// <summary>Reads a label.</summary>
     /// <param name="stream">Begins with the label.</param>
@@ -58,16 +86,22 @@ public static class LdemLabelReader
             SampleType: SampleTypeOf(image),
             ScalingFactor: metresPerUnit * image.RequiredNumber("SCALING_FACTOR"),
             Offset: metresPerUnit * image.RequiredNumber("OFFSET"),
-            Minimum: image.RequiredNumber("MINIMUM"),
-            Maximum: image.RequiredNumber("MAXIMUM"),
+            Minimum: image.OptionalNumber("MINIMUM", []) ?? double.NegativeInfinity,
+            Maximum: image.OptionalNumber("MAXIMUM", []) ?? double.PositiveInfinity,
             NorthDegrees: map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnits.Degrees),
             SouthDegrees: map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
             WestDegrees: map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
             EastDegrees: map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
             CoordinateSystem: map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty);
+        label = label with
+        {
+            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, MoonConstants.PlausibleHeights.Min) : label.Minimum,
+            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, MoonConstants.PlausibleHeights.Max) : label.Maximum,
+        };
         if (label.Polar is null)
         {
             LdemLabelChecks.CheckCover(label, image, map);
+            label = label.FromPrimeMeridian();
         }
         else
         {
@@ -79,12 +113,24 @@ public static class LdemLabelReader
         return label;
     }
 
+    /// <summary>
+    /// The sample value of a height of the Moon's, where the label names no limit; of another body that of the most relief.
+    /// </summary>
+    private static double LimitOf(LdemLabel label, double height)
+    {
+        double radius = label.Body.IsMoon
+            ? MoonConstants.ReferenceRadius + height
+            : label.Offset + Math.CopySign(MoonConstants.MaxRelief, height);
+        double limit = (radius - label.Offset) / label.ScalingFactor;
+        return label.HasIntegers ? Math.Clamp(limit, short.MinValue, short.MaxValue) : limit;
+    }
+
     /// <summary>The object that describes the image's file. Labels of products that exist as .JP2, too, have one for each file.</summary>
     private static PdsObject FileHolder(PdsObject root) =>
         new[] { root.FindObject("UNCOMPRESSED_FILE"), root.FindObject("FILE") }
             .FirstOrDefault(candidate => candidate?.Find("^IMAGE") is not null) ?? root;
 
-    private static double MetresPerUnit(PdsObject image) => image.RequiredText("UNIT") switch
+    private static double MetresPerUnit(PdsObject image) => image.RequiredText("UNIT").ToUpperInvariant() switch
     {
         "METER" or "METERS" or "M" => 1.0,
         "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,

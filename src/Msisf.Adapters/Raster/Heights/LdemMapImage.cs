@@ -3,8 +3,8 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// An LDEM model of a part of the Moon: the surroundings of a pole, or a band between two latitudes, as SLDEM2015, whose lines count in
-/// the whole Moon's grid.
+/// An LDEM model of a part of the Moon: the surroundings of a pole; or a band between two latitudes, as SLDEM2015, or one part of a split
+/// product, whose lines and samples count in the whole Moon's grid.
 /// </summary>
 /// <remarks>As of <see cref="LdemImage"/>.</remarks>
 public sealed class LdemMapImage : ITerrainGrid, IDisposable
@@ -15,7 +15,10 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     {
         _image = image;
         Projection = image.Set.Parts[0].Polar is { } polar ? polar : new Equirectangular(image.PixelsPerDegree);
-        Window = new GridWindow(image.Parts.Min(part => part.FirstLine), image.Parts.Max(part => part.EndLine), 0, Samples);
+        (int first, int end) = image.Parts is [{ } only] && only.Label.LineSamples < Samples
+            ? (only.FirstSample, only.EndSample)
+            : (0, Samples);
+        Window = new GridWindow(image.Parts.Min(part => part.FirstLine), image.Parts.Max(part => part.EndLine), first, end);
     }
 
     /// <inheritdoc/>
@@ -49,14 +52,22 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {
-        // A band may go around the Moon, which the image checks.
+        // A band goes around the Moon, which the image checks.
+        bool isBand = Projection is Equirectangular && Window.Samples == Samples;
         if (line < Window.FirstLine || line >= Window.EndLine
-            || (Projection is PolarStereographic && radii.Length > Samples - firstSample))
+            || (!isBand && (firstSample < Window.FirstSample || radii.Length > Window.EndSample - firstSample)))
         {
             _image.RefuseBlock(line, 1, firstSample, radii.Length);
         }
 
-        _image.ReadRadii(line, firstSample, radii);
+        if (isBand)
+        {
+            _image.ReadRadii(line, firstSample, radii);
+        }
+        else
+        {
+            _image.Parts[0].ReadRadii(line, firstSample, radii);
+        }
     }
 
     /// <inheritdoc/>

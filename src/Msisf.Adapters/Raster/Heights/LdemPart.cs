@@ -20,8 +20,8 @@ internal sealed unsafe class LdemPart : IDisposable
         Label = label;
         if (label.Polar is null)
         {
-            FirstLine = (int)((90.0 - label.NorthDegrees) * label.PixelsPerDegree);
-            FirstSample = (int)(label.WestDegrees * label.PixelsPerDegree);
+            FirstLine = (int)Math.Round((90.0 - label.NorthDegrees) * label.PixelsPerDegree);
+            FirstSample = (int)Math.Round(label.WestDegrees * label.PixelsPerDegree);
         }
 
         EndSample = FirstSample + label.LineSamples;
@@ -46,7 +46,7 @@ internal sealed unsafe class LdemPart : IDisposable
     /// <summary>The part's westernmost sample.</summary>
     public int FirstSample { get; }
 
-    /// <summary>The sample after its easternmost one.</summary>
+    /// <summary>The sample after its easternmost one; samples count on beyond those of the grid.</summary>
     public int EndSample { get; }
 
     /// <summary>Opens the image of a label.</summary>

@@ -3,8 +3,8 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// The labels of one elevation model: one label or those of the parts of a model of the whole Moon or of a band around it, or the label of
-/// a polar map. Immutable.
+/// The labels of one elevation model: those of the parts of a model of the whole Moon or of a band around it, or one label, which may be of
+/// a part or of a polar map. Immutable.
 /// </summary>
 public sealed class LdemSet
 {
@@ -14,7 +14,7 @@ public sealed class LdemSet
     /// <summary>The labels, from the north, then from the west.</summary>
     public IReadOnlyList<LdemLabel> Parts { get; }
 
-    /// <summary>Whether it covers the whole Moon; if not it is a polar map, or a band between two latitudes.</summary>
+    /// <summary>Whether it covers the whole Moon; if not it is a polar map, a band between two latitudes, or a part.</summary>
     public bool IsWholeMoon => Parts[0].Polar is null && !PartOfDegree.Contains(LdemSetChecks.Nothing);
 
     /// <summary>PRODUCT_ID; of a split product without the part's borders, e.g. "LDEM_512".</summary>
@@ -45,18 +45,18 @@ public sealed class LdemSet
 
     /// <summary>Takes the labels of one model.</summary>
     /// <param name="labels">At least one, in any order.</param>
-    /// <param name="mayBeBand">Whether the model may end at two parallels instead of the poles.</param>
+    /// <param name="mayBePart">Whether the model may be one part of a split product, or end at two parallels instead of the poles.</param>
     /// <exception cref="BadInputException">
     /// They differ in what must be the same, overlap, or leave a part of the Moon uncovered; the message names the files.
     /// </exception>
-    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBeBand = false)
+    public static LdemSet Join(IReadOnlyList<LdemLabel> labels, bool mayBePart = false)
     {
         LdemLabel[] parts = [.. labels
             .OrderByDescending(label => label.NorthDegrees)
             .ThenBy(label => label.WestDegrees)
             .ThenBy(label => label.LabelPath, StringComparer.Ordinal)];
         LdemSetChecks.CheckAlike(parts);
-        ushort[] partOfDegree = LdemSetChecks.Cover(parts, mayBeBand);
+        ushort[] partOfDegree = LdemSetChecks.Cover(parts, mayBePart);
         return new LdemSet(parts, parts.Length == 1 ? parts[0].ProductId : LdemPartName.Of(parts[0]).Model, partOfDegree);
     }
 

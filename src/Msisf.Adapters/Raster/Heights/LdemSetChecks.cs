@@ -23,9 +23,9 @@ internal static class LdemSetChecks
             ("COORDINATE_SYSTEM_NAME", label => label.CoordinateSystem));
 
     /// <summary>Index of the part for each square degree, row by row from the north.</summary>
-    /// <param name="mayBeBand">Whether whole rows may be missing beside the poles.</param>
+    /// <param name="mayBePart">Whether one part may stand alone, and several may make up a band between two parallels.</param>
     /// <exception cref="BadInputException">Borders between degrees, two parts for one place, or none.</exception>
-    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts, bool mayBeBand)
+    public static ushort[] Cover(IReadOnlyList<LdemLabel> parts, bool mayBePart)
     {
         ushort[] cover = new ushort[180 * 360];
         Array.Fill(cover, Nothing);
@@ -34,20 +34,36 @@ internal static class LdemSetChecks
             MoonRegion region = RegionOf(parts[index]);
             for (int row = 90 - region.NorthDegrees; row < 90 - region.SouthDegrees; row++)
             {
-                Span<ushort> degrees = cover.AsSpan((row * 360) + region.WestDegrees, region.EastDegrees - region.WestDegrees);
-                if (degrees.IndexOfAnyExcept(Nothing) is int taken and >= 0)
+                for (int degree = region.WestDegrees; degree < region.EastDegrees; degree++)
                 {
-                    throw new BadInputException(Invariant(
-                        $"{parts[degrees[taken]].LabelPath} and {parts[index].LabelPath}: "
-                            + $"both cover latitude {89 - row} to {90 - row}, "
-                            + $"longitude {region.WestDegrees + taken} to {region.WestDegrees + taken + 1}. Take one of them away."));
+                    ref ushort part = ref cover[(row * 360) + (degree % 360)];
+                    part = part == Nothing ? (ushort)index : throw new BadInputException(Invariant(
+                        $"{parts[part].LabelPath} and {parts[index].LabelPath}: both cover latitude {89 - row} to {90 - row}, "
+                            + $"longitude {degree % 360} to {(degree % 360) + 1}. Take one of them away."));
                 }
-
-                degrees.Fill((ushort)index);
             }
         }
 
-        return cover.Contains(Nothing) && !(mayBeBand && IsBand(cover)) ? throw Incomplete(parts, cover) : cover;
+        return cover.Contains(Nothing) && !(mayBePart && (parts.Count == 1 || IsBand(cover))) ? throw Incomplete(parts, cover) : cover;
+    }
+
+    /// <summary>Whether labels make up the whole Moon, or a band around it.</summary>
+    public static bool AreComplete(IReadOnlyList<LdemLabel> parts)
+    {
+        ushort[] cover = new ushort[180 * 360];
+        Array.Fill(cover, Nothing);
+        foreach (MoonRegion region in parts.Select(RegionOf))
+        {
+            for (int row = 90 - region.NorthDegrees; row < 90 - region.SouthDegrees; row++)
+            {
+                for (int degree = region.WestDegrees; degree < region.EastDegrees; degree++)
+                {
+                    cover[(row * 360) + (degree % 360)] = 0;
+                }
+            }
+        }
+
+        return !cover.Contains(Nothing) || IsBand(cover);
     }
 
     /// <summary>Whether the rows that are there are whole and follow each other.</summary>
@@ -65,7 +81,7 @@ internal static class LdemSetChecks
             == (label.SouthDegrees, label.NorthDegrees, label.WestDegrees, label.EastDegrees);
         return isWhole && region.IsValid ? region : throw new BadInputException(Invariant(
             $"{label.LabelPath}: covers latitudes {label.SouthDegrees:R} to {label.NorthDegrees:R} and longitudes {label.WestDegrees:R} "
-                + $"to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees in -90 to 90 and 0 to 360."));
+                + $"to {label.EastDegrees:R} degrees; parts of a model have borders of whole degrees, and latitudes in -90 to 90."));
     }
 
     /// <summary>The error that names the missing parts, on the raster that the known borders make.</summary>
@@ -90,7 +106,8 @@ internal static class LdemSetChecks
         return new BadInputException(
             $"{FileNames.FolderOf(parts[0].LabelPath)}: of the {name.Before} product in several files {missing.Length} are missing: "
                 + $"{FileNames.Listed(missing)}. Put their .LBL and .IMG files beside {Path.GetFileName(parts[0].LabelPath)}; "
-                + $"the whole Moon is needed.");
+                + $"the whole Moon is needed. Each part that is there is a map of its own: name it with --ldem, over a model of the whole "
+                + $"Moon.");
     }
 
     private static int MaxDivisor(int a, int b) => b == 0 ? a : MaxDivisor(b, a % b);

@@ -41,6 +41,10 @@ public sealed class ModelLevels : IDisposable
         return new ModelLevels(levels, file, file is null ? warning : null);
     }
 
+    /// <summary>The levels of a model that has its stored ones itself.</summary>
+    public static ModelLevels Of(IGlobalGrid model) =>
+        new(LodLevels.Open(model, [.. model.StoredLevels.Cast<IGlobalGrid>()]), file: null, warning: null);
+
     /// <summary>Unmaps the sidecar; the model stays open.</summary>
     public void Dispose() => Sidecar?.Dispose();
 }

@@ -34,8 +34,8 @@ internal sealed class RasterBlocks : IDisposable
     public RasterBlocks(OpenedRaster first, Func<OpenedRaster> open, HeightRule rule)
     {
         (_open, _rule) = (open, rule);
-        (Height, Width) = (first.Image.Height, first.Image.Width);
-        HasWideBlocks = first.Image.HasWideBlocks;
+        (Height, Width) = (first.Placement.Window.Lines, first.Placement.Window.Samples);
+        (HasWideBlocks, IsRing) = (first.File.HasWideBlocks, first.Placement.IsRing);
         _idle.Add(first);
         _blockColumns = (Width + BlockSide - 1) >> BlockShift;
         _blocks = new KeptBlock?[]?[(Height + BlockSide - 1) >> BlockShift];
@@ -49,6 +49,9 @@ internal sealed class RasterBlocks : IDisposable
 
     /// <summary>Whether a part of a row costs as much as all of it.</summary>
     public bool HasWideBlocks { get; }
+
+    /// <summary>Whether the last pixel of a row lies beside the first one.</summary>
+    public bool IsRing { get; }
 
     /// <summary>How many pixels of a row from one on lie in one block.</summary>
     /// <param name="column">The first.</param>
@@ -99,29 +102,27 @@ internal sealed class RasterBlocks : IDisposable
         OpenedRaster raster = _idle.TryTake(out OpenedRaster? known) ? known : _open();
         try
         {
-            raster.Image.Read(line, lines, sample, samples, values, stride);
+            return raster.Read(line, lines, sample, samples, values, stride, _rule);
         }
         finally
         {
             _idle.Add(raster);
         }
+    }
 
-        bool isDeclared = raster.File.NoData is not null || raster.IsWarped;
-        UndeclaredGaps undeclared = UndeclaredGaps.None;
-        for (int i = 0; i < lines; i++)
+    /// <summary>Counts the pixels that can't be heights, and that the file does not declare; samples between pixels share them.</summary>
+    /// <param name="found">Those that were found while samples were read.</param>
+    public UndeclaredGaps Counted(UndeclaredGaps found)
+    {
+        OpenedRaster raster = _idle.TryTake(out OpenedRaster? known) ? known : _open();
+        try
         {
-            Span<float> row = values.Slice(i * stride, samples);
-            for (int j = _rule.AreHeights(row) ? row.Length : 0; j < row.Length; j++)
-            {
-                if (!_rule.IsHeight(row[j]))
-                {
-                    undeclared = float.IsNaN(row[j]) && isDeclared ? undeclared : undeclared.With(line + i, sample + j, row[j]);
-                    row[j] = float.NaN;
-                }
-            }
+            return found.Count > 0 && raster.IsWarped ? raster.Undeclared(_rule) : found;
         }
-
-        return undeclared;
+        finally
+        {
+            _idle.Add(raster);
+        }
     }
 
     private float[] ReadBlock(int blockRow, int blockColumn)

@@ -10,8 +10,7 @@ namespace Msisf.Adapters.Raster.Heights;
 /// </summary>
 /// <param name="blocks">The raster; closed with this.</param>
 /// <param name="part">Its place, and what its values mean.</param>
-/// <param name="hasLevels">Whether its rows are those of the grid from the first sample on.</param>
-internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool hasLevels) : IDisposable
+internal sealed class RasterContent(RasterBlocks blocks, RasterPart part) : IDisposable
 {
     /// <summary>Bytes of a file of levels at most: of larger rasters it begins with a coarser one.</summary>
     private const long MostLevelBytes = 6_000_000_000;
@@ -66,7 +65,7 @@ internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool h
         using AtomicFileSet files = new();
         PyramidLayout layout = PyramidLayout.OfMap(part, Math.Min(MostLevelBytes, kept.FreeBytes / PartsOfSpace));
         RasterScan? scan = null;
-        if (hasLevels && layout.LevelCount > 0)
+        if (layout.LevelCount > 0)
         {
             files.Write(kept.Levels.ForWriting(), stream =>
             {
@@ -93,8 +92,8 @@ internal sealed class RasterContent(RasterBlocks blocks, RasterPart part, bool h
         }
 
         Volatile.Write(ref _scan, found.Scan); // levels ask the map where it has data
-        _levels ??= hasLevels ? kept.FindLevels(map) : null;
-        bool isWhole = _levels is not null || !hasLevels || PyramidLayout.OfMap(part, long.MaxValue).LevelCount < 1;
+        _levels ??= kept.FindLevels(map);
+        bool isWhole = _levels is not null || PyramidLayout.OfMap(part, long.MaxValue).LevelCount < 1;
         return isWhole ? found.Path : null;
     }
 

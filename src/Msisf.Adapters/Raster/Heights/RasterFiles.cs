@@ -47,20 +47,20 @@ public static class RasterFiles
         }
 
         string label = FileNames.LabelOf(path);
-        return IsPdsLabel(label) ? !IsForPdsReader(label) : !IsNameOfPdsFile(path) || HasOtherHead(path);
+        return IsPdsLabel(label) ? !IsForPdsReader(label)
+            : BareImage.LabelOf(path) is null && (!IsNameOfPdsFile(path) || HasOtherHead(path));
     }
 
     /// <summary>Name of the model in a file: the file's.</summary>
     public static string ProductIdOf(string path) => Path.GetFileNameWithoutExtension(path);
 
-    /// <summary>LOLA's products are read here; those that GDAL's driver is better at are known by their names.</summary>
+    /// <summary>What GDAL opens of a PDS3 product: its label, whichever of its two files is named.</summary>
+    internal static string LabelOrFile(string path) =>
+        !IsVirtual(path) && FileNames.LabelOf(path) is var label && IsPdsLabel(label) ? label : path;
+
+    /// <summary>Labels like LOLA's are read here, and what is wrong in LOLA's own is told; all others are GDAL's.</summary>
     private static bool IsForPdsReader(string label)
     {
-        if (RasterProducts.Find(label) is null)
-        {
-            return true;
-        }
-
         try
         {
             LdemLabelReader.ReadFile(label);
@@ -68,7 +68,7 @@ public static class RasterFiles
         }
         catch (BadInputException)
         {
-            return false;
+            return RasterProducts.Find(label) is null && LdemLabelReader.IsOfReader(label);
         }
     }
 
@@ -115,6 +115,9 @@ internal static class RasterProducts
         // LROC's 100 m model: 16-bit integers in m over 1737.4 km.
         new("WAC_GLD100", string.Empty, MetresPerStep: 1.0),
         new("LUNAR_LRO_LROC-WAC_GLD100", string.Empty, MetresPerStep: 1.0),
+
+        // JAXA's tiles of Kaguya's Terrain Camera, DTM_MAP_02 and DTM_MAPs02: 16-bit integers in m over 1737.4 km.
+        new("DTM_MAP", string.Empty, MetresPerStep: 1.0),
 
         // LOLA's and Kaguya's, compressed: the integers of the .IMG in steps of 0.5 m; JPEG 2000 has no place for a factor.
         new("SLDEM2015_", ".JP2", MetresPerStep: 0.5),

@@ -58,11 +58,16 @@ internal sealed class RasterScanner
                 scanner.AddSteps(row, strips[strip].Start, columns[(2 * strip) - 1], columns[2 * strip]);
             }
 
+            if (blocks.IsRing)
+            {
+                scanner.AddSteps(row, 0, columns[^1], columns[0]);
+            }
+
             levels.Write(window.FirstLine + row, rows);
             progress?.Report((row + rows) / (double)blocks.Height);
         }
 
-        return new RasterScan(scanner._layout, scanner._squares, scanner._undeclared, scanner._border);
+        return new RasterScan(scanner._layout, scanner._squares, blocks.Counted(scanner._undeclared), scanner._border);
     }
 
     /// <summary>Cuts a side where the grid's coordinate is a multiple of a step.</summary>

@@ -58,6 +58,49 @@ public sealed class GeoTiffPlacementTests
         Assert.Equal(ringStart, placement.RingStart);
     }
 
+    [Theory]
+    [InlineData(-180.0, 720)]
+    [InlineData(0.0, 0)]
+    [InlineData(100.5, 402)]
+    public void Of_WholeMoon_IsARingFromAnyLongitude(double west, int ringStart)
+    {
+        GeoTiffPlacement placement = Of("a.tif", 1440, 720, [west, 0.25, 0.0, 90.0, 0.0, -0.25], Degrees);
+        Assert.Equal(new GridWindow(0, 720, 0, 1440), placement.Window);
+        Assert.Equal((true, ringStart), (placement.IsRing, placement.RingStart));
+        Assert.Equal((0, 1439), (placement.ColumnOf(ringStart), placement.ColumnOf((ringStart + 1439) % 1440)));
+    }
+
+    /// <summary>A US survey foot has 1200 / 3937 m.</summary>
+    [Theory]
+    [InlineData("+units=us-ft", 5.0 * 1200.0 / 3937.0)]
+    [InlineData("+units=ft", 1.524)]
+    [InlineData("+to_meter=2", 10.0)]
+    [InlineData("+units=m +towgs84=0,0,0,0,0,0,0", 5.0)]
+    public void Of_OtherUnitOrBoundSystem_HasItsScale(string words, double scale) => Assert.Equal(
+        scale,
+        Assert.IsType<PolarStereographic>(
+            Of("a.tif", 200, 200, Piece, South.Replace("+units=m", words, StringComparison.Ordinal)).Projection).MetresPerPixel,
+        Rounding.OfPlaces);
+
+    /// <summary>A prime meridian 10 degrees east of the Moon's moves a map by as much.</summary>
+    [Fact]
+    public void Of_PrimeMeridian_MovesTheMap() => Assert.Equal(
+        new GridWindow(120, 600, 40, 140),
+        Of("a.tif", 100, 480, [0.0, 0.25, 0.0, 60.0, 0.0, -0.25], "+proj=longlat +R=1737400 +pm=10").Window);
+
+    /// <summary>Labels of PDS3 round the size of a pixel; its place in pixels from the origin they do not.</summary>
+    [Fact]
+    public void Of_RoundedScale_IsTheWholeNumberOfPixels()
+    {
+        // 12 degrees north and east of the origin at 4096 px/deg, 7.4031617 m written with four digits.
+        const double Edge = 12.0 * 4096.0 * 7.403;
+        GeoTiffPlacement placement = GeoTiffPlacement.Find(
+            "a.lbl", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400", out _, hasRoundedScale: true)!;
+        Assert.Equal(new GridWindow(78 * 4096, 81 * 4096, 12 * 4096, 15 * 4096), placement.Window);
+        Assert.Null(GeoTiffPlacement.Find(
+            "a.tif", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400", out _));
+    }
+
     /// <summary>Samples count on beyond 360 degrees.</summary>
     [Fact]
     public void Of_MapAcrossThePrimeMeridian_CountsOn()
@@ -89,7 +132,13 @@ public sealed class GeoTiffPlacementTests
     [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=2439700 +units=m", "is not one on a sphere of the Moon")]
     [InlineData("+proj=stere +lat_0=-80 +lon_0=0 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
     [InlineData("+proj=stere +lat_0=-90 +lon_0=30 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
-    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=1737400 +units=us-ft", "is not polar stereographic with longitude 0")]
+    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +pm=10 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
+    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=1737400 +units=fathom", "is not polar stereographic with longitude 0")]
+    [InlineData("+proj=stere +lat_0=-90 +R=1737400 +towgs84=1,0,0,0,0,0,0", "has +towgs84=1,0,0,0,0,0,0, which is not read")]
+    [InlineData("+proj=longlat +R=1737400 +axis=wnu", "gdal_translate -a_srs '+proj=longlat +R=1737400'")]
+    [InlineData("+proj=longlat +R=1737400 +pm=paris", "has +pm=paris, which is not read")]
+    [InlineData("+proj=longlat +R=1737400 +nadgrids=moon.gsb", "has +nadgrids=moon.gsb, which is not read")]
+    [InlineData("+proj=longlat +R=1737400 +angular_unit=0.0157", "has +angular_unit=0.0157, which is not read")]
     [InlineData("+proj=ortho +lat_0=-90 +lon_0=0 +R=1737400 +units=m", "(+proj=ortho) is not read. Warp it")]
     [InlineData("+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +R=1737400 +units=m", "cylindrical maps need a whole number")]
     [InlineData("", "is not one on a sphere of the Moon")]
@@ -111,7 +160,6 @@ public sealed class GeoTiffPlacementTests
         South, message);
 
     [Theory]
-    [InlineData(1440, 720, 0.25, 90.0, -180.0)] // the whole Moon
     [InlineData(1440, 480, 0.25, 60.1, -180.0)] // between the lines
     [InlineData(100, 480, 0.3, 60.0, 10.0)] // no whole number a degree
     [InlineData(100, 800, 0.25, 60.0, 10.0)] // beyond the pole

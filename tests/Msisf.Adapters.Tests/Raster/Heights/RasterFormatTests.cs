@@ -9,7 +9,7 @@ namespace Msisf.Adapters.Tests.Raster.Heights;
 /// <summary>Rasters are read by their content, whatever their names are.</summary>
 public sealed class RasterFormatTests : IDisposable
 {
-    private const string Pds4 = "options = ['VAR_TARGET=Moon', 'VAR_TARGET_TYPE=Satellite', 'VAR_LOGICAL_IDENTIFIER=urn:a:b:c', "
+    internal const string Pds4 = "options = ['VAR_TARGET=Moon', 'VAR_TARGET_TYPE=Satellite', 'VAR_LOGICAL_IDENTIFIER=urn:a:b:c', "
         + "'VAR_TITLE=t', "
         + "'VAR_INVESTIGATION_AREA_NAME=i', 'VAR_INVESTIGATION_AREA_LID_REFERENCE=urn:a:b', 'VAR_OBSERVING_SYSTEM_NAME=o']";
 
@@ -85,7 +85,13 @@ public sealed class RasterFormatTests : IDisposable
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
     [InlineData("a *= 0.001", "look like kilometres", "scale=1000")]
     [InlineData("a = (a + 7000) / 0.3048", "look like feet", "scale=0.3048")]
-    [InlineData("a += 1737400", "look like radii from the Moon's centre in m", "scale=1,offset=-1737400")]
+    [InlineData("a += 1737400", "look like radii from the Moon's centre in m", "offset=-1737400")]
+    [InlineData(
+        "kind = gdal.GDT_Int16; a = np.round(a / 0.5); scale = 0.5; offset = 1737400", "look like radii from the Moon's centre in m",
+        "offset=-1737400")]
+    [InlineData("a /= 1000; offset = 1737.4", "look like radii from the Moon's centre in km", "scale=1000,offset=-1737400")]
+    [InlineData("a = np.where(line % 2 > 0, a, a + 60)", "half of their slopes are steeper than", "scale=0.5")]
+    [InlineData("a = a * 2 + 11000", "look like feet, or like steps of half a metre (they are from", "scale=0.5")]
     [InlineData(
         "kind = gdal.GDT_Float64; a = (a + 1737400) / 1000", "look like radii from the Moon's centre in km", "scale=1000,offset=-1737400")]
     [InlineData("a = np.clip(a / 4, 0, 255); kind = gdal.GDT_Byte", "look like a picture or a hillshade", "scale=1")]
@@ -97,6 +103,45 @@ public sealed class RasterFormatTests : IDisposable
         Assert.Contains(guess, exception.Message, StringComparison.Ordinal);
         Assert.Contains($",{option}", exception.Message, StringComparison.Ordinal);
         Assert.DoesNotContain('\n', exception.Message);
+
+        // What is advised is done, on the same file.
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null, new HeightOptions(Option("scale"), Option("offset")));
+        Assert.False(grid.MayHaveGaps);
+
+        double? Option(string name) => option.Split(',').Select(part => part.Split('=')).Where(part => part[0] == name)
+            .Select(part => (double?)double.Parse(part[1], System.Globalization.CultureInfo.InvariantCulture)).FirstOrDefault();
+    }
+
+    /// <summary>The file's own factor and offset are a part of the value; options are applied to that, and wrong ones are told.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData(0.5, -1_737_400.0, ",offset=-1737400 instead")]
+    [InlineData(1000.0, null, ",offset=-1737400 instead")]
+    [InlineData(null, 5.0, ",offset=-1737400 instead")]
+    public void Open_OptionsThatMakeNoHeights_AreNamedWithBetterOnes(double? scale, double? offset, string advice)
+    {
+        string path = TestRaster.Write(
+            _folder, "site.tif", "kind = gdal.GDT_Int16; a = np.round(a / 0.5); scale = 0.5; offset = 1737400");
+        Assert.Contains(
+            advice,
+            Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null, new HeightOptions(scale, offset))).Message,
+            StringComparison.Ordinal);
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null, new HeightOptions(Scale: null, Offset: -1_737_400.0));
+        double[] radius = new double[1];
+        grid.ReadRadii(77, 131, radius);
+        Assert.Equal(1_737_400.0 + TestRaster.HeightAt(77, 131), radius[0], 0.25); // half a step
+    }
+
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("scale = 0.0")]
+    [InlineData("scale = float('nan')")]
+    public void Open_ScaleThatMakesNoHeights_IsRefusedWithACommandThatHelps(string then)
+    {
+        string path = TestRaster.Write(_folder, "site.tif", then);
+        string message = Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message;
+        Assert.Contains("gdal_translate -a_scale 1 -a_offset 0.", message, StringComparison.Ordinal);
+        ChildRun.Of("gdal_translate", ["-q", "-a_scale", "1", "-a_offset", "0", path, _folder["new.tif"]], _folder.Path).Succeeded();
+        using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
+        Assert.Null(grid.NoteOfGaps());
     }
 
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]

@@ -21,7 +21,10 @@ public sealed class RasterGapTests : IDisposable
     [InlineData("np.nan", "(NaN)")]
     [InlineData("np.inf", "(Infinity)")]
     [InlineData("-np.inf", "(-Infinity)")]
-    [InlineData("20001", "(20001)")]
+    [InlineData("-9999", "(-9999)")]
+    [InlineData("-9501", "(-9501)")]
+    [InlineData("11501", "(11501)")]
+    [InlineData("-3.4e38", "(-3.4E+38)")]
     public void Open_UndeclaredValue_IsNoDataWithANote(string value, string text)
     {
         using GeoTiffGrid grid = Open($"a[100:103, 200:260] = {value}; a[270, 5] = {value}");
@@ -45,7 +48,7 @@ public sealed class RasterGapTests : IDisposable
 
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
     [InlineData("a[100:103, 200:260] = -9999; nodata = -9999", true)]
-    [InlineData("a[0, 0] = 19999", false)]
+    [InlineData("a[0, 0] = 11499; a[0, 1] = -9499", false)]
     [InlineData("pass", false)]
     public void Open_DeclaredOrPossibleValue_HasNoNote(string then, bool hasGaps)
     {
@@ -95,12 +98,72 @@ public sealed class RasterGapTests : IDisposable
         }
     }
 
+    /// <summary>Each pixel counts once, though several samples lie beside it.</summary>
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
-    public void Open_WarpedMapWithTwoUndeclaredValues_IsRefused() => Assert.Contains(
-        "line 12, sample 13: -32768, which is no height, besides NaN",
-        Assert.Throws<BadInputException>(
-            () => Open(Orthographic + "; a[3, 4] = np.nan; a[11, 12] = -32768")).Message,
-        StringComparison.Ordinal);
+    public void Open_WarpedMapWithSeveralUndeclaredValues_LeavesThemAllOut()
+    {
+        using GeoTiffGrid grid = Open(Orthographic + "; a[3, 4] = np.nan; a[11, 12] = -32768; a[100:110, 90:99] = -9999");
+        Assert.Contains("92 pixels are no heights", grid.NoteOfGaps(), StringComparison.Ordinal);
+        Assert.Contains("the first is line 4, sample 5 (NaN)", grid.NoteOfGaps(), StringComparison.Ordinal);
+    }
+
+    /// <summary>Special pixels of a cube are none that somebody forgot to declare; with a factor of 0.25 m they would be ground.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Open_SpecialPixelsOfACube_AreDeclared()
+    {
+        string path = TestRaster.Write(
+            _folder, "site.cub",
+            "kind = gdal.GDT_Int16; a = np.round(a / 0.25); a[5, 6:11] = [-32768, -32767, -32766, -32765, -32764]; scale = 0.25; "
+                + "options = ['TARGET_NAME=Moon']",
+            "ISIS3");
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(grid.NoteOfGaps());
+        bool[] gaps = new bool[TestRaster.Samples];
+        grid.ReadGaps(5, 0, gaps);
+        Assert.Equal([6, 7, 8, 9, 10], Enumerable.Range(0, gaps.Length).Where(sample => gaps[sample]));
+    }
+
+    /// <summary>Each constant that a label of PDS4 names is without data, not only the one that GDAL tells.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("invalid_constant")]
+    [InlineData("saturated_constant")]
+    [InlineData("unknown_constant")]
+    [InlineData("low_instrument_saturation")]
+    public void Open_ConstantOfPds4_IsDeclared(string name)
+    {
+        string path = TestRaster.Write(_folder, "site.xml", RasterFormatTests.Pds4 + "; a[7, 8] = -77", "PDS4");
+        string label = File.ReadAllText(path);
+        int end = label.IndexOf("</Array_2D_Image>", StringComparison.Ordinal);
+        end = end < 0 ? label.IndexOf("</Array_3D_Image>", StringComparison.Ordinal) : end;
+        File.WriteAllText(path, label.Insert(end, $"<Special_Constants><{name}>-77.0</{name}></Special_Constants>"));
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+        Assert.Null(grid.NoteOfGaps());
+        bool[] gap = new bool[2];
+        grid.ReadGaps(7, 8, gap);
+        Assert.Equal([true, false], gap);
+    }
+
+    /// <summary>A sparse file of 40 thousand million pixels is not looked at pixel by pixel.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Open_SparseFileWithoutPixels_IsNamedAtOnce()
+    {
+        const string Script = """
+            import sys
+            from osgeo import gdal, osr
+            data = gdal.GetDriverByName('GTiff').Create(
+                sys.argv[1], 200000, 200000, 1, gdal.GDT_Float32,
+                ['SPARSE_OK=TRUE', 'TILED=YES', 'BLOCKXSIZE=512', 'BLOCKYSIZE=512', 'BIGTIFF=YES'])
+            system = osr.SpatialReference()
+            system.ImportFromProj4('+proj=stere +lat_0=-90 +R=1737400')
+            data.SetProjection(system.ExportToWkt())
+            data.SetGeoTransform([-100000, 1, 0, 100000, 0, -1])
+            """;
+        string path = _folder["sparse.tif"];
+        ChildRun.Of(TestParts.Python!, ["-c", Script, path], _folder.Path).Succeeded();
+        Assert.Contains(
+            "a sparse file of 200000 x 200000 pixels that stores none of them",
+            Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message, StringComparison.Ordinal);
+    }
 
     private GeoTiffGrid Open(string then) => GeoTiffGrid.Open(TestRaster.Write(_folder, "site.tif", then), libraryPath: null);
 }

@@ -33,7 +33,7 @@ internal static class SplitModel
         byte[] bytes = new byte[(north - south) * (east - west) * sizeof(short)];
         for (int i = 0; i < bytes.Length / sizeof(short); i++)
         {
-            short value = TestModel.ValueAt(90 - north + (i / (east - west)), west + (i % (east - west)));
+            short value = TestModel.ValueAt(90 - north + (i / (east - west)), (west + 360 + (i % (east - west))) % 360);
             BinaryPrimitives.WriteInt16LittleEndian(bytes.AsSpan(i * sizeof(short)), value);
         }
 
