@@ -36,6 +36,6 @@ test_data_sets_every_command_of_the_page_of_navigation_runs() {
     printf '%s\n' id,lat,lon peak,-43.3,-8.5 >landmarks.csv
     printf '%s\n' time,lat,lon,height 2010-03-25T06:00:00Z,-46,-12,300000 2010-03-25T06:01:00Z,-45.5,-12,295000 >approach.csv
     run_page navigation-truth.md
-    assert_says '3 blocks'
+    assert_says '4 blocks'
     assert_file output/MoonSurfIllumSim_step_00001.flow.png
 }

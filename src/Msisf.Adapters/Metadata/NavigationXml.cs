@@ -57,7 +57,7 @@ internal static class NavigationXml
                 AppendAttribute(text, name, value is null ? null : CraterFields.TextOf(value));
             }
 
-            AppendAttribute(text, "covariance", view.Covariance is { } covariance
+            AppendAttribute(text, "covariance", CraterFields.CovarianceOf(view) is { } covariance
                 ? string.Join(' ', covariance.Select(number => CraterFields.TextOf(number)))
                 : null);
             text.Append(" />\n");
@@ -118,6 +118,22 @@ internal static class CraterFields
         ("emission", double.RadiansToDegrees(view.Emission)),
         ("residual", view.Residual),
     ];
+
+    /// <summary>
+    /// Covariance of h, v, semiMajor, semiMinor and turn, by rows, in the units of these numbers: px and degrees; null without one.
+    /// </summary>
+    public static double[]? CovarianceOf(CraterView view)
+    {
+        if (view.Covariance is not { } covariance)
+        {
+            return null;
+        }
+
+        int size = (int)Math.Sqrt(covariance.Count);
+        return [.. covariance.Select((number, place) => number * UnitOf(place / size) * UnitOf(place % size))];
+
+        double UnitOf(int index) => index == size - 1 ? double.RadiansToDegrees(1.0) : 1.0;
+    }
 
     /// <summary>A number as text; empty for none.</summary>
     public static string TextOf(double? value) => value?.ToString("R", CultureInfo.InvariantCulture) ?? string.Empty;

@@ -62,8 +62,11 @@ public static class NavigationCsvWriter
     private static IEnumerable<string> CovarianceNames() => Triangle().Select(
         place => $"cov_{EllipseParameters[place / EllipseParameters.Length]}_{EllipseParameters[place % EllipseParameters.Length]}");
 
-    private static IEnumerable<string> Covariances(CraterView view) =>
-        Triangle().Select(place => CraterFields.TextOf(view.Covariance?[place]));
+    private static IEnumerable<string> Covariances(CraterView view)
+    {
+        double[]? covariance = CraterFields.CovarianceOf(view);
+        return Triangle().Select(place => CraterFields.TextOf(covariance?[place]));
+    }
 
     private static IEnumerable<int> Triangle() =>
         from row in Enumerable.Range(0, EllipseParameters.Length)

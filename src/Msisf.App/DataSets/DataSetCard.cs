@@ -62,7 +62,7 @@ internal sealed record DataSetCard
                 ["fileSha256"] = Spec.Sha256,
                 ["seed"] = Spec.Seed,
                 ["noiseSeed"] = Spec.NoiseSeed,
-                ["sampling"] = Spec.IsSobol ? "sobol" : "random",
+                ["sampling"] = Spec.IsEven ? "kronecker" : "random",
                 ["images"] = Spec.Images,
                 ["pairs"] = Spec.HasPairs,
                 ["again"] = Again,
@@ -126,7 +126,7 @@ internal sealed record DataSetCard
         string pairs = Spec.HasPairs ? ", two and two of which are a pair" : string.Empty;
         writer.WriteLine(Invariant(
             $"{Spec.Images} images of {Camera.Width} x {Camera.Height} px{pairs}, made by msis {Version} from "
-                + $"{Path.GetFileName(Spec.Path)} (SHA-256 {Spec.Sha256}). States at {(Spec.IsSobol ? "Sobol's" : "random")} points, "
+                + $"{Path.GetFileName(Spec.Path)} (SHA-256 {Spec.Sha256}). States at {(Spec.IsEven ? "Kronecker's" : "random")} points, "
                 + $"seed {Spec.Seed}."));
         writer.WriteLine($"Licence: {Spec.Licence ?? "not stated; see the sources"}.\n");
         writer.WriteLine("Any image again, to the byte:\n");

@@ -66,6 +66,9 @@ internal sealed class DataSetFile
     private DataSetSpec Read(OptionValues line, ProgramHost host)
     {
         ulong seed = Seed("seed") ?? 1;
+        (IReadOnlyList<Split> splits, IReadOnlyList<int> order) = SplitSection.Read(
+            _file, Section(SplitSection.Key, "the splits", KeysBelow(SplitSection.Key)), States(), KeysBelow(SplitSection.Key),
+            _file.Whole("count", 1, MostImages) ?? throw _file.Missing("count", "how many images, or pairs, it has"));
         return new DataSetSpec
         {
             Path = _path,
@@ -75,11 +78,10 @@ internal sealed class DataSetFile
             Licence = _file.Text("licence"),
             Seed = seed,
             NoiseSeed = Seed("noise-seed") ?? seed,
-            IsSobol = _file.Word("sampling", ["sobol", "random"]) != "random",
+            IsEven = _file.Word("sampling", ["kronecker", "random"]) != "random",
             Distributions = Distributions(),
-            Splits = SplitSection.Read(
-                _file, Section(SplitSection.Key, "the splits", KeysBelow(SplitSection.Key)), States(), KeysBelow(SplitSection.Key),
-                _file.Whole("count", 1, MostImages) ?? throw _file.Missing("count", "how many images, or pairs, it has")),
+            Splits = splits,
+            Order = order,
             HasPairs = _file.Has(Quantity.Pair),
             Accept = Accept(),
             Indexes = Indexes(),

@@ -10,7 +10,7 @@ using Msisf.Core.Scene;
 namespace Msisf.App.DataSets;
 
 /// <summary>Writes the index of a data set: all images in CSV, and each split in the formats that are wished.</summary>
-internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraModel camera)
+internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraModel camera, CocoSource source)
 {
     public const string CsvName = "index.csv";
 
@@ -116,7 +116,9 @@ internal sealed class DataSetIndex(IReadOnlyList<DataSetImage> images, CameraMod
     {
         using Utf8JsonWriter json = new(stream);
         json.WriteStartObject();
-        CocoWriter.WriteHead(json, (camera.Width, camera.Height), own.Select(image => (image.Number, image.FileName)));
+        CocoWriter.WriteHead(
+            json, source, (camera.Width, camera.Height),
+            [.. own.Select(image => new CocoImage(image.Number, image.FileName, image.Drawn.State.Time))]);
         int number = 0;
         json.WriteStartArray("annotations");
         foreach (DataSetImage image in own)

@@ -3,6 +3,7 @@ using System.Text;
 using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
+using Msisf.Adapters.Navigation;
 using Msisf.App.Cluster;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -40,35 +41,50 @@ internal sealed class DataSetRun
     public static async Task<int> RunAsync(
         string path, OptionValues line, IReadOnlyList<string> words, ProgramHost host, CancellationToken cancellation)
     {
-        bool isOnSlurm = DataSetOptions.ReadIsOnSlurm(line);
         DataSetSpec spec = DataSetFile.Read(path, line, host);
         DataSetRun run = new(spec, RigOptions.ReadOne(spec.Options, host.GeoTiffs, "a data set is of one"), host);
         run.RefuseUseless();
+        ResourceCheck.Check([(run._settings, 1)], 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, long.MaxValue);
         DrawnStates drawn = run.Draw(cancellation);
-        string states = run.WriteStates(drawn);
-        OptionValues values = spec.Options.With([KeyValuePair.Create(CameraOptions.BatchFile.Name, new OptionValue([states]))]);
-        if (isOnSlurm)
+        FolderBefore before = FolderBefore.Of(run.Folder);
+        try
         {
-            RunSubmission submission = await RunSubmission.SubmitAsync(values, words, host, cancellation).ConfigureAwait(false);
+            return await run.MakeAsync(drawn, line, words, cancellation).ConfigureAwait(false);
+        }
+        catch (MsisfException)
+        {
+            before.RestoreIfUnused();
+            throw;
+        }
+    }
+
+    private async Task<int> MakeAsync(DrawnStates drawn, OptionValues line, IReadOnlyList<string> words, CancellationToken cancellation)
+    {
+        string states = WriteStates(drawn);
+        OptionValues values = _spec.Options.With([KeyValuePair.Create(CameraOptions.BatchFile.Name, new OptionValue([states]))]);
+        if (DataSetOptions.ReadIsOnSlurm(line))
+        {
+            RunSubmission submission = await RunSubmission.SubmitAsync(values, words, _host, cancellation).ConfigureAwait(false);
             if (!ScriptOptions.Wait.Read(values))
             {
-                host.Log.Note("When the jobs have ended, the same call without --pieces writes index and card, and makes what is missing.");
+                _host.Log.Note(
+                    "When the jobs have ended, the same call without --pieces writes index and card, and makes what is missing.");
                 return 0;
             }
 
             int code = await submission.FollowAsync(cancellation).ConfigureAwait(false);
             if (code != 0)
             {
-                host.Log.Error($"images are missing after all retries: the logs in {submission.Run.Script}.logs say why.");
+                _host.Log.Error($"images are missing after all retries: the logs in {submission.Run.Script}.logs say why.");
                 return code;
             }
         }
         else
         {
-            await RenderRun.RunAsync(TrajectorySettingsReader.Read(values), [run._settings], host, cancellation).ConfigureAwait(false);
+            await RenderRun.RunAsync(TrajectorySettingsReader.Read(values), [_settings], _host, cancellation).ConfigureAwait(false);
         }
 
-        run.Finish(drawn, cancellation);
+        Finish(drawn, cancellation);
         return 0;
     }
 
@@ -83,7 +99,8 @@ internal sealed class DataSetRun
         if (_spec.Indexes.Contains("coco") && _settings.Native.Navigation?.Craters is null)
         {
             throw new BadInputException(
-                $"{_spec.Path}: the index 'coco' holds craters, and no option names a catalogue. Add 'craters' below 'options'.");
+                $"{_spec.Path}: the index 'coco' holds craters, and no option names a catalogue. Add one below 'options', e.g. "
+                    + "'craters: craters.csv', or leave 'coco' out of 'index'.");
         }
     }
 
@@ -106,7 +123,7 @@ internal sealed class DataSetRun
         return drawn;
     }
 
-    /// <summary>Writes the states, unless they are there; those of another data set are not replaced.</summary>
+    /// <summary>Writes the states, unless they are there; those of another data set are not replaced, those of fewer images are.</summary>
     private string WriteStates(DrawnStates drawn)
     {
         string path = Path.Combine(Folder, StatesName);
@@ -114,12 +131,24 @@ internal sealed class DataSetRun
         BatchFileWriter.Write(
             text, $"states of the data set {_spec.Name}, msis {_host.Version}", [.. drawn.States.Select(state => state.State)]);
         string content = text.ToString();
-        if (File.Exists(path) && !_settings.Overwrite
-            && FileErrors.ToBadInput($"{path}: can't be read", () => File.ReadAllText(path)) != content)
+        if (File.Exists(path) && !_settings.Overwrite)
         {
-            throw new UsageException(
-                $"{Folder}: another data set, or another state of this one, is there: {StatesName} differs. Use --overwrite to replace it, "
-                    + "or another --output-dir.").About(OutputOptions.Folder);
+            string known = FileErrors.ToBadInput($"{path}: can't be read", () => File.ReadAllText(path));
+            if (known.Length > content.Length && known.StartsWith(content, StringComparison.Ordinal))
+            {
+                throw new UsageException(Invariant(
+                    $"{Folder}: more images of this data set are there than 'count' says. Set 'count' to at least "
+                        + $"{_spec.Order.Count + ((known[content.Length..].Count(letter => letter == '\n')) / (_spec.HasPairs ? 2 : 1))}, "
+                        + $"or use another --output-dir.")).About(OutputOptions.Folder);
+            }
+
+            // A data set of more images begins with those that are there.
+            if (!content.StartsWith(known, StringComparison.Ordinal))
+            {
+                throw new UsageException(
+                    $"{Folder}: another data set, or another state of this one, is there: {StatesName} differs. Use --overwrite to "
+                        + "replace it, or another --output-dir.").About(OutputOptions.Folder);
+            }
         }
 
         OutputOptions.Folder.NamedInErrors(() => FileErrors.ToExternalPart(
@@ -147,7 +176,7 @@ internal sealed class DataSetRun
         using AtomicFileSet files = new();
         string states = Path.Combine(Folder, StatesName);
         List<string> paths = [Path.Combine(Folder, DataSetIndex.CsvName)];
-        DataSetIndex index = new(images, _settings.CameraModel);
+        DataSetIndex index = new(images, _settings.CameraModel, CocoSourceOf(content.Settings[frames[0].Settings].Description));
         files.WriteText(paths[0], index.WriteCsv);
         foreach (Split split in _spec.Splits)
         {
@@ -170,6 +199,12 @@ internal sealed class DataSetRun
         {
             _host.Results.WriteLine(path);
         }
+    }
+
+    private CocoSource CocoSourceOf(string description)
+    {
+        IEnumerable<string> ofSources = DataSetSource.Of(_spec, description).Select(source => $"{source.Name}: {source.Licence}");
+        return new CocoSource(_spec.Description ?? _spec.Name, _host.Version, [_spec.Licence ?? CocoSource.NoLicence, .. ofSources]);
     }
 
     private DataSetCard CardOf(DrawnStates drawn, ManifestContent content, FrameRecord[] frames, IReadOnlyList<OutputFile> files)

@@ -24,13 +24,16 @@ internal sealed record DataSetSpec
     /// <summary>Chooses the noise of the detectors; each image has its own step of it.</summary>
     public required ulong NoiseSeed { get; init; }
 
-    /// <summary>Whether states are at Sobol's points, or at random.</summary>
-    public required bool IsSobol { get; init; }
+    /// <summary>Whether states are at Kronecker's points, or at random.</summary>
+    public required bool IsEven { get; init; }
 
     /// <summary>How the numbers of a state are distributed; those that are not drawn are missing.</summary>
     public required IReadOnlyDictionary<Quantity, Distribution> Distributions { get; init; }
 
     public required IReadOnlyList<Split> Splits { get; init; }
+
+    /// <summary>Which of the splits each image, or pair, belongs to.</summary>
+    public required IReadOnlyList<int> Order { get; init; }
 
     /// <summary>Whether each image has a second one near it.</summary>
     public required bool HasPairs { get; init; }
@@ -46,7 +49,7 @@ internal sealed record DataSetSpec
 
     public required OptionValues Options { get; init; }
 
-    public int Images => Splits.Sum(split => split.Count) * (HasPairs ? 2 : 1);
+    public int Images => Order.Count * (HasPairs ? 2 : 1);
 }
 
 /// <summary>What each image of a data set must meet.</summary>

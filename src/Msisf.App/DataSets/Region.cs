@@ -66,4 +66,33 @@ internal sealed record Split(string Name, int Count, IReadOnlyList<Region> Regio
 
         return (Regions[^1].At(Math.Clamp(left / Regions[^1].Area, 0.0, 1.0), y), Regions[^1]);
     }
+
+    /// <summary>
+    /// Which split each image, or pair, belongs to: the one that lacks most of its part of all so far. So the first images belong to the
+    /// same splits, however many follow.
+    /// </summary>
+    /// <param name="parts">Of each split; their sum is 1.</param>
+    public static int[] OrderOf(IReadOnlyList<double> parts, int count)
+    {
+        int[] order = new int[count];
+        int[] given = new int[parts.Count];
+        for (int number = 0; number < count; number++)
+        {
+            int most = 0;
+            for (int split = 1; split < given.Length; split++)
+            {
+                if (Lack(split) > Lack(most))
+                {
+                    most = split;
+                }
+            }
+
+            order[number] = most;
+            given[most]++;
+
+            double Lack(int split) => (parts[split] * (number + 1)) - given[split];
+        }
+
+        return order;
+    }
 }

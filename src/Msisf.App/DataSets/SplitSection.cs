@@ -27,7 +27,8 @@ internal static partial class SplitSection
     /// <param name="states">The section of the states, which has the region of all.</param>
     /// <param name="keys">The section's keys in their order.</param>
     /// <param name="count">Number of images, or of pairs.</param>
-    public static IReadOnlyList<Split> Read(
+    /// <returns>The splits, and to which of them each image, or pair, belongs.</returns>
+    public static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) Read(
         SettingsSection file, SettingsSection? section, SettingsSection states, IReadOnlyList<string> keys, int count)
     {
         Region whole = RegionOf(states);
@@ -35,7 +36,7 @@ internal static partial class SplitSection
         {
             return file.Has(Key)
                 ? throw file.Wrong(Key, "'split' is a section: put its keys below it, each in a line of its own and indented")
-                : [new Split(All, count, [whole], IsBound: false)];
+                : ([new Split(All, count, [whole], IsBound: false)], new int[count]);
         }
 
         string[] names = [.. keys.Where(key => key is not (Width or Gap))];
@@ -75,7 +76,8 @@ internal static partial class SplitSection
             ? region
             : null;
 
-    private static IReadOnlyList<Split> OfRegions(SettingsSection section, SettingsSection states, string[] names, int count)
+    private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) OfRegions(
+        SettingsSection section, SettingsSection states, string[] names, int count)
     {
         if (section.Has(Width) || section.Has(Gap) || states.Has("latitude") || states.Has("longitude"))
         {
@@ -101,11 +103,11 @@ internal static partial class SplitSection
         }
 
         double area = regions.Sum(region => region.Area);
-        int[] counts = Counts([.. regions.Select(region => region.Area / area)], count);
-        return [.. names.Select((name, index) => new Split(name, counts[index], [regions[index]], IsBound: true))];
+        return Of(names, [.. regions.Select(region => region.Area / area)], [.. regions.Select(region => (Region[])[region])], count);
     }
 
-    private static IReadOnlyList<Split> OfShares(SettingsSection section, string[] names, Region whole, int count)
+    private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) OfShares(
+        SettingsSection section, string[] names, Region whole, int count)
     {
         double[] shares = [.. names.Select(name => section.Positive(name)!.Value)];
         double sum = shares.Sum();
@@ -133,24 +135,19 @@ internal static partial class SplitSection
             regions[last].Add(whole with { West = west + (0.5 * gap), East = west + width - (0.5 * gap) });
         }
 
-        int[] counts = Counts(shares, count);
         return regions.ToList().FindIndex(list => list.Count == 0) is >= 0 and int empty
             ? throw section.Wrong(
                 names[empty], $"the share of '{names[empty]}' is smaller than one of {lunes} regions. Make 'width' smaller")
-            : [.. names.Select((name, index) => new Split(name, counts[index], regions[index], IsBound: true))];
+            : Of(names, shares, regions, count);
     }
 
-    /// <summary>Whole numbers in given parts, which add up to a sum; each is at least 1 where the sum allows it.</summary>
-    private static int[] Counts(double[] parts, int sum)
+    private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) Of(
+        string[] names, double[] parts, IReadOnlyList<IReadOnlyList<Region>> regions, int count)
     {
-        int[] counts = [.. parts.Select(part => (int)Math.Floor(part * sum))];
-        foreach (int index in Enumerable.Range(0, parts.Length).OrderByDescending(index => (parts[index] * sum) - counts[index])
-            .Take(sum - counts.Sum()).ToArray())
-        {
-            counts[index]++;
-        }
-
-        return counts;
+        int[] order = Split.OrderOf(parts, count);
+        return (
+            [.. names.Select((name, index) => new Split(name, order.Count(split => split == index), regions[index], IsBound: true))],
+            order);
     }
 
     [GeneratedRegex(@"^[A-Za-z][A-Za-z0-9_-]{0,40}\z")]

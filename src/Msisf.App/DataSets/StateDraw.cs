@@ -22,7 +22,7 @@ internal sealed class StateDraw(
     /// <summary>So many states in a row that meet no condition are enough to give up.</summary>
     private const int MostInVain = 2000;
 
-    /// <summary>States that are looked at side by side; which ones are taken does not depend on it.</summary>
+    /// <summary>States that are looked at side by side at most; which ones are taken does not depend on it.</summary>
     private const int Block = 64;
 
     private const string InTheGround = "above the ground";
@@ -37,24 +37,25 @@ internal sealed class StateDraw(
     /// <exception cref="BadInputException">No state meets the conditions.</exception>
     public DrawnStates Run(IRunProgress progress, CancellationToken cancellation)
     {
-        List<DrawnState> taken = [];
+        List<DrawnState[]>[] taken = [.. spec.Splits.Select(_ => new List<DrawnState[]>())];
         List<SplitDraw> draws = [];
         for (int index = 0; index < spec.Splits.Count; index++)
         {
             Split split = spec.Splits[index];
-            UnitCubePoints points = new(Quantity.Coordinates, spec.IsSobol, spec.Seed, index);
+            UnitCubePoints points = new(Quantity.Coordinates, spec.IsEven, spec.Seed, index);
             SortedDictionary<string, int> rejected = new(StringComparer.Ordinal);
             int found = 0;
             int inVain = 0;
             long candidate = 0;
             while (found < split.Count)
             {
-                foreach ((DrawnState[] states, string? failed) in Looked(split, points, candidate, cancellation))
+                foreach ((DrawnState[] states, string? failed) in Looked(
+                    split, points, candidate, Math.Min(Block, split.Count - found), cancellation))
                 {
                     candidate++;
                     if (failed is null)
                     {
-                        taken.AddRange(states);
+                        taken[index].Add(states);
                         progress.Advance(split.Name);
                         (found, inVain) = (found + 1, 0);
                     }
@@ -83,7 +84,8 @@ internal sealed class StateDraw(
         }
 
         // Both images of a pair stand side by side; each has a step of the noise.
-        return new DrawnStates([.. taken.Select(WithNoise)], draws);
+        int[] next = new int[taken.Length];
+        return new DrawnStates([.. spec.Order.SelectMany(split => taken[split][next[split]++]).Select(WithNoise)], draws);
     }
 
     private DrawnState WithNoise(DrawnState drawn, int index) => settings.Native.Detector is null ? drawn
@@ -94,9 +96,9 @@ internal sealed class StateDraw(
 
     /// <summary>The states of the next points, each with the condition that it does not meet.</summary>
     private (DrawnState[] States, string? Failed)[] Looked(
-        Split split, UnitCubePoints points, long first, CancellationToken cancellation)
+        Split split, UnitCubePoints points, long first, int count, CancellationToken cancellation)
     {
-        DrawnState[][] drawn = [.. Enumerable.Range(0, Block)
+        DrawnState[][] drawn = [.. Enumerable.Range(0, count)
             .Select(index => _maker.Of(split, first + index, points.PointAt(first + index)))];
 
         // CSPICE is not thread-safe, so that all lights come first.
@@ -104,8 +106,14 @@ internal sealed class StateDraw(
             [.. states.Select(state => state.State)], [.. states.Select(_ => split.Name)], settings with { Frames = null },
             new SunPositions(ephemeris, settings.Aberration),
             cancellation))];
-        (DrawnState[] States, string? Failed)[] looked = new (DrawnState[], string?)[Block];
-        Parallel.For(0, Block, new ParallelOptions { CancellationToken = cancellation }, index =>
+        (DrawnState[] States, string? Failed)[] looked = new (DrawnState[], string?)[count];
+        ParallelOptions sideBySide = new()
+        {
+            CancellationToken = cancellation,
+            MaxDegreeOfParallelism = ResourceCheck.AtOnce(
+                settings, count, Environment.ProcessorCount, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes),
+        };
+        Parallel.For(0, count, sideBySide, index =>
         {
             DrawnState[] states = drawn[index];
             string? failed = null;
@@ -143,7 +151,7 @@ internal sealed class StateDraw(
         drawn = drawn with { Ground = view.Ground, Lit = view.Lit, Sun = sun };
         return (drawn, view.Ground < accept.Ground ? GroundShare
             : view.Lit < accept.Lit ? LitShare
-            : split.IsBound && !view.Points.All(drawn.Region.Contains) ? OneRegion
+            : split.IsBound && !(view.Points.All(drawn.Region.Contains) && probe.ShowsOnly(frame, drawn.Region, cancellation)) ? OneRegion
             : null);
     }
 }

@@ -8,6 +8,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
@@ -74,7 +75,9 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
     }
 }
 
-/// <summary>Tells what an image will show from a small one of the same view, with terrain and shadows. Thread-safe.</summary>
+/// <summary>
+/// Tells what an image will show: roughly, from a small one with terrain and shadows, or from each of its pixels. Thread-safe.
+/// </summary>
 internal sealed class ViewProbe
 {
     /// <summary>px: longer side of the small image.</summary>
@@ -82,20 +85,20 @@ internal sealed class ViewProbe
 
     private readonly CameraModel _camera;
     private readonly NativeDrawing _drawing;
+    private readonly NativeLevels _levels;
+    private readonly int _subsamplesPerAxis;
+    private readonly NativeRenderOptions _ground;
 
     /// <summary>Prepares the small images.</summary>
     public ViewProbe(RenderSettings settings, ElevationModel model, SurfaceInputs maps, RunTimes times)
     {
         NativeSettings native = settings.Native;
-        NativeSettings small = native with
-        {
-            Detector = null,
-            Layers = null,
-            Navigation = null,
-            Render = native.Render with { KeepGroundTruth = true, SubsamplesPerAxis = 1, Adaptive = null, Indirect = null },
-        };
+        _subsamplesPerAxis = native.Render.DetailSubsamplesPerAxis;
+        _ground = native.Render with { KeepGroundTruth = true, SubsamplesPerAxis = 1, Adaptive = null, Indirect = null };
+        NativeSettings small = native with { Detector = null, Layers = null, Navigation = null, Render = _ground };
         _camera = ReducedCamera.ModelOf(settings.CameraModel, LongerSide);
-        _drawing = new NativeDrawing(small, model.Grid, maps, new NativeLevels(model.DetailOf(settings.LevelOfDetailError)), times);
+        _levels = new NativeLevels(model.DetailOf(settings.LevelOfDetailError));
+        _drawing = new NativeDrawing(small, model.Grid, maps, _levels, times);
     }
 
     public View Of(Frame frame, CancellationToken cancellation)
@@ -121,6 +124,44 @@ internal sealed class ViewProbe
 
         double ground = (double)points.Count / (_camera.Width * _camera.Height);
         return new View(ground, points.Count > 0 ? (double)lit / points.Count : 0.0, points);
+    }
+
+    /// <summary>
+    /// Whether all ground that an image shows lies in a region: on the surface that is drawn, at the centre of each pixel and of those
+    /// around the image, so that what a pixel at its border shows lies in it, too.
+    /// </summary>
+    public bool ShowsOnly(Frame frame, Region region, CancellationToken cancellation)
+    {
+        NativeRenderer renderer = _levels.For(frame.Camera, _subsamplesPerAxis);
+        ICamera camera = Widened(frame.Camera);
+        SceneLight lamp = new(camera.PositionBodyFixed, IsSun: false); // no light is asked for, and this one throws no shadows
+        using NativeFrame drawn = renderer.Render(camera, lamp, _ground, threads: 1, cancellation);
+        IGroundTruth truth = drawn;
+        for (int y = 1; y <= camera.Height; y++)
+        {
+            for (int x = 1; x <= camera.Width; x++)
+            {
+                if (truth.TryGet(x, y, out SurfaceHit hit, out _) && !region.Contains(hit.PointBodyFixed))
+                {
+                    return false;
+                }
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>The camera with a pixel more on each side; without where a lens does not reach so far.</summary>
+    private static ICamera Widened(ICamera camera)
+    {
+        try
+        {
+            return camera.Window(-1, -1, camera.Width + 2, camera.Height + 2);
+        }
+        catch (BadInputException)
+        {
+            return camera;
+        }
     }
 }
 

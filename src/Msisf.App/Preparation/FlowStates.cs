@@ -20,6 +20,7 @@ internal static class FlowStates
     /// <exception cref="MsisfException">The target can't be read, or its image is another one.</exception>
     public static IReadOnlyList<SpacecraftState> Of(IReadOnlyList<SpacecraftState> states, RenderSettings settings)
     {
+        RefuseMovingRows(states, settings);
         if (settings.Native.Navigation?.Flow is not { } target)
         {
             return states;
@@ -47,6 +48,31 @@ internal static class FlowStates
         return [.. states.Select((state, index) => other(index) >= 0 && other(index) < states.Count
             ? state with { Flow = FlowState.Of(states[other(index)]) }
             : state)];
+    }
+
+    /// <summary>Rows with states of their own have no other image to which a flow leads, nor one beside them.</summary>
+    private static void RefuseMovingRows(IReadOnlyList<SpacecraftState> states, RenderSettings settings)
+    {
+        OptionSpec? option = settings.Native.Navigation switch
+        {
+            { Flow: not null } => NavigationOptions.Flow,
+            { Stereo: not null } => NavigationOptions.Stereo,
+            _ => null,
+        };
+        if (option is null)
+        {
+            return;
+        }
+
+        bool rolls = settings.Native.Detector?.Settings.Shutter is { IsRolling: true }
+            && states.Any(state => state.Motion is { IsRest: false } || state.Path is not null);
+        if (settings.Scan is not null || rolls)
+        {
+            string why = rolls ? "the shutter of this one rolls while it moves" : "this one scans";
+            string change = rolls ? "give the camera file a global 'shutter'" : "remove 'scan' from the camera file";
+            throw option.Wrong(
+                $"needs a camera whose rows are all taken at once, and {why}. Leave it out, or {change}.", ImageOptions.Camera);
+        }
     }
 
     private static FlowState Read(string target, RenderSettings settings)

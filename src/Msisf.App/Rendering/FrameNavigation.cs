@@ -44,7 +44,9 @@ internal sealed class FrameNavigation(NavigationInputs inputs)
         {
             files.WriteText($"{stem}.craters.csv", writer => NavigationCsvWriter.Write(writer, craters, referenceRadius));
             files.Write($"{stem}.craters.json", stream => CocoWriter.Write(
-                stream, craters, metadata.Camera, (step, $"{Path.GetFileName(stem)}.png"), referenceRadius));
+                stream, craters, metadata.Camera,
+                new CocoSource($"Craters of {Path.GetFileName(stem)}", metadata.Version, [CocoSource.NoLicence]),
+                new CocoImage(step, $"{Path.GetFileName(stem)}.png", metadata.SimulationTime), referenceRadius));
             paths.AddRange([$"{stem}.craters.csv", $"{stem}.craters.json"]);
         }
 
@@ -73,8 +75,7 @@ internal sealed class FlowOutputs(NavigationSettings settings)
 
         ArgumentNullException.ThrowIfNull(rendered.Redraw);
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        FrameCamera camera = frame.Camera as FrameCamera ?? throw new BadInputException(
-            "the rows of this camera have times and places of their own, which a flow can't lead to.");
+        FrameCamera camera = (FrameCamera)frame.Camera; // FlowStates refuses others
         FlowFinder finder = new(rendered.Truth, rendered.Redraw);
         List<string> paths = [];
         if (frame.Flow is { } target)

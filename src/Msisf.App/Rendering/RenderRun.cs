@@ -118,18 +118,14 @@ internal sealed class RenderRun
         (NavigationInputs? Navigation, IEphemeris? OfModels) truth, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
+        RequireRoom(frames, FrameLedger.AreThere(Settings.OutputFolder, plan, frames, Settings.Overwrite));
         CreateFolder(Settings.OutputFolder);
         using FrameLedger ledger = _times.Measure(
             Phase.Manifest, () => new FrameLedger(Settings.OutputFolder, plan, Settings.Overwrite, _host.Log));
         FrameOutputs?[] known = _times.Measure(Phase.Manifest, () => Known(frames, ledger));
         int missing = known.Count(outputs => outputs is null);
         int cores = Environment.ProcessorCount;
-        long memory = GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
-        int atOnce = _cameras.Min(settings => ResourceCheck.AtOnce(settings, missing, cores, memory));
-        ResourceCheck.Check(
-            [.. _cameras.Select((settings, index) => (settings, frames.Zip(known, (frame, outputs) =>
-                outputs is null && frame.CameraIndex == index).Count(isMissing => isMissing)))],
-            atOnce, memory, new DriveInfo(Path.GetFullPath(Settings.OutputFolder)).AvailableFreeSpace);
+        int atOnce = AtOnce(missing);
 
         InputComparison comparison = new(_host.Log);
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
@@ -145,7 +141,7 @@ internal sealed class RenderRun
         FrameProgress progress = new(display, isLong);
         using RendererOfRun renderer = new(Settings.Renderer == RendererKind.Native
             ? Native(run.Model, maps, files, exposures, progress)
-            : [PovRay(run.Model, maps.Albedo, files[0], atOnce, ResourceCheck.SmallScenesAtOnce(Settings, atOnce, memory))]);
+            : [PovRay(run.Model, maps.Albedo, files[0], atOnce, ResourceCheck.SmallScenesAtOnce(Settings, atOnce, MemoryThere))]);
         using FrameTimes frameTimes = new(Settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
 
@@ -163,6 +159,26 @@ internal sealed class RenderRun
                 exposure.Write(_host.Log);
             }
         }
+    }
+
+    private static long MemoryThere => GC.GetGCMemoryInfo().TotalAvailableMemoryBytes;
+
+    private int AtOnce(int missing) =>
+        _cameras.Min(settings => ResourceCheck.AtOnce(settings, missing, Environment.ProcessorCount, MemoryThere));
+
+    /// <summary>Checks memory and disk before anything is written.</summary>
+    private void RequireRoom(IReadOnlyList<Frame> frames, bool[] areThere)
+    {
+        string folder = Path.GetFullPath(Settings.OutputFolder);
+        while (!Directory.Exists(folder) && Path.GetDirectoryName(folder) is { } above)
+        {
+            folder = above;
+        }
+
+        ResourceCheck.Check(
+            [.. _cameras.Select((settings, index) =>
+                (settings, frames.Zip(areThere).Count(pair => !pair.Second && pair.First.CameraIndex == index)))],
+            AtOnce(areThere.Count(isThere => !isThere)), MemoryThere, new DriveInfo(folder).AvailableFreeSpace);
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>

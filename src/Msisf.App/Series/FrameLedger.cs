@@ -49,6 +49,26 @@ internal sealed class FrameLedger : IDisposable
         _owners = new Lazy<IReadOnlyDictionary<string, string>>(Owners);
     }
 
+    /// <summary>Which frames seem to be there and complete, by the lengths of their files; nothing is written.</summary>
+    /// <param name="folder">Folder of the outputs; it may be missing.</param>
+    /// <param name="overwrite">Whether existing frames are to be made again.</param>
+    /// <returns>In the order of the frames.</returns>
+    public static bool[] AreThere(string folder, RunPlan plan, IReadOnlyList<Frame> frames, bool overwrite)
+    {
+        ManifestFile manifest = new(folder);
+        if (overwrite || !File.Exists(manifest.FilePath))
+        {
+            return new bool[frames.Count];
+        }
+
+        using ManifestReader reader = new(manifest);
+        reader.Refresh();
+        FrameChecker checker = new(folder, CheckDepth.Lengths);
+        return [.. frames.Select(frame => checker.Check(
+            plan.Expected(frame.Step, frame.CameraIndex), reader.Content.Frames.GetValueOrDefault(frame.Name), null).State
+                == FrameState.Complete)];
+    }
+
     /// <summary>Folder of files that are not yet complete.</summary>
     public string Staging => _staging.Path;
 

@@ -78,6 +78,24 @@ public sealed class BandedCamera : ICamera
     /// </remarks>
     public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point)
     {
+        (double nearest, PixelRows where) = ProjectNearest(pointBodyFixed, out point);
+        if (nearest is > 0.0 and < double.PositiveInfinity && point.Y >= 0.5 && point.Y <= Height + 0.5)
+        {
+            point = point with { Y = where.First + where.End < Height ? 0.5 - nearest : Height + 0.5 + nearest };
+        }
+
+        return nearest < double.PositiveInfinity;
+    }
+
+    /// <inheritdoc/>
+    /// <remarks>A point between the rows of two bands has its place beside those of the nearer one.</remarks>
+    public bool TryProjectOutline(Vector3D pointBodyFixed, out RenderingPoint point) =>
+        ProjectNearest(pointBodyFixed, out point).Distance < double.PositiveInfinity;
+
+    /// <summary>The place of a point in the band in whose rows it lies, or beside whose rows it lies nearest.</summary>
+    /// <returns>px from that band's rows, infinite if no band sees the point; and the rows.</returns>
+    private (double Distance, PixelRows Rows) ProjectNearest(Vector3D pointBodyFixed, out RenderingPoint point)
+    {
         (double nearest, point, PixelRows where) = (double.PositiveInfinity, default, default);
         foreach ((PixelRows rows, FrameCamera camera) in _bands)
         {
@@ -90,12 +108,7 @@ public sealed class BandedCamera : ICamera
             }
         }
 
-        if (nearest is > 0.0 and < double.PositiveInfinity && point.Y >= 0.5 && point.Y <= Height + 0.5)
-        {
-            point = point with { Y = where.First + where.End < Height ? 0.5 - nearest : Height + 0.5 + nearest };
-        }
-
-        return nearest < double.PositiveInfinity;
+        return (nearest, where);
     }
 
     /// <inheritdoc/>

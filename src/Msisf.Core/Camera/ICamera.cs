@@ -40,6 +40,12 @@ public interface ICamera
     /// <returns>False for a point that no row sees, because it lies behind the camera.</returns>
     bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point);
 
+    /// <summary>
+    /// Where a point is seen, or would be if its neighbours in the image left no gap between their rows: outlines are closed curves then.
+    /// </summary>
+    /// <inheritdoc cref="TryProjectPoint"/>
+    bool TryProjectOutline(Vector3D pointBodyFixed, out RenderingPoint point) => TryProjectPoint(pointBodyFixed, out point);
+
     /// <summary>The camera of a part of the image, or of more than it, in which each pixel shows what it shows in the whole.</summary>
     /// <param name="left">Columns of the whole to the left of it; negative where it reaches farther than the whole.</param>
     /// <param name="top">Rows of the whole above it.</param>

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Navigation;
@@ -8,7 +7,7 @@ namespace Msisf.Core.Navigation;
 public sealed class CraterCatalogue(IReadOnlyList<Crater> craters)
 {
     private readonly Vector3D[] _directions = [.. craters.Select(crater => CraterDisc.Of(crater, 1.0).Up)];
-    private readonly ConditionalWeakTable<ITerrain, double[]> _radii = [];
+    private readonly ConditionalWeakTable<ITerrain, KnownGround> _grounds = [];
 
     /// <summary>In the order of the catalogue.</summary>
     public IReadOnlyList<Crater> Craters { get; } = craters;
@@ -20,17 +19,26 @@ public sealed class CraterCatalogue(IReadOnlyList<Crater> craters)
     /// <param name="index">In <see cref="Craters"/>.</param>
     public CraterDisc DiscOf(int index, ITerrain terrain)
     {
-        double[] radii = _radii.GetValue(terrain, _ => new double[Craters.Count]);
-        double radius = radii[index];
+        KnownGround known = KnownOf(terrain);
+        double radius = known.Radii[index];
         if (radius == 0.0)
         {
             // Two threads may both compute it; they get the same.
-            radius = TerrainHeight.RadiusBelow(terrain, _directions[index]);
-            radii[index] = radius;
+            radius = known.Ground.RadiusAt(_directions[index]);
+            known.Radii[index] = radius;
         }
 
         return CraterDisc.Of(Craters[index], radius);
     }
+
+    /// <summary>The ground of a terrain.</summary>
+    internal GroundBelow GroundOf(ITerrain terrain) => KnownOf(terrain).Ground;
+
+    private KnownGround KnownOf(ITerrain terrain) =>
+        _grounds.GetValue(terrain, shown => new KnownGround(new GroundBelow(shown), new double[Craters.Count]));
+
+    /// <summary>The ground of a terrain, and what is known of it: m from the Moon's centre to each crater's, 0 for not yet.</summary>
+    private sealed record KnownGround(GroundBelow Ground, double[] Radii);
 }
 
 /// <summary>A crater of a catalogue: an ellipse on the ground, of most catalogues a circle. Immutable.</summary>

@@ -1,6 +1,5 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
-using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Navigation;
@@ -156,7 +155,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
         }
 
         int points = 2.0 * (known ?? shape.Ellipse).SemiMajor < ManyPointsFrom ? FewCurvePoints : CurvePoints;
-        return ProjectedCurve(camera, TerrainRim.Of(disc, terrain, points), disc);
+        return ProjectedCurve(camera, TerrainRim.Of(disc, catalogue.GroundOf(terrain), points), disc);
     }
 
     private static IEnumerable<Vector3D> RimPoints(CraterDisc disc) =>
@@ -168,7 +167,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
         int seen = 0;
         foreach (Vector3D point in rim)
         {
-            if (camera.TryProjectPoint(point, out curve[seen]))
+            if (camera.TryProjectOutline(point, out curve[seen]))
             {
                 seen++;
             }
@@ -202,7 +201,7 @@ internal static class TerrainRim
     private const int Places = 9;
 
     /// <summary>The rim, m, body-fixed.</summary>
-    public static Vector3D[] Of(in CraterDisc disc, ITerrain terrain, int directions)
+    public static Vector3D[] Of(in CraterDisc disc, GroundBelow ground, int directions)
     {
         Vector3D[] rim = new Vector3D[directions];
         for (int i = 0; i < directions; i++)
@@ -213,7 +212,7 @@ internal static class TerrainRim
             {
                 double part = Nearest + ((Farthest - Nearest) * place / (Places - 1));
                 Vector3D direction = (disc.Centre + (part * way)).Normalized();
-                double radius = TerrainHeight.RadiusBelow(terrain, direction);
+                double radius = ground.RadiusAt(direction);
                 if (radius > highest)
                 {
                     (highest, rim[i]) = (radius, radius * direction);

@@ -10,6 +10,12 @@ namespace Msisf.Core.Navigation;
 /// <param name="Angle">rad from x towards y, (-pi/2, pi/2]: of the major axis; 0 of a circle.</param>
 public readonly record struct ImageEllipse(double X, double Y, double SemiMajor, double SemiMinor, double Angle)
 {
+    /// <summary>Newton's steps that any point needs at most: each one at least halves the distance to the root.</summary>
+    private const int MostNewtonSteps = 100;
+
+    /// <summary>1: relative change of the root at which it is found.</summary>
+    private const double NewtonPrecision = 1e-15;
+
     /// <summary>px^2.</summary>
     public double Area => Math.PI * SemiMajor * SemiMinor;
 
@@ -52,8 +58,14 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     /// <param name="anomaly">rad from the major axis; not the angle at the centre.</param>
     public RenderingPoint PointAt(double anomaly)
     {
-        (double sin, double cos) = Math.SinCos(Angle);
         (double sinOf, double cosOf) = Math.SinCos(anomaly);
+        return PointAt(sinOf, cosOf);
+    }
+
+    /// <summary>A point of the ellipse by the sine and cosine of its anomaly.</summary>
+    internal RenderingPoint PointAt(double sinOf, double cosOf)
+    {
+        (double sin, double cos) = Math.SinCos(Angle);
         (double along, double across) = (SemiMajor * cosOf, SemiMinor * sinOf);
         return new RenderingPoint(X + (cos * along) - (sin * across), Y + (sin * along) + (cos * across));
     }
@@ -65,13 +77,54 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
         return ToUnitCircle(x, y, sin, cos);
     }
 
-    /// <summary>Distance of a point from the ellipse in px, to first order: right near it.</summary>
+    /// <summary>px: distance of a point from the ellipse.</summary>
     public double DistanceTo(double x, double y)
     {
-        (double px, double py) = ToUnitCircle(x, y);
-        double slope = 2.0 * double.Hypot(px / SemiMajor, py / SemiMinor);
-        double misfit = (px * px) + (py * py) - 1.0;
-        return slope > 0.0 ? Math.Abs(misfit) / slope : SemiMinor;
+        (double sinOf, double cosOf) = AnomalyNearest(x, y);
+        RenderingPoint nearest = PointAt(sinOf, cosOf);
+        return double.Hypot(x - nearest.X, y - nearest.Y);
+    }
+
+    /// <summary>Sine and cosine of the anomaly of the ellipse's point that is nearest to a point.</summary>
+    /// <remarks>
+    /// D. Eberly, "Distance from a point to an ellipse, an ellipsoid, or a hyperellipsoid" (2013): with the point (u, v) in the quarter of
+    /// positive axes a, b, the nearest one is (a^2 u / (t + a^2), b^2 v / (t + b^2)), where t is the largest root of
+    /// (a u / (t + a^2))^2 + (b v / (t + b^2))^2 = 1. The left side falls and is convex there, so that Newton's steps from below end at it.
+    /// </remarks>
+    internal (double Sin, double Cos) AnomalyNearest(double x, double y)
+    {
+        (double sin, double cos) = Math.SinCos(Angle);
+        (double right, double down) = (x - X, y - Y);
+        (double along, double across) = ((cos * right) + (sin * down), (cos * down) - (sin * right));
+
+        // In units of the minor axis, with t + 1 as the unknown.
+        double ratio = SemiMajor / SemiMinor;
+        (double u, double v) = (Math.Abs(along) / SemiMinor, Math.Abs(across) / SemiMinor);
+        double more = (ratio - 1.0) * (ratio + 1.0);
+        if (!(v > 0.0 || ratio * u > more))
+        {
+            // On the major axis between the centres of curvature of its ends: the nearest points lie on both sides.
+            double cosOf = more > 0.0 ? ratio * u / more : 1.0;
+            return (Math.Sqrt((1.0 - cosOf) * (1.0 + cosOf)), along < 0.0 ? -cosOf : cosOf);
+        }
+
+        double root = Math.Max(v, (ratio * u) - more);
+        for (int step = 0; step < MostNewtonSteps; step++)
+        {
+            double first = ratio * u / (root + more);
+            double second = v / root;
+            double slope = 2.0 * ((first * first / (root + more)) + (second * second / root));
+            double change = ((first * first) + (second * second) - 1.0) / slope;
+            root += change;
+            if (!(change > root * NewtonPrecision))
+            {
+                break;
+            }
+        }
+
+        (double cosine, double sine) = (ratio * u / (root + more), v / root);
+        double length = double.Hypot(cosine, sine);
+        return (across < 0.0 ? -sine / length : sine / length, along < 0.0 ? -cosine / length : cosine / length);
     }
 
     /// <summary>The columns of a row whose pixels' centres lie in the ellipse and in the image.</summary>

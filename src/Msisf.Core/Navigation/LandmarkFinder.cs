@@ -12,27 +12,23 @@ public sealed class LandmarkFinder(IReadOnlyList<Landmark> landmarks)
     /// <summary>m: how far before a landmark a ray towards it may end; rounding on the way from the camera is less.</summary>
     private const double SamePoint = 1e-3;
 
-    /// <summary>m above the highest ground, from where it is looked for.</summary>
-    private const double Above = 1e3;
-
-    private readonly ConditionalWeakTable<ITerrain, TerrainTracer> _tracers = [];
+    private readonly ConditionalWeakTable<ITerrain, GroundBelow> _grounds = [];
 
     /// <summary>The landmarks of a frame.</summary>
     public LandmarksOfFrame Find(ICamera camera, SceneLight light, ITerrain terrain)
     {
-        TerrainTracer tracer = _tracers.GetValue(terrain, static shown => new TerrainTracer(shown));
+        GroundBelow below = _grounds.GetValue(terrain, static shown => new GroundBelow(shown));
         List<LandmarkView> views = [];
         foreach (Landmark landmark in landmarks)
         {
-            double top = terrain.RadiusLimits.Max + Above;
-            bool hasGround = tracer.TryTrace(new Ray(top * landmark.Direction, -landmark.Direction), out SurfaceHit ground);
+            bool hasGround = below.TryFind(landmark.Direction, out SurfaceHit ground);
             Vector3D point = landmark.Height is null && hasGround
                 ? ground.PointBodyFixed
                 : (terrain.ReferenceRadius + (landmark.Height ?? 0.0)) * landmark.Direction;
             if (camera.TryProjectPoint(point, out RenderingPoint seen) && IsInside(camera, seen))
             {
                 SceneLight source = light.At(camera, seen.Y);
-                views.Add(View(camera, landmark, point, seen, tracer, source, hasGround ? ground : null));
+                views.Add(View(camera, landmark, point, seen, below.Tracer, source, hasGround ? ground : null));
             }
         }
 

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Numerics;
 
-/// <summary>Points of the unit cube by their numbers, random ones or Sobol's: the same seed gives the same points.</summary>
+/// <summary>Points of the unit cube by their numbers, random ones or Kronecker's: the same seed gives the same points.</summary>
 public sealed class UnitCubePoints
 {
     private const ulong Purpose = 0x506F696E7473;
@@ -8,26 +8,26 @@ public sealed class UnitCubePoints
     private readonly int _dimensions;
     private readonly ulong _seed;
     private readonly long _stream;
-    private readonly SobolSequence? _sobol;
+    private readonly KroneckerSequence? _even;
 
     /// <summary>Chooses the points.</summary>
     /// <param name="dimensions">Number of coordinates, at most 16.</param>
-    /// <param name="isSobol">Whether they are Sobol's, which fill the cube more evenly.</param>
+    /// <param name="isEven">Whether they are Kronecker's, which fill the cube more evenly.</param>
     /// <param name="seed">The user's seed.</param>
     /// <param name="stream">Tells several sets of points of one seed apart.</param>
-    public UnitCubePoints(int dimensions, bool isSobol, ulong seed, long stream)
+    public UnitCubePoints(int dimensions, bool isEven, ulong seed, long stream)
     {
         (_dimensions, _seed, _stream) = (dimensions, seed, stream);
-        _sobol = isSobol ? new SobolSequence(dimensions, seed, stream) : null;
+        _even = isEven ? new KroneckerSequence(dimensions, seed, stream) : null;
     }
 
     /// <summary>The coordinates of a point, [0, 1).</summary>
     /// <param name="number">From 0.</param>
     public double[] PointAt(long number)
     {
-        if (_sobol is not null)
+        if (_even is not null)
         {
-            return _sobol.PointAt(number);
+            return _even.PointAt(number);
         }
 
         SplitMix64 random = SplitMix64.For(_seed, Purpose, _stream, number);

@@ -37,7 +37,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             HashSet<int> leftOut = [.. craters.LeftOut.Select(crater => crater.Crater.Number)];
             foreach (Crater crater in Catalogue.Craters)
             {
-                CraterDisc disc = CraterDisc.Of(crater, TerrainHeight.RadiusBelow(ldem4.Grid, CraterDisc.Of(crater, 1.0).Up));
+                CraterDisc disc = CraterDisc.Of(crater, new GroundBelow(ldem4.Grid).RadiusAt(CraterDisc.Of(crater, 1.0).Up));
                 bool isThere = views.ContainsKey(crater.Number) || leftOut.Contains(crater.Number);
                 if (Vector3D.Dot(camera.PositionBodyFixed, disc.Up) <= disc.Centre.Length)
                 {

@@ -92,8 +92,37 @@ public class ImageEllipseTests
 
         Assert.True(EllipseFit.TryFit(curve, out ImageEllipse ellipse, out double residual));
 
-        Assert.Equal(100.0, ellipse.SemiMajor, 0.02);
+        // The circle of 100 px fits best: to second order distances from it are those along the radius.
+        Assert.Equal(100.0, ellipse.SemiMajor, 1e-6);
         Assert.Equal(50.0, ellipse.X, 1e-6); // px: the wave is even about the centre
-        Assert.Equal(Math.Sqrt(0.5), residual, 0.01); // px: the fit weighs algebraic distances
+        Assert.Equal(Math.Sqrt(0.5), residual, 1e-6);
+    }
+
+    /// <summary>Points of a normal of the ellipse lie as far from it as they were moved, up to the centre of its curvature.</summary>
+    [Theory]
+    [InlineData(1.0)]
+    [InlineData(0.6)]
+    [InlineData(0.02)]
+    public void DistanceTo_PointOnANormal_IsItsWayAlongIt(double flat)
+    {
+        ImageEllipse ellipse = new(30.0, -20.0, 50.0, 50.0 * flat, 0.7);
+        for (int number = 0; number < 100; number++)
+        {
+            double anomaly = 2.0 * Math.PI * number / 100.0;
+            (double sin, double cos) = Math.SinCos(anomaly);
+            double length = double.Hypot(flat * cos, sin);
+            (double along, double across) = (flat * cos / length, sin / length);
+            (double right, double down) = (
+                (Math.Cos(0.7) * along) - (Math.Sin(0.7) * across), (Math.Sin(0.7) * along) + (Math.Cos(0.7) * across));
+            double curvature = 50.0 * length * length * length / flat; // px: its radius; the major axis is 50 flat length away
+            RenderingPoint point = ellipse.PointAt(anomaly);
+            foreach (double way in (double[])[-0.9 * Math.Min(curvature, 50.0 * flat * length), -1e-6, 0.0, 1e-3, 4.0, 3000.0])
+            {
+                Assert.Equal(
+                    Math.Abs(way), ellipse.DistanceTo(point.X + (way * right), point.Y + (way * down)), 1e-9 + (1e-12 * Math.Abs(way)));
+            }
+        }
+
+        Assert.Equal(50.0 * flat, ellipse.DistanceTo(30.0, -20.0), Rounding.OfSolutions);
     }
 }

@@ -26,9 +26,9 @@ public sealed class DataSetFileTests : IDisposable
     [InlineData("count: 2\nstates: {altitud: 3}\n", "'altitud' is no key of the states; did you mean 'altitude'?", "altitud")]
     [InlineData("count: 2.5\nstates: {altitude: 3e5, sun-elevation: 3}\n", "'count' is 2.5; a whole number from 1 to")]
     [InlineData(Good + "seed: -1\n", "'seed' is \"-1\"; a whole number from 0 on is needed.", "seed")]
-    [InlineData(Good + "sampling: halton\n", "'sampling' is \"halton\"; one of sobol, random is needed", "sampling")]
+    [InlineData(Good + "sampling: halton\n", "'sampling' is \"halton\"; one of kronecker, random is needed", "sampling")]
     [InlineData(Good + "index: [csv, voc]\n", "is no format; some of csv, coco, tum, kitti are needed.")]
-    [InlineData(Good + "index: coco\n", "the index 'coco' holds craters, and no option names a catalogue.")]
+    [InlineData(Good + "index: coco\n", "the index 'coco' holds craters, and no option names a catalogue. Add one below 'options', e.g. ")]
     [InlineData(Good + "accept: {lit: 1.5}\n", "'lit' is 1.5; a part from 0 to 1 is needed.")]
     [InlineData(Good + "accept: {sun-elevation: [9, 3]}\n", "the first limit is not below the second. Swap them.")]
     [InlineData(Good + "accept: {sun-elevation: [50, 90]}\n", "the last 2000 states met not all conditions ('sun-elevation' 2000 of 2000")]
@@ -61,6 +61,19 @@ public sealed class DataSetFileTests : IDisposable
         "none.yaml: there is no such file. The YAML file of a data set is needed",
         CommandLineRun.Of(["dataset", _folder["none.yaml"]]).Error,
         StringComparison.Ordinal);
+
+    /// <summary>What the message says to add is taken.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Read_CocoWithoutCraters_IsMadeWithWhatTheMessageSays()
+    {
+        _folder.Write("craters.csv", "lat,lon,diam_km\n0,0,50\n");
+        _folder.Write("a.yaml", Good.Replace("options: {", "options: {craters: craters.csv, ", StringComparison.Ordinal)
+            + "licences: {craters.csv: public domain}\nindex: coco\n");
+        CommandLineRun run = CommandLineRun.Of(["dataset", _folder["a.yaml"], "--output-dir", _folder["out"], "--batch"]);
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        Assert.Equal(2, CocoRules.Check(_folder["out/all.coco.json"]).Images);
+    }
 
     private void Check(string text, string message)
     {

@@ -1,5 +1,8 @@
 using System.Globalization;
 using System.Text.Json;
+using Msisf.Adapters.Raster.Heights;
+using Msisf.Core.Numerics;
+using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -56,7 +59,7 @@ public sealed class DataSetRunTests : IDisposable
         double[] Column(string name) =>
             [.. index.Skip(1).Select(row => double.Parse(row[Array.IndexOf(index[0], name)], CultureInfo.InvariantCulture))];
 
-        Assert.Equal(["train", "train", "train", "train", "test", "test", "test", "test"], index.Skip(1).Select(row => row[2]));
+        Assert.Equal(["train", "test", "train", "test", "train", "test", "train", "test"], index.Skip(1).Select(row => row[2]));
         Assert.All(Column("altitude"), value => Assert.InRange(value, 200e3, 400e3));
         Assert.All(Column("sun_elevation"), value => Assert.InRange(value, 10.0, 60.0));
         Assert.All(Column("latitude"), value => Assert.InRange(value, -50.0, 50.0));
@@ -100,6 +103,131 @@ public sealed class DataSetRunTests : IDisposable
         Assert.Equal(1, other.ExitCode);
         Assert.Contains("another data set, or another state of this one, is there", other.Error, StringComparison.Ordinal);
         Assert.Equal(0, CommandLineRun.Of(["verify", _folder["out"]]).ExitCode);
+    }
+
+    /// <summary>
+    /// A ray of its own through each pixel of each image, against each facet of the real Moon: none meets ground beyond the image's region,
+    /// though the regions are hardly larger than an image.
+    /// </summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_NarrowRegions_NoPixelShowsGroundBeyondThem()
+    {
+        const int width = 150;
+        const int height = 100;
+        _folder.Write("r.yaml", $$"""
+            count: {{TestLength.Of(8, 60)}}
+            states: {altitude: 300e3, off-nadir: [0, 20], roll: [0, 360], sun-elevation: 30}
+            accept: {ground: 1}
+            split: {a: [-12, 0, 0, 12], b: [2, 14, 0, 12]}
+            options: {width: {{width}}, height: {{height}}, fov: 40, albedo-map: none, lod: off}
+
+            """);
+        CommandLineRun run = Make("r", "regions");
+        Assert.True(run.ExitCode == 0, run.Error);
+        string[][] index = [.. File.ReadLines(_folder["regions/index.csv"]).Select(line => line.Split(','))];
+        using LdemImage grid = LdemImage.Open(LdemLabelReader.ReadFile(TestParts.Ldem4Label!));
+        BruteForceMoon moon = new(grid);
+        double focal = 0.5 * width / Math.Tan(20.0 * Math.PI / 180.0);
+        double nearest = double.PositiveInfinity;
+        foreach (string[] row in index.Skip(1))
+        {
+            double Of(string name) => Number(row[Array.IndexOf(index[0], name)]);
+            Vector3D camera = new(Of("x"), Of("y"), Of("z"));
+            UnitQuaternion turn = UnitQuaternion.FromComponents(Of("qx"), Of("qy"), Of("qz"), Of("q0"));
+            (double south, double north) = row[2] == "a" ? (-12.0, 0.0) : (2.0, 14.0);
+            for (int pixel = 0; pixel < width * height; pixel++)
+            {
+                // Camera axes: -x ahead, y to the right, z up; the optical axis is in the middle of the image.
+                (int column, int line) = (pixel % width, pixel / width);
+                Vector3D direction =
+                    turn * new Vector3D(-1.0, (column - (0.5 * (width - 1))) / focal, ((0.5 * (height - 1)) - line) / focal);
+                Vector3D point = camera + (moon.FirstHit(camera, direction)!.Value.T * direction);
+                double latitude = Math.Atan2(point.Z, Math.Sqrt((point.X * point.X) + (point.Y * point.Y))) * 180.0 / Math.PI;
+                double longitude = Math.Atan2(point.Y, point.X) * 180.0 / Math.PI;
+                double room = Math.Min(Math.Min(latitude - south, north - latitude), Math.Min(longitude, 12.0 - longitude));
+                Assert.True(room >= 0.0, $"{row[1]}, pixel {pixel}: {latitude}, {longitude}");
+                nearest = Math.Min(nearest, room);
+            }
+        }
+
+        Assert.InRange(nearest, 0.0, 0.5); // degrees: the regions are filled to their borders
+    }
+
+    /// <summary>More images: the first ones, their splits and their bytes are those of the smaller data set, which goes on.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_MoreImages_KeepsTheFirst()
+    {
+        string yaml = File1.Replace("count: 8", "count: 4", StringComparison.Ordinal)
+            .Replace("train: 0.5, test: 0.5", "train: 0.7, test: 0.3", StringComparison.Ordinal);
+        _folder.Write("a.yaml", yaml);
+        Assert.Equal(0, Make("a", "out").ExitCode);
+        string[] states = File.ReadAllLines(_folder["out/states.csv"]);
+        string[][] index = [.. File.ReadLines(_folder["out/index.csv"]).Select(line => line.Split(','))];
+        DateTime written = File.GetLastWriteTimeUtc(_folder["out/000003.png"]);
+
+        _folder.Write("a.yaml", yaml.Replace("count: 4", "count: 9", StringComparison.Ordinal));
+        CommandLineRun more = Make("a", "out");
+        Assert.True(more.ExitCode == 0, more.Error);
+        Assert.Equal(states, File.ReadLines(_folder["out/states.csv"]).Take(states.Length));
+        Assert.Equal(index, File.ReadLines(_folder["out/index.csv"]).Take(5).Select(line => line.Split(',')));
+        Assert.Equal(written, File.GetLastWriteTimeUtc(_folder["out/000003.png"]));
+        Assert.Equal(10, File.ReadLines(_folder["out/index.csv"]).Count());
+        Assert.Equal("9 frames: 9 complete.", CommandLineRun.Of(["verify", _folder["out"]]).Output.Trim());
+
+        Assert.Equal(0, Make("a", "fresh").ExitCode);
+        Assert.All(
+            (string[])["index.csv", "000002.png", "000008.png", "train.coco.json"],
+            name => Assert.Equal(File.ReadAllBytes(_folder[$"fresh/{name}"]), File.ReadAllBytes(_folder[$"out/{name}"])));
+
+        _folder.Write("a.yaml", yaml);
+        CommandLineRun fewer = Make("a", "out");
+        Assert.Equal(1, fewer.ExitCode);
+        Assert.Contains("more images of this data set are there than 'count' says. Set 'count' to at least 9", fewer.Error);
+        _folder.Write("a.yaml", yaml.Replace("count: 4", "count: 9", StringComparison.Ordinal)); // as the message says
+        Assert.Equal(0, Make("a", "out").ExitCode);
+    }
+
+    /// <summary>COCO's files of 500 images, by a reader of the format's rules: craters cut by borders, hidden and dark ones.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_CocoOfManyImages_KeepsTheRulesOfTheFormat()
+    {
+        int count = TestLength.Of(16, 500);
+        _folder.Write("m.yaml", File1.Replace("count: 8", $"count: {count}", StringComparison.Ordinal)
+            .Replace("off-nadir: [5, 20]", "off-nadir: [0, 75]", StringComparison.Ordinal)
+            .Replace("accept: {ground: 1, lit: 0.6}", "accept: {ground: 0.3}", StringComparison.Ordinal)
+            .Replace("sun-elevation: [10, 60]", "sun-elevation: [-2, 30]", StringComparison.Ordinal)
+            .Replace("split: {train: 0.5, test: 0.5, width: 60, gap: 2}\n", string.Empty, StringComparison.Ordinal)
+            .Replace("layers: [depth, latitude, longitude, mask]", "crater-rim: terrain", StringComparison.Ordinal));
+        CommandLineRun run = Make("m", "many");
+        Assert.True(run.ExitCode == 0, run.Error);
+        CocoRules rules = CocoRules.Check(_folder["many/all.coco.json"]);
+
+        Assert.Equal(count, rules.Images);
+        Assert.InRange(rules.Annotations, 2 * count, int.MaxValue);
+        Assert.InRange(rules.CutInside, 1, rules.Annotations); // whose box is not the cut one of the whole ellipse
+        Assert.InRange(rules.Ignored, 1, rules.Annotations / 2);
+        Assert.Equal(
+            rules.Annotations, Directory.GetFiles(_folder["many"], "*.craters.json").Sum(path => CocoRules.Check(path).Annotations));
+    }
+
+    /// <summary>Images that are too large are refused before anything is made, and what was there stays as it was.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_RefusedForRoom_LeavesNothingBehind()
+    {
+        string huge = File1.Replace("width: 48", "width: 8192\n  jobs: 64", StringComparison.Ordinal)
+            .Replace("height: 36", "height: 8192", StringComparison.Ordinal)
+            .Replace("count: 8", "count: 64", StringComparison.Ordinal);
+        _folder.Write(
+            "h.yaml", huge.Replace("split: {train: 0.5, test: 0.5, width: 60, gap: 2}\n", string.Empty, StringComparison.Ordinal));
+        CommandLineRun refused = Make("h", "deep/out");
+        Assert.Equal(2, refused.ExitCode);
+        Assert.Contains("Use a smaller --width and --height", refused.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(_folder["deep"]));
+
+        Directory.CreateDirectory(_folder["mine"]);
+        _folder.Write("mine/notes.txt", "x");
+        Assert.Equal(2, Make("h", "mine").ExitCode);
+        Assert.Equal([_folder["mine/notes.txt"]], Directory.GetFileSystemEntries(_folder["mine"]));
     }
 
     /// <summary>The second image of a pair is as far away as the file says, and flows lead there and back.</summary>
@@ -250,13 +378,16 @@ public sealed class DataSetRunTests : IDisposable
         using JsonDocument coco = JsonDocument.Parse(File.ReadAllBytes(_folder["out/test.coco.json"]));
         JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
         int[] images = [.. coco.RootElement.GetProperty("images").EnumerateArray().Select(image => image.GetProperty("id").GetInt32())];
-        Assert.Equal([5, 6, 7, 8], images);
+        Assert.Equal([2, 4, 6, 8], images);
+        Assert.Equal(annotations.Length, CocoRules.Check(_folder["out/test.coco.json"]).Annotations);
         Assert.Equal(Enumerable.Range(1, annotations.Length), annotations.Select(annotation => annotation.GetProperty("id").GetInt32()));
         foreach (int image in images)
         {
             int lines = File.ReadLines(_folder[$"out/{image:000000}.craters.csv"]).Count() - 1;
             Assert.True(lines > 0, "craters are in each image");
-            Assert.Equal(lines, annotations.Count(annotation => annotation.GetProperty("image_id").GetInt32() == image));
+            Assert.Equal(
+                CocoRules.Check(_folder[$"out/{image:000000}.craters.json"]).Annotations,
+                annotations.Count(annotation => annotation.GetProperty("image_id").GetInt32() == image));
         }
 
         string[] poses = File.ReadAllLines(_folder["out/test.poses.txt"]);
@@ -264,12 +395,13 @@ public sealed class DataSetRunTests : IDisposable
         int x = Array.IndexOf(index[0], "x");
         for (int i = 0; i < 4; i++)
         {
-            Assert.Equal(index[5 + i][x], poses[i].Split(' ')[3]);
-            Assert.Equal(index[5 + i][x..(x + 3)], truth[i].Split(' ')[1..4]);
-            Assert.StartsWith($"{5 + i}.000000 ", truth[i], StringComparison.Ordinal);
+            int number = 2 * (i + 1);
+            Assert.Equal(index[number][x], poses[i].Split(' ')[3]);
+            Assert.Equal(index[number][x..(x + 3)], truth[i].Split(' ')[1..4]);
+            Assert.StartsWith($"{number}.000000 ", truth[i], StringComparison.Ordinal);
         }
 
-        Assert.Equal("5.000000 000005.png", File.ReadLines(_folder["out/test.rgb.txt"]).Skip(1).First());
+        Assert.Equal("2.000000 000002.png", File.ReadLines(_folder["out/test.rgb.txt"]).Skip(1).First());
         Assert.StartsWith("P0: 89.5", File.ReadAllText(_folder["out/test.calib.txt"]), StringComparison.Ordinal); // 24 / tan 15 degrees
     }
 

@@ -89,6 +89,28 @@ public sealed class MotionRunTests : IDisposable
         Assert.Equal(File.ReadAllBytes(Output("none", 1, ".png")), File.ReadAllBytes(Output("rest", 1, ".png")));
     }
 
+    /// <summary>A flow from rows with places of their own is refused once, before anything is drawn; what the message says works.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("--flow", "next")]
+    [InlineData("--stereo", "100")]
+    public void Run_FlowWithARollingShutter_IsRefusedBeforeTheFirstFrame(params string[] flow)
+    {
+        string[] more = [.. flow, "--flow-format", "npy"];
+        CommandLineRun refused = CommandLineRun.Of(
+            [.. Orbit, .. Common(Camera("shutter: rolling", "fits: no", "line-time: 0.003"), "a"), .. more]);
+        Assert.Equal(1, refused.ExitCode);
+        Assert.Contains(
+            $"{flow[0]} needs a camera whose rows are all taken at once, and the shutter of this one rolls while it moves. Leave it out, "
+                + "or give the camera file a global 'shutter'.",
+            refused.Error,
+            StringComparison.Ordinal);
+        Assert.Single(refused.Error.Split('\n'), line => line.Contains("error:", StringComparison.Ordinal));
+        Assert.False(Directory.Exists(_folder["a"]));
+
+        Succeed([.. Orbit, .. Common(Camera("shutter: global", "fits: no"), "a"), .. more]);
+        Succeed([.. Orbit, .. Common(Camera("shutter: rolling", "fits: no", "line-time: 0.003"), "b")]);
+    }
+
     [RequiresTheory(Part.Ldem4, Part.CFitsio)]
     [InlineData("rolling", "0.003", "shutter: rolling", "line-time: 0.003")]
     [InlineData("global", "0.", "shutter: global")]
