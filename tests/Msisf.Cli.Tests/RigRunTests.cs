@@ -131,6 +131,40 @@ public sealed class RigRunTests : IClassFixture<SmallMoon>, IDisposable
         }
     }
 
+    /// <summary>COLMAP gets one model of all cameras, in which no identity and no name of an image is there twice.</summary>
+    [Fact]
+    public void States_RigForColmap_IsOneModel()
+    {
+        string lens = Left.Replace("lens.yaml", "straight.yaml", StringComparison.Ordinal);
+        _folder.Write("straight.yaml", "focal-length-px: [90, 95]\nwidth: 40\nheight: 24\ndistortion:\n  model: opencv\n  k1: -0.2\n");
+        string rig = _folder.Write("rig.yaml", $"cameras:\n{lens}{Plain}");
+        string[] words =
+        [
+            "states", "--format", "colmap", .. Orbit.Split(' '), "--time-interval", "[55289:0.001:55289.003]", "--rig", rig, "--renderer",
+            "native", .. _moon.Options, "--ephemeris", "builtin",
+        ];
+        CommandLineRun single = CommandLineRun.Of([.. words, "--to", _folder["{camera}"]]);
+        Assert.Equal(1, single.ExitCode);
+        Assert.Contains("Give --to a folder without {camera}.", single.Error, StringComparison.Ordinal);
+        CommandLineRun run = CommandLineRun.Of([.. words, "--to", _folder["model"]]);
+        Assert.True(run.ExitCode == 0, run.Error);
+        string[][] Read(string name) =>
+            [.. File.ReadLines(_folder[$"model/{name}"]).Where(line => line.Length > 0 && line[0] != '#').Select(line => line.Split(' '))];
+        string[][] cameras = Read("cameras.txt");
+        string[][] images = Read("images.txt");
+
+        Assert.Equal([("1", "OPENCV", "40"), ("2", "PINHOLE", "30")], cameras.Select(line => (line[0], line[1], line[2])));
+        Assert.Equal(Enumerable.Range(1, images.Length).Select(number => $"{number}"), images.Select(line => line[0]));
+        Assert.Equal(images.Length, images.Select(line => line[9]).Distinct().Count());
+        Assert.Equal(2, images.GroupBy(line => line[8]).Count(group => group.Count() == images.Length / 2));
+
+        // Both see the Moon's centre from places 250 m apart, but for rounding: of the mounting's offset [3, -250, 40].
+        double[] Centre(string camera) => [.. images.First(line => line[8] == camera)[5..8]
+            .Select(number => double.Parse(number, CultureInfo.InvariantCulture))];
+        double Distance(string camera) => Math.Sqrt(Centre(camera).Sum(part => part * part));
+        Assert.InRange(Math.Abs(Distance("1") - Distance("2")), 1e-3, 254.0);
+    }
+
     /// <summary>A part of a rig's run is what the whole run makes, a missing image is made again, and pieces make the same.</summary>
     [Fact]
     public void Run_RigInParts_IsTheWholeRun()

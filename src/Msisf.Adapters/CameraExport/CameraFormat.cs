@@ -19,8 +19,8 @@ public sealed class CameraFormat
         new("opencv", OpenCvCamera.Has, Text(".opencv.yaml", OpenCvCamera.Write)),
         new(
             "colmap", CameraTables.HasColmapModel,
-            Text(".cameras.txt", (writer, frame) => CameraTables.WriteColmapCamera(writer, frame.Camera.Model)),
-            Text(".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [frame.State], [frame.Name])),
+            Text(".cameras.txt", (writer, frame) => CameraTables.WriteColmapCameras(writer, [frame.Camera.Model])),
+            Text(".images.txt", (writer, frame) => CameraTables.WriteColmapImages(writer, [([frame.State], [frame.Name])])),
             Text(".points3D.txt", (writer, _) => CameraTables.WriteColmapPoints(writer))),
         new("tsai", TsaiCamera.Has, Text(".tsai", TsaiCamera.Write)),
         new("csm", CsmLens.Has, Text(".csm.json", CsmState.Write))

@@ -16,32 +16,40 @@ public static class CameraTables
     /// <summary>Whether COLMAP has a model of such a camera.</summary>
     public static bool HasColmapModel(CameraModel camera) => camera.Skew == 0.0 && ModelOf(camera.Distortion, isColmap: true) is not null;
 
-    /// <summary>COLMAP's cameras.txt.</summary>
+    /// <summary>COLMAP's cameras.txt; the cameras are numbered from 1.</summary>
     /// <exception cref="BadInputException">COLMAP has no model of such a camera.</exception>
-    public static void WriteColmapCamera(TextWriter writer, CameraModel camera)
+    public static void WriteColmapCameras(TextWriter writer, IReadOnlyList<CameraModel> cameras)
     {
-        (string model, double[] lens) = OfLens(camera, "COLMAP", isColmap: true);
         writer.WriteLine("# Camera list with one line of data per camera: CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]");
         writer.WriteLine("# f and c in px; the centre of the first pixel is (0.5, 0.5)");
-        writer.WriteLine(
-            $"1 {model} {camera.Width} {camera.Height} "
-                + StateTables.Line(
-                    ' ', [camera.FocalX, camera.FocalY, camera.PrincipalX - ColmapCenter, camera.PrincipalY - ColmapCenter, .. lens]));
+        foreach ((int index, CameraModel camera) in cameras.Index())
+        {
+            (string model, double[] lens) = OfLens(camera, "COLMAP", isColmap: true);
+            double[] numbers = [camera.FocalX, camera.FocalY, camera.PrincipalX - ColmapCenter, camera.PrincipalY - ColmapCenter, .. lens];
+            writer.WriteLine(
+                Invariant($"{index + 1} {model} {camera.Width} {camera.Height} {StateTables.Line(' ', numbers)}"));
+        }
     }
 
-    /// <summary>COLMAP's images.txt.</summary>
-    public static void WriteColmapImages(TextWriter writer, IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names)
+    /// <summary>COLMAP's images.txt; the images are numbered from 1 through all cameras.</summary>
+    /// <param name="cameras">Of each camera the states, and names without extension.</param>
+    public static void WriteColmapImages(
+        TextWriter writer, IReadOnlyList<(SpacecraftState[] States, string[] Names)> cameras)
     {
         writer.WriteLine("# Image list with two lines of data per image: IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME");
         writer.WriteLine("# The quaternion (scalar first) turns the world into the camera (x right, y down, z along the line of sight).");
         writer.WriteLine("# The world is MOON_ME, m from the Moon's centre; T is the Moon's centre in the camera, m. No points.");
-        for (int i = 0; i < states.Count; i++)
+        int image = 0;
+        foreach ((int index, (SpacecraftState[] states, string[] names)) in cameras.Index())
         {
-            UnitQuaternion q = StateTables.OpenCv(states[i]).Conjugate;
-            Vector3D t = default(Vector3D) - (q * states[i].PositionBodyFixed);
-            string pose = StateTables.Line(' ', i + 1, q.W, q.X, q.Y, q.Z, t.X, t.Y, t.Z);
-            writer.WriteLine($"{pose} 1 {names[i]}.png");
-            writer.WriteLine();
+            foreach ((SpacecraftState state, string name) in states.Zip(names))
+            {
+                UnitQuaternion q = StateTables.OpenCv(state).Conjugate;
+                Vector3D t = default(Vector3D) - (q * state.PositionBodyFixed);
+                string pose = StateTables.Line(' ', ++image, q.W, q.X, q.Y, q.Z, t.X, t.Y, t.Z);
+                writer.WriteLine(Invariant($"{pose} {index + 1} {name}.png"));
+                writer.WriteLine();
+            }
         }
     }
 

@@ -88,8 +88,17 @@ internal static class ReplacedFrames
 /// <param name="IsLeftOver">
 /// Whether it has the name of a frame's file, so that it passes for a part of a frame that it does not belong to.
 /// </param>
-internal sealed record StrayFile(string Name, bool IsLeftOver)
+/// <param name="Reason">What is known of it, in words.</param>
+internal sealed record StrayFile(string Name, bool IsLeftOver, string Reason)
 {
+    private const string Unknown = "no record names it";
+
+    private const string OfOtherSettings = "the record of its frame does not name it: the frame was made with other options before, or "
+        + "in another folder";
+
+    private const string WithoutRecord = "this folder has no record of its frame; if the frame was made in another folder, msis merge "
+        + "with --to copies it with its record";
+
     /// <summary>The files, sorted by name. Hidden ones, which runs use while they work, do not count.</summary>
     /// <param name="folder">Folder of the outputs.</param>
     public static IReadOnlyList<StrayFile> In(string folder, ManifestContent manifest)
@@ -106,10 +115,16 @@ internal sealed record StrayFile(string Name, bool IsLeftOver)
                 .Select(path => Path.GetFileName(path))
                 .Where(name => name[0] != '.' && !known.Contains(name))
                 .Order(StringComparer.Ordinal)
-                .Select(name => new StrayFile(
-                    name,
-                    !FrameFileNames.IsMadeLater(name) && FrameFileNames.FramesOf(name).Any(frame => IsFrame(frame, manifest)))),
+                .Select(name => Of(name, manifest)),
         ];
+    }
+
+    private static StrayFile Of(string name, ManifestContent manifest)
+    {
+        string[] frames =
+            FrameFileNames.IsMadeLater(name) ? [] : [.. FrameFileNames.FramesOf(name).Where(frame => IsFrame(frame, manifest))];
+        return frames.Length == 0 ? new StrayFile(name, IsLeftOver: false, Unknown)
+            : new StrayFile(name, IsLeftOver: true, frames.Any(manifest.Frames.ContainsKey) ? OfOtherSettings : WithoutRecord);
     }
 
     private static bool IsFrame(string name, ManifestContent manifest) =>

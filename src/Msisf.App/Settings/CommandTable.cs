@@ -54,13 +54,19 @@ internal static class CommandTable
         Details = "As msis status, but checks every file: checksums, images whole, meta files valid.",
     };
 
-    public static CommandSpec Merge { get; } = new("merge", "Order a run's manifest; make a contact sheet and a video.")
+    public static CommandSpec Merge { get; } = new("merge", "Order a run's manifest, join folders; make a contact sheet and a video.")
     {
         Details =
-            "Puts the manifest into the order of the steps, whichever process made the images. Exit code 5 if images are not complete.",
-        MakeArgument = () => FolderOptions.Folder,
-        Examples = [("A video with 30 images a second:", "msis merge orbit --video 30")],
-        MakeGroups = () => [General with { Options = [FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
+            "Puts the manifest into the order of the steps, whichever process made the images. With --to it first copies the images of "
+                + "several folders into one, each of which was made by another machine. Exit code 5 if images are not complete.",
+        MakeArgument = () => FolderOptions.Folders,
+        Examples =
+        [
+            ("A video with 30 images a second:", "msis merge orbit --video 30"),
+            ("The two halves of a run, from two machines:", "msis merge first second --to orbit"),
+        ],
+        MakeGroups = () =>
+            [General with { Options = [FolderOptions.To, FolderOptions.ContactSheet, FolderOptions.Video, .. General.Options] }],
     };
 
     public static CommandSpec BatchConvert { get; } = new("batchconvert", "Turn a run into a script that makes it in pieces.")

@@ -10,6 +10,16 @@ internal static class FolderOptions
 
     public static ArgumentSpec Folder { get; } = new("DIR", "The --output-dir of the runs");
 
+    public static ArgumentSpec Folders { get; } = Folder with
+    {
+        Help = "The --output-dir of the runs; with --to several",
+        TakesSeveralWords = true,
+    };
+
+    public static PathSpec To { get; } = new(
+        "--to", DecidesBytes.OfNoFrame, PathKind.Folder,
+        "Copy the frames of all folders into this one, with their records: results of several machines");
+
     public static FlagSpec PrintFrames { get; } = new(
         "--print-frames", OptionRole.WhatIsPrinted,
         "Print only the steps that have to be made again, as --frames takes them; an empty line if none")
@@ -29,6 +39,21 @@ internal static class FolderOptions
     {
         Limits = new NumberRange(0.0, MaxFrameRate) { ExcludesMin = true },
     };
+
+    /// <summary>Reads the folders whose frames are copied into one, and that one; of a single folder itself.</summary>
+    /// <exception cref="UsageException">There is no folder, or there are several and none to copy to.</exception>
+    public static (IReadOnlyList<string> Sources, string Target) ReadFolders(OptionValues values)
+    {
+        string? to = To.ReadIfGiven(values);
+        return (values.Arguments, to) switch
+        {
+            ([], _) => throw new UsageException("msis merge needs the --output-dir of a run: msis merge DIR."),
+            ([string only], null) => ([], only),
+            (_, null) => throw new UsageException(
+                $"several folders are joined in another one. Give that by {To.Name} DIR.").About(To),
+            (_, { } target) => (values.Arguments, target),
+        };
+    }
 
     /// <summary>Reads the files that msis merge should make.</summary>
     public static MergeSettings ReadMerge(OptionValues values) => new(ContactSheet.Read(values), Video.ReadIfGiven(values));

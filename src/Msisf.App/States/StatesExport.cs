@@ -4,6 +4,7 @@ using Msisf.Adapters.States;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
 
@@ -12,14 +13,57 @@ namespace Msisf.App.States;
 /// <summary>Writes the states of a run for other programs.</summary>
 internal static class StatesExport
 {
-    /// <summary>Reads the run's states and writes them; all files, or none.</summary>
-    /// <param name="path">File or folder; null to print.</param>
+    /// <summary>Reads the run's states and writes them, of a rig for each camera; all files of a camera, or none.</summary>
+    /// <param name="cameras">Settings of each camera of the rig, or of the only one.</param>
+    /// <param name="path">File or folder, of a rig with {camera} in it but for COLMAP; null to print.</param>
     /// <exception cref="MsisfException">The run can't be read, or the form can't hold it.</exception>
     public static void Write(
-        TrajectorySettings trajectory, RenderSettings settings, StatesFormat format, string? path, ProgramHost host,
+        TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, StatesFormat format, string? path, ProgramHost host,
         CancellationToken cancellation)
     {
+        if (format == StatesFormat.Colmap && path is not null && cameras[0].Rig is not null)
+        {
+            WriteRig(trajectory, cameras, path, host, cancellation);
+            return;
+        }
+
+        foreach (RenderSettings camera in cameras)
+        {
+            Write(trajectory, camera, format, RigOptions.PathOf(path, camera.Rig), host, cancellation);
+        }
+    }
+
+    /// <summary>Writes all cameras of a rig as one model of COLMAP.</summary>
+    private static void WriteRig(
+        TrajectorySettings trajectory, IReadOnlyList<RenderSettings> cameras, string folder, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        if (folder.Contains(RigOptions.CameraField, StringComparison.Ordinal))
+        {
+            throw new UsageException(
+                $"a model of COLMAP has all cameras of a rig. Give {StatesOptions.To.Name} a folder without {RigOptions.CameraField}.")
+                .About(StatesOptions.To, RigOptions.Rig);
+        }
+
+        NamedStates[] all = [.. cameras.Select(camera => Read(trajectory, camera, host, cancellation))];
+        MakeFolders(StatesFormat.Colmap, folder);
+        using AtomicFileSet files = new();
+        string[] written = WriteColmap(files, folder, all);
+        files.Commit();
+        Array.ForEach(written, host.Results.WriteLine);
+    }
+
+    private static NamedStates Read(
+        TrajectorySettings trajectory, RenderSettings settings, ProgramHost host, CancellationToken cancellation)
+    {
         using EphemerisSource ephemeris = new(settings, host);
+        return Read(trajectory, settings, ephemeris, host, cancellation);
+    }
+
+    private static NamedStates Read(
+        TrajectorySettings trajectory, RenderSettings settings, EphemerisSource ephemeris, ProgramHost host,
+        CancellationToken cancellation)
+    {
         using ModelOnDemand model = new(settings, host, cancellation);
         RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
         StateReader reader = new(ephemeris.Engine, geometry, host)
@@ -43,6 +87,16 @@ internal static class StatesExport
         int[] steps = [.. settings.StepsOf(all.Count).Select(step => step - 1)];
         SpacecraftState[] states = [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))];
         string[] chosen = [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];
+        return new NamedStates(settings.CameraModel, states, chosen);
+    }
+
+    private static void Write(
+        TrajectorySettings trajectory, RenderSettings settings, StatesFormat format, string? path, ProgramHost host,
+        CancellationToken cancellation)
+    {
+        using EphemerisSource ephemeris = new(settings, host);
+        NamedStates read = Read(trajectory, settings, ephemeris, host, cancellation);
+        SpacecraftState[] states = read.States;
         string head = $"states of msis {host.Version}";
         if (path is null)
         {
@@ -62,8 +116,8 @@ internal static class StatesExport
             StatesFormat.Oem => WriteCcsds(files, path, head, InertialState.Of(states, ephemeris.Engine())),
             StatesFormat.Spice => WriteKernels(
                 files, path, new SpiceKernelWriter(head, InertialState.Of(states, ephemeris.Engine())), settings.CameraModel),
-            StatesFormat.Euroc => WriteEuroc(files, path, states, chosen, settings.CameraModel),
-            StatesFormat.Colmap => WriteColmap(files, path, states, chosen, settings.CameraModel),
+            StatesFormat.Euroc => WriteEuroc(files, path, states, read.Names, settings.CameraModel),
+            StatesFormat.Colmap => WriteColmap(files, path, [read]),
             _ => WriteText(files, [(path, writer => WriteTable(writer, format, head, states))]),
         };
         files.Commit();
@@ -153,12 +207,13 @@ internal static class StatesExport
             ]);
     }
 
-    private static string[] WriteColmap(
-        AtomicFileSet files, string folder, SpacecraftState[] states, string[] names, CameraModel camera) => WriteText(
+    private static string[] WriteColmap(AtomicFileSet files, string folder, NamedStates[] cameras) => WriteText(
         files,
         [
-            (Path.Combine(folder, "cameras.txt"), writer => CameraTables.WriteColmapCamera(writer, camera)),
-            (Path.Combine(folder, "images.txt"), writer => CameraTables.WriteColmapImages(writer, states, names)),
+            (Path.Combine(folder, "cameras.txt"),
+                writer => CameraTables.WriteColmapCameras(writer, [.. cameras.Select(camera => camera.Camera)])),
+            (Path.Combine(folder, "images.txt"),
+                writer => CameraTables.WriteColmapImages(writer, [.. cameras.Select(camera => (camera.States, camera.Names))])),
             (Path.Combine(folder, "points3D.txt"), CameraTables.WriteColmapPoints),
         ]);
 
@@ -171,4 +226,7 @@ internal static class StatesExport
 
         return [.. texts.Select(text => text.Path)];
     }
+
+    /// <summary>The states of a camera, with the names of their images.</summary>
+    private sealed record NamedStates(CameraModel Camera, SpacecraftState[] States, string[] Names);
 }

@@ -58,11 +58,7 @@ internal static class RunCommands
         string? path = StatesOptions.ReadPath(call.Values);
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(call.Values);
         IReadOnlyList<RenderSettings> cameras = RigOptions.Read(call.Values, call.Host.GeoTiffs);
-        foreach (RenderSettings camera in cameras)
-        {
-            StatesExport.Write(trajectory, camera, format, RigOptions.PathOf(path, camera.Rig), call.Host, cancellation);
-        }
-
+        StatesExport.Write(trajectory, cameras, format, path, call.Host, cancellation);
         return 0;
     }
 

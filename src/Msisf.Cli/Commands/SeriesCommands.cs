@@ -63,7 +63,12 @@ internal static class SeriesCommands
     /// <summary><c>msis merge</c>: does the final work when all pieces of a run are done.</summary>
     public static async Task<int> MergeAsync(CommandCall call, CancellationToken cancellation)
     {
-        string folder = call.Values.Argument!;
+        (IReadOnlyList<string> sources, string folder) = FolderOptions.ReadFolders(call.Values);
+        if (sources.Count > 0)
+        {
+            SeriesJoin.Run(sources, folder, call.Host, cancellation);
+        }
+
         SeriesStatus status = await SeriesMerge.RunAsync(
             folder, FolderOptions.ReadMerge(call.Values), call.Host, cancellation).ConfigureAwait(false);
         if (status.IsComplete)
@@ -107,9 +112,7 @@ internal static class SeriesCommands
 
         foreach (StrayFile file in status.Strays)
         {
-            results.WriteLine(file.IsLeftOver
-                ? $"-\t{file.Name}\tleft over\tit is of another frame of this name; remove it"
-                : $"-\t{file.Name}\tunknown\tno record names it");
+            results.WriteLine($"-\t{file.Name}\t{(file.IsLeftOver ? "left over" : "unknown")}\t{file.Reason}");
         }
 
         int count = status.Frames.Count;

@@ -55,8 +55,8 @@ public sealed class StateTablesTests
         Vector3D point = state.PositionBodyFixed + (attitude * new Vector3D(-1e5, 2e4, 1.5e4));
         Assert.True(model.At(new CameraState(state.PositionBodyFixed, attitude)).TryProjectPoint(point, out RenderingPoint seen));
 
-        string[] camera = Lines(writer => CameraTables.WriteColmapCamera(writer, model))[^1].Split(' ');
-        string[] lines = Lines(writer => CameraTables.WriteColmapImages(writer, [state], ["frame"]));
+        string[] camera = Lines(writer => CameraTables.WriteColmapCameras(writer, [model]))[^1].Split(' ');
+        string[] lines = Lines(writer => CameraTables.WriteColmapImages(writer, [([state], ["frame"])]));
         double[] pose = [.. lines[^2].Split(' ')[1..8].Select(Number)];
         double[] k = [.. camera[4..].Select(Number)];
         Vector3D inCamera = (UnitQuaternion.FromComponents(pose[1], pose[2], pose[3], pose[0]) * point)
@@ -80,7 +80,7 @@ public sealed class StateTablesTests
 
         Assert.Equal(
             "COLMAP has no camera with the distortion 'opencv' of this camera file. Remove it, or choose another --format.",
-            Assert.Throws<BadInputException>(() => CameraTables.WriteColmapCamera(TextWriter.Null, model)).Message);
+            Assert.Throws<BadInputException>(() => CameraTables.WriteColmapCameras(TextWriter.Null, [model])).Message);
     }
 
     [Theory]

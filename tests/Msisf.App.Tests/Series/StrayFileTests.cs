@@ -25,9 +25,15 @@ public sealed class StrayFileTests : IDisposable
             _folder.Write(name, string.Empty);
         }
 
-        Assert.Equal(
-            [new StrayFile("a.xml", true), new StrayFile("b.png", false), new StrayFile("notes.txt", false)],
-            StrayFile.In(_folder.Path, manifest));
+        IReadOnlyList<StrayFile> strays = StrayFile.In(_folder.Path, manifest);
+        Assert.Equal([("a.xml", true), ("b.png", false), ("notes.txt", false)], strays.Select(file => (file.Name, file.IsLeftOver)));
+        Assert.StartsWith("the record of its frame does not name it", strays[0].Reason, StringComparison.Ordinal);
+        Assert.Equal("no record names it", strays[1].Reason);
+
+        manifest.Add(new ExpectedRecord("run", 2, "b", "other"));
+        StrayFile unrecorded = StrayFile.In(_folder.Path, manifest)[1];
+        Assert.True(unrecorded.IsLeftOver);
+        Assert.StartsWith("this folder has no record of its frame", unrecorded.Reason, StringComparison.Ordinal);
     }
 
     [Fact]
