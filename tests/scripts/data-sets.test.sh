@@ -33,9 +33,11 @@ test_data_sets_every_command_of_the_page_of_navigation_runs() {
             { echo "missing: $library" && exit 77; }
     done
     printf '%s\n' 'id,name,lat,lon,diam_km' T,Tycho,-43.3,-11.2,85 C,Clavius,-58.6,-14.1,231 >craters.csv
+    printf '%s\n' Breite,Laenge,D 10,20,50 >krater.txt
+    printf '%s\n' 20,10,50000 21,11,30000 >plain.txt
     printf '%s\n' id,lat,lon peak,-43.3,-8.5 >landmarks.csv
     printf '%s\n' time,lat,lon,height 2010-03-25T06:00:00Z,-46,-12,300000 2010-03-25T06:01:00Z,-45.5,-12,295000 >approach.csv
     run_page navigation-truth.md
-    assert_says '4 blocks'
+    assert_says '5 blocks'
     assert_file output/MoonSurfIllumSim_step_00001.flow.png
 }
