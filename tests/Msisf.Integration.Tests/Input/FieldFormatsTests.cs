@@ -139,9 +139,11 @@ public sealed class FieldFormatsTests : IDisposable
             "places.geojson", "{\"type\": \"FeatureCollection\", \"features\": [{\"type\": \"Feature\", \"properties\": {\"name\": \"a\"}, "
                 + "\"geometry\": {\"type\": \"Point\", \"coordinates\": [23.5, -10.25]}}]}");
         string message = Assert.Throws<BadInputException>(() => LandmarkReader.Read(file, 1_737_400.0)).Message;
-        string[] command = message.Split("Save it as CSV: ")[1].Split(". Then give ")[0].Replace("FILE", file, StringComparison.Ordinal)
-            .Split(' ');
-        ChildRun.Of(command[0], command[1..], _folder.Path).Succeeded();
+        string[] command =
+        [
+            .. message.Split("Save it as CSV: ")[1].Split(". Then give ")[0].Split(' ').Select(word => word == "FILE" ? file : word),
+        ];
+        ChildRun.Of(TestParts.Program(command[0])!, command[1..], _folder.Path).Succeeded();
 
         Core.Navigation.Landmark place = Assert.Single(LandmarkReader.Read(
             _folder["list.csv"], 1_737_400.0, given: ListColumns.Parse(message.Split("--columns ")[1].TrimEnd('.'))));
