@@ -99,19 +99,25 @@ internal sealed record FocalPlane(
         {
             (0, 3, _) => ("RADIAL", k[1] == 0.0 && k[2] == 0.0 ? [] : Radial("factor", -k[1] / scale, -k[2] / scale)),
             (1, 20, false) => ("TRANSVERSE", Owen(k)),
-            (2, 10, false) => ("KAGUYALISM",
-            [
-                ImportedCamera.Key("model", "polynomial"), ImportedCamera.Key("argument", "radius"),
-                ImportedCamera.Key("x", k[0] + k[1], k[2], k[3], k[4]), ImportedCamera.Key("y", k[5] + k[6], k[7], k[8], k[9]),
-            ]),
+            (2, 10, _) => ("KAGUYALISM", Kaguya(right, [k[0] + k[1], .. k[2..5]], [k[5] + k[6], .. k[7..]])),
             (4, 1, true) => (
                 "LROLROCNAC", Math.Abs(right.X) < NoTurn && Size.Height == 1 && rowOff < onAxis ? Radial("division", k[0]) : null),
-            (7, 5, false) => ("RADTAN", ImportedCamera.OpenCv(k)),
+            (7, 5, _) => (
+                "RADTAN",
+                ImportedCamera.OpenCv(k[0], k[1], (right.X * k[2]) - (right.Y * k[3]), (right.X * k[3]) + (right.Y * k[2]), k[4])),
             _ => ($"of type {LensType} with {k.Length} coefficients{(isTurned ? " on a turned detector" : string.Empty)}", null),
         };
         return lens.Keys ?? throw Wrong(
             $"the lens {lens.Name} has no counterpart in msis with these numbers. Give the camera as a camera file (docs/cameras.md)");
     }
+
+    /// <summary>Polynomials of the distance, which a turn mixes as it mixes x and y.</summary>
+    private static IReadOnlyList<(string, double[], string)> Kaguya((double X, double Y) right, double[] x, double[] y) =>
+    [
+        ImportedCamera.Key("model", "polynomial"), ImportedCamera.Key("argument", "radius"),
+        ImportedCamera.Key("x", [.. x.Zip(y, (a, b) => (right.X * a) + (right.Y * b))]),
+        ImportedCamera.Key("y", [.. x.Zip(y, (a, b) => (right.X * b) - (right.Y * a))]),
+    ];
 
     private static IReadOnlyList<(string, double[], string)> Radial(string form, params double[] k) =>
         [ImportedCamera.Key("model", "radial"), ImportedCamera.Key("form", form), ImportedCamera.Key("k", k)];

@@ -162,6 +162,48 @@ public sealed class CameraFormatsTests
         }
     }
 
+    /// <summary>
+    /// ALE's camera of a Kaguya TC image: x is down and y is left on its detector, whose first line is 1 px from the boresight's.
+    /// </summary>
+    [RequiresFact(Part.LroNac)]
+    public void Read_AlesCameraOfKaguya_FollowsUsgscsmsFormula()
+    {
+        CameraFile file = CameraFileReader.Read(Path.Combine(Path.GetDirectoryName(LroNac.Isd)!, "kaguyatc_isd.json"));
+
+        foreach (double sample in (double[])[0.5, 700.5, 1604.0, 3207.5])
+        {
+            double y = (sample + 0.5 - 2047.5) / -142.85714285714286;
+            double x = 1.0 / 142.85714285714286;
+            double r = Math.Sqrt((x * x) + (y * y));
+            double ux = x - 0.0725 - 0.0009649900000000001 + (0.00098441 * r) + (8.5773e-06 * r * r) - (3.7438e-06 * r * r * r);
+            double uy = y + 0.0214 - 0.0013796 + (1.3502e-05 * r) + (2.7251e-06 * r * r) - (6.193800000000001e-06 * r * r * r);
+            (double right, double down) = file.Model.ToIdeal(sample + 0.5, 1.0);
+            Assert.Equal(-uy / 72.45, right, 1e-13);
+            Assert.Equal(ux / 72.45, down, 1e-13);
+        }
+    }
+
+    /// <summary>A lens of OpenCV on a detector that is turned by a quarter: x of the state is down, y is left.</summary>
+    [Fact]
+    public void Read_TurnedRadtan_ProjectsAsUsgscsm()
+    {
+        double[] lens = [-0.2, 0.05, 0.01, -0.02, 0.03];
+        string text = "USGS_ASTRO_FRAME_SENSOR_MODEL\n{\"m_modelName\":\"USGS_ASTRO_FRAME_SENSOR_MODEL\",\"m_nLines\":48,\"m_nSamples\":64,"
+            + "\"m_focalLength\":0.7,\"m_iTransS\":[0.0,0.0,-100.0],\"m_iTransL\":[0.0,100.0,0.0],\"m_ccdCenter\":[20.0,35.0],"
+            + "\"m_startingDetectorSample\":0.0,\"m_startingDetectorLine\":0.0,\"m_detectorSampleSumming\":1,"
+            + "\"m_detectorLineSumming\":1,\"m_distortionType\":7,\"m_opticalDistCoeffs\":["
+            + string.Join(", ", lens.Select(Text)) + "]}";
+        CameraModel model = Read(text);
+
+        foreach ((double x, double y) in Points)
+        {
+            (double dx, double dy) = OpenCv(x, y, [.. lens, .. new double[7]]);
+            Assert.True(model.TryToImage(-y, x, out RenderingPoint found));
+            Assert.Equal((-100.0 * 0.7 * dy) + 35.0, found.X - 0.5, OfLens);
+            Assert.Equal((100.0 * 0.7 * dx) + 20.0, found.Y - 0.5, OfLens);
+        }
+    }
+
     /// <summary>Each file that is read in the error of a lens, a model or a part that has no counterpart, by its place.</summary>
     [Theory]
     [InlineData("1 FOV 64 48 70 71 32 24 0.9\n",
