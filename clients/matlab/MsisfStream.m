@@ -29,8 +29,9 @@ classdef MsisfStream < handle
                 authorization = sprintf('Authorization: Bearer %s\r\n', token);
             end
             % The nonce only guards against caches between client and server, so the answer's hash of it is not looked at.
-            request = sprintf(['GET /v1/stream HTTP/1.1\r\nHost: localhost\r\n%sUpgrade: websocket\r\nConnection: Upgrade\r\n' ...
-                'Sec-WebSocket-Key: bXNpc2ZfbWF0bGFiXzAwMQ==\r\nSec-WebSocket-Version: 13\r\n\r\n'], authorization);
+            request = sprintf(['GET /v1/stream HTTP/1.1\r\nHost: localhost\r\nX-Msisf-Client: %s\r\n%sUpgrade: websocket\r\n' ...
+                'Connection: Upgrade\r\nSec-WebSocket-Key: bXNpc2ZfbWF0bGFiXzAwMQ==\r\nSec-WebSocket-Version: 13\r\n\r\n'], ...
+                msisf_client_name(), authorization);
             write(stream.Socket, uint8(request));
             head = stream.readHead();
             if isempty(strfind(head, ' 101 '))

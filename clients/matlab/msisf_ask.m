@@ -6,7 +6,7 @@ function answer = msisf_ask(host, port, path, body, token)
 % An error 'msisf:request' has the words of the server. In MATLAB webread and webwrite do the same; Octave's webwrite sends no JSON.
     socket = tcpclient(host, port, 'Timeout', 120);
     method = 'GET';
-    headers = sprintf('Host: localhost\r\nAccept: application/json\r\nConnection: close\r\n');
+    headers = sprintf('Host: localhost\r\nX-Msisf-Client: %s\r\nAccept: application/json\r\nConnection: close\r\n', msisf_client_name());
     content = zeros(1, 0, 'uint8');
     if nargin > 3 && ~isempty(body)
         method = 'POST';

@@ -2,7 +2,7 @@ namespace Msisf.Server;
 
 /// <summary>
 /// Who asks what is worked on: clients share the server evenly. The name that a client gives itself, so that programs of one computer are
-/// told apart; else its address.
+/// told apart; else its address, the kind of program, and the connections that it opened together.
 /// </summary>
 internal static class AskingClient
 {
@@ -21,7 +21,12 @@ internal static class AskingClient
     public static Task NoteAsync(HttpContext context, RequestDelegate next)
     {
         string named = context.Request.Headers[Header].ToString();
-        Current.Value = $"{context.Connection.RemoteIpAddress} {named[..Math.Min(named.Length, Longest)]}";
+        string name = named.Length > 0
+            ? $"{Header} {Short(named)}"
+            : $"{context.Features.Get<Connection>()?.Burst} {Short(context.Request.Headers.UserAgent.ToString())}";
+        Current.Value = $"{context.Connection.RemoteIpAddress} {name}";
         return next(context);
     }
+
+    private static string Short(string text) => text[..Math.Min(text.Length, Longest)];
 }

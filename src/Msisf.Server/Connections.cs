@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Net;
 using Microsoft.AspNetCore.Connections;
 
 namespace Msisf.Server;
@@ -11,13 +12,18 @@ namespace Msisf.Server;
 /// <param name="longestSilence">From connecting to the end of the first request's head.</param>
 internal sealed class Connections(int most, TimeSpan longestSilence)
 {
+    /// <summary>Between two connections that a program opens at once, on a machine under load.</summary>
+    private static readonly TimeSpan LongestGap = TimeSpan.FromSeconds(0.5);
+
     private readonly ConcurrentDictionary<Connection, bool> _open = [];
+    private readonly ConnectionBursts _bursts = new(LongestGap);
 
     /// <param name="context">The connection; its requests find their <see cref="Connection"/> among the features.</param>
     /// <param name="next">Serves it.</param>
     public async Task HandleAsync(ConnectionContext context, ConnectionDelegate next)
     {
-        Connection connection = new(context);
+        string address = ((context.RemoteEndPoint as IPEndPoint)?.Address)?.ToString() ?? string.Empty;
+        Connection connection = new(context, _bursts.Opened(address, Now));
         _open[connection] = true;
         if (_open.Count > most && !MakeRoom(connection))
         {
@@ -35,8 +41,11 @@ internal sealed class Connections(int most, TimeSpan longestSilence)
         finally
         {
             _open.TryRemove(connection, out _);
+            _bursts.Closed(address, connection.Burst, Now);
         }
     }
+
+    private static TimeSpan Now => TimeSpan.FromMilliseconds(Environment.TickCount64);
 
     private bool MakeRoom(Connection newest)
     {
@@ -53,11 +62,16 @@ internal sealed class Connections(int most, TimeSpan longestSilence)
 }
 
 /// <summary>A connection of a client. Thread-safe.</summary>
-internal sealed class Connection(ConnectionContext context)
+/// <param name="context">The connection.</param>
+/// <param name="burst">The number of its burst, of all addresses.</param>
+internal sealed class Connection(ConnectionContext context, long burst)
 {
     private int _requests;
     private volatile bool _isUsed;
     private long _idleSince = Environment.TickCount64;
+
+    /// <summary>Number of those that one program opened together (<see cref="ConnectionBursts"/>).</summary>
+    public long Burst => burst;
 
     /// <summary>Whether no request of the connection is being answered.</summary>
     public bool IsIdle => Volatile.Read(ref _requests) == 0;

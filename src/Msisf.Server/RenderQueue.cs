@@ -21,13 +21,13 @@ internal sealed class RenderQueue(int cores, int maxWaiting, TimeSpan limit) : I
     /// <summary>Each of them takes one or two GB.</summary>
     private const int MaxLarge = 4;
 
-    /// <summary>Small work at once, of several clients, to that of one.</summary>
+    /// <summary>Work at once, of several clients, to that of one.</summary>
     private const int Spare = 2;
 
     private static readonly TimeSpan BetweenLooks = TimeSpan.FromMilliseconds(10);
 
     private readonly Places _small = new(cores, Spare * cores, maxWaiting);
-    private readonly Places _large = new(Math.Min(cores, MaxLarge), MaxLarge, maxWaiting);
+    private readonly Places _large = new(Math.Min(cores, MaxLarge / Spare), MaxLarge, maxWaiting);
     private readonly IdleMemory _memory = new();
     private int _running;
 

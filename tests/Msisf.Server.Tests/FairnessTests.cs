@@ -14,6 +14,9 @@ public sealed class FairnessTests(RunningServer server) : IClassFixture<RunningS
 
     private const int MostWaiting = 64;
 
+    /// <summary>Longer than between two connections that a program opens at once.</summary>
+    private static readonly TimeSpan BetweenPrograms = TimeSpan.FromSeconds(1.0);
+
     /// <summary>Requests of the busy client that may be answered before the other's: those that are drawn, and a turn more.</summary>
     private static readonly int MostBefore = 3 * Environment.ProcessorCount;
 
@@ -43,6 +46,41 @@ public sealed class FairnessTests(RunningServer server) : IClassFixture<RunningS
 
         Assert.Equal(HttpStatusCode.OK, other.StatusCode);
         Assert.InRange(meanwhile, 0, MostBefore);
+    }
+
+    /// <summary>
+    /// Another program does not wait for its place while one has all of its own: neither by name nor, since it connects later, without;
+    /// neither for small images nor for large ones, of which a drawing takes longer.
+    /// </summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("other", 1024)]
+    [InlineData(null, 1024)]
+    [InlineData("other", 1400)]
+    [InlineData(null, 1400)]
+    public async Task AnotherProgram_WaitsForAPartOfADrawingOnly(string? name, int side)
+    {
+        using HttpClient busy = new() { BaseAddress = server.Client.BaseAddress };
+        using HttpClient other = new() { BaseAddress = server.Client.BaseAddress };
+        using CancellationTokenSource enough = new();
+        Task<HttpResponseMessage>[] many =
+        [
+            .. Enumerable.Range(0, Requests).Select(_ => AskAsync(busy, name is null ? null : "busy", side, side, enough.Token)),
+        ];
+        await UntilMostWaitAsync();
+        await Task.Delay(BetweenPrograms);
+
+        using HttpResponseMessage first = await AskAsync(other, name, side, side, default);
+        using HttpResponseMessage second = await AskAsync(other, name, side, side, default);
+        await enough.CancelAsync();
+        await Task.WhenAny(Task.WhenAll(many)); // most are cancelled
+
+        foreach (HttpResponseMessage answer in new[] { first, second })
+        {
+            Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+            Dictionary<string, double> times = answer.Headers.GetValues("Server-Timing").Single().Split(", ").ToDictionary(
+                time => time.Split(';')[0], time => double.Parse(time.Split('=')[1], CultureInfo.InvariantCulture));
+            Assert.InRange(times["wait"], 0.0, 0.5 * times["draw"]);
+        }
     }
 
     private Task UntilMostWaitAsync() => Within.Seconds(60.0, "most requests to wait", () =>

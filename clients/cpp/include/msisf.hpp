@@ -301,8 +301,18 @@ inline std::vector<std::uint8_t> read_body(Connection& connection, const Head& h
     throw Error(detail.empty() ? "the server answers " + std::to_string(status) + ": " + text : detail, status);
 }
 
+/// A name of this program for the server, which shares itself evenly among the clients by their names.
+inline const std::string& client_name() {
+    static const std::string name = [] {
+        std::random_device random;
+        return "cpp-" + std::to_string(random()) + "-" + std::to_string(random());
+    }();
+    return name;
+}
+
 inline std::string request_head(const std::string& method, const std::string& path, const std::string& token) {
-    return method + " " + path + " HTTP/1.1\r\nHost: localhost\r\n" + (token.empty() ? "" : "Authorization: Bearer " + token + "\r\n");
+    return method + " " + path + " HTTP/1.1\r\nHost: localhost\r\nX-Msisf-Client: " + client_name() + "\r\n" +
+        (token.empty() ? "" : "Authorization: Bearer " + token + "\r\n");
 }
 
 }  // namespace detail

@@ -216,9 +216,11 @@ def head_of(connection):
 
 
 def upgrade(connection):
-    key = re.search(rb"Sec-WebSocket-Key: (\S+)", head_of(connection))[1]
+    head = head_of(connection)
+    key = re.search(rb"Sec-WebSocket-Key: (\S+)", head)[1]
     accept = base64.b64encode(hashlib.sha1(key + b"258EAFA5-E914-47DA-95CA-C5AB0DC85B11").digest())
     connection.sendall(b"HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nSec-WebSocket-Accept: " + accept + b"\r\n\r\n")
+    return head
 
 
 def message(kind, content, last=True):
@@ -247,6 +249,15 @@ def receive(connection):
         length = struct.unpack(">H", take(2))[0]
     mask = take(4)
     return first & 15, bytes(byte ^ mask[k % 4] for k, byte in enumerate(take(length)))
+
+
+def test_programs_say_their_names(programs):
+    """So that the server tells them apart."""
+    heads = [], []
+    for of_one in heads:
+        call(programs, serve_once(lambda connection, heads=of_one: heads.append(upgrade(connection))), "stream", "{}", *STATE)
+    names = [re.search(rb"\r\nX-Msisf-Client: (\S+)\r\n", of_one[0])[1] for of_one in heads]
+    assert names[0] != names[1]
 
 
 def test_fragments_and_pings(programs):

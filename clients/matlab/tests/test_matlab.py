@@ -1,5 +1,6 @@
 """The class for MATLAB, run in Octave where it is installed, against raw images of the server."""
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -32,11 +33,11 @@ def octave(words):
         ["octave-cli", "-q", *folders, "--eval", f"pkg load instrument-control; {words}"], capture_output=True, text=True, timeout=120)
 
 
-def die(server):
-    """Answers nothing of sense and closes, first as a server of HTTP would, then as one of streams."""
+def die(server, heads):
+    """Answers nothing of sense and closes, first as a server of HTTP would, then as one of streams. Notes what it was asked."""
     for answer in (b"hello\r\n\r\n", b"HTTP/1.1 101 Yes\r\n\r\n"):
         connection, _ = server.accept()
-        connection.recv(4096)
+        heads.append(connection.recv(4096).decode())
         connection.sendall(answer)
         connection.close()
 
@@ -51,9 +52,11 @@ def test_stream_in_octave(tmp_path):
         address = server.stdout.readline().strip()
         port = address.rsplit(":", 1)[1]
         with socket.create_server(("127.0.0.1", 0)) as dying:
-            threading.Thread(target=die, args=(dying,), daemon=True).start()
+            threading.Thread(target=die, args=(dying, heads := []), daemon=True).start()
             run = octave(f"run_stream('127.0.0.1', {port}, '{tmp_path}', {dying.getsockname()[1]})")
         assert run.returncode == 0, run.stderr
+        named = [re.search(r"\r\nX-Msisf-Client: (\S+)\r\n", head)[1] for head in heads]
+        assert len(named) == 2 and named[0] == named[1]  # one program
         for name, place in (("first", '"fixed-state": [55289.25, 1.9e6, 1e5, -2e5, 0, 0, 0, 1]'),
                             ("second", '"position": [0, 30, 1e5], "time": 55289.5')):
             request = urllib.request.Request(
