@@ -145,6 +145,32 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.Contains("<Facet part=\"2\"", xml, StringComparison.Ordinal); // NPB, the smaller one, is before NPC
     }
 
+    /// <summary>A tile of SLDEM2015 and one of Kaguya's Terrain Camera in it: alone their ground is that over LDEM_4.</summary>
+    [RequiresFact(Part.Field, Part.Ldem4, Part.GdalLibrary)]
+    public void Run_TilesWithoutAModelOfTheMoon_AreDrawnAsInOne()
+    {
+        string[] tiles =
+        [
+            "--ldem", Path.Combine(TestParts.Field!, "29", "SLDEM2015_4_00N_30N_000_045_FLOAT.LBL"),
+            "--ldem", Path.Combine(TestParts.Field!, "29", "DTM_MAPs02_N12E018N09E021SC.lbl"),
+        ];
+        double[] HeightsOf(string name, params string[] more)
+        {
+            CommandLineRun run = CommandLineRun.Of(
+                ["--renderer", "native", .. tiles, .. more, "--position=10.5,19.5,60000", "--time", "2026-01-08T00:00:00Z", "--ignore-sun",
+                 "--width", "80", "--height", "80", "--fov", "60", "--lod", "off", "--layers", "height", "--layers-format", "npy",
+                 "--batch", "--output-dir", _folder["out"], "--output-name", name]);
+            Assert.True(run.ExitCode == 0, run.Error);
+            Assert.Equal(more.Length == 0, run.Error.Contains("around the maps there is no ground", StringComparison.Ordinal));
+            return [.. Npy(name + ".height").Select(value => BitConverter.ToDouble(value))];
+        }
+
+        double[] alone = HeightsOf("alone");
+        double[] around = HeightsOf("around", "--ldem", TestParts.Ldem4Label!);
+        Assert.All(alone.Zip(around), pair => Assert.Equal(pair.Second, pair.First, 1e-6));
+        Assert.DoesNotContain("misfitMean=\"0\"", Meta("alone"), StringComparison.Ordinal);
+    }
+
     /// <summary>
     /// A real map of 5 m that lies 47 m below LDEM_4 in the mean, under low Suns: in LDEM_4 its ground is as lit as alone. Bent inwards it
     /// lies in a pit (tests/reference/nested_light.py: 20 to 35 % less).

@@ -90,10 +90,10 @@ internal sealed class IlluminationRun
             _host.Log.Note("The step of the interval is longer than a day: sunrises and nights in between are not seen.");
         }
 
-        if (!_model.Grid.IsWholeBody && _model.Grid.PartCount == 1)
+        if (!_model.Grid.IsWholeBody)
         {
             _host.Log.Warning(
-                "The model is a part of the Moon only: mountains beyond its border throw no shadows. Give a model of the "
+                "The ground is a part of the Moon only: mountains beyond its border throw no shadows. Give a model of the "
                     + "whole Moon as well.");
         }
     }

@@ -35,7 +35,7 @@ internal sealed class ElevationModel : IDisposable
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly Func<double?, IFrameTerrain> _detailOf;
-    private readonly IReadOnlyList<BorderMisfit> _misfits = [];
+    private readonly IReadOnlyList<BorderMisfit?> _misfits = [];
     private readonly IReadOnlyList<PartMove?> _moves = [];
     private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
@@ -72,7 +72,7 @@ internal sealed class ElevationModel : IDisposable
         _detailOf = _ => new FullDetail(grid);
     }
 
-    internal ElevationModel(NestedTerrain nested, IReadOnlyList<BorderMisfit> misfits, IReadOnlyList<ElevationModel> models)
+    internal ElevationModel(NestedTerrain nested, IReadOnlyList<BorderMisfit?> misfits, IReadOnlyList<ElevationModel> models)
         : this(nested, [.. models.Select(model => model.Set)], models)
     {
         (_misfits, _moves) = (misfits, [.. models.Select(model => model.Moved)]);
@@ -120,7 +120,7 @@ internal sealed class ElevationModel : IDisposable
             grid.ProductId, Sets[part].IsSynthetic, grid.Projection.Resolution, drawn[part])
         {
             Moved = part < _moves.Count ? _moves[part] : null,
-            Misfit = part > 0 && part <= _misfits.Count ? PartMisfit.Of(_misfits[part - 1]) : null,
+            Misfit = part > 0 && part <= _misfits.Count && _misfits[part - 1] is { } misfit ? PartMisfit.Of(misfit) : null,
         }),
         .. drawn.Skip(Sets.Count).Select(window => new ElevationPart(Grid.InventedName!, IsSynthetic: true, window!.Value, window)),
     ];

@@ -90,8 +90,13 @@ internal static class ModelOpening
                 SeamFiles files = new([.. opened.Select(model => model.Set)], host.CacheFolder, host.Log.Warning);
                 NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
                 nested.Prepare(hasLevels);
-                BorderMisfit[] misfits = [.. nested.BorderMisfits()];
-                TellMisfits(nested, misfits, host.Log);
+                BorderMisfit?[] misfits = [.. nested.BorderMisfits()];
+                TellMisfits(nested, misfits.OfType<BorderMisfit>(), host.Log);
+                if (!nested.IsWholeBody)
+                {
+                    host.Log.Note("No model is of the whole Moon: around the maps there is no ground.");
+                }
+
                 return new ElevationModel(
                     nested, misfits, [.. nested.Models.Select(grid => opened.Single(model => ReferenceEquals(model.Grid, grid)))]);
             });
@@ -181,7 +186,7 @@ internal static class ModelOpening
     }
 
     /// <summary>Says of each border how well the models meet there.</summary>
-    private static void TellMisfits(NestedTerrain nested, IReadOnlyList<BorderMisfit> misfits, ILog log)
+    private static void TellMisfits(NestedTerrain nested, IEnumerable<BorderMisfit> misfits, ILog log)
     {
         foreach (BorderMisfit misfit in misfits)
         {

@@ -5,7 +5,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Lod;
 
 /// <summary>
-/// Several models at levels of detail, joined to one closed surface for each combination of levels that is needed. The surfaces that were
+/// Several models at levels of detail, joined to one surface for each combination of levels that is needed. The surfaces that were
 /// used last are kept. Safe for several threads.
 /// </summary>
 public sealed class NestedLevels
@@ -19,7 +19,7 @@ public sealed class NestedLevels
 
     /// <summary>Takes the models.</summary>
     /// <param name="scene">The surface of the models themselves.</param>
-    /// <param name="models">The levels of each, in the order of the surface; the first one's are of the whole Moon.</param>
+    /// <param name="models">The levels of each, in the order of the surface.</param>
     public NestedLevels(NestedTerrain scene, IReadOnlyList<TerrainLevels> models)
     {
         (Scene, Models) = (scene, models);

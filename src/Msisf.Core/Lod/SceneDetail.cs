@@ -42,7 +42,7 @@ public sealed class SceneDetail : IFrameTerrain
         int?[] levels = new int?[_rules.Length];
         for (int model = 0; model < levels.Length; model++)
         {
-            double angle = model == 0 ? 0.0 : ModelReach.AngleTo(scene.WholeParts[model], direction);
+            double angle = scene.WholeParts[model].Mesh.IsClosed ? 0.0 : ModelReach.AngleTo(scene.WholeParts[model], direction);
             double half = Math.Sin(0.5 * Math.Min(angle, Math.PI));
             double away = Math.Max(0.0, distance - ground);
             double nearest = Math.Sqrt((away * away) + (4.0 * distance * ground * half * half));

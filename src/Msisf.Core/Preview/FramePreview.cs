@@ -56,7 +56,7 @@ public sealed record FramePreview(
     {
         SurfaceModel surface = SurfaceModel.Of(map);
         return camera.Bands[0].Camera.Model.Lens is not null
-            || (middle is { } seen && surface.Parts[0].Mesh.PlaceOf(seen.Point.ToDirectionBodyFixed()) is not null)
+            || (middle is { } seen && surface.Parts.Any(part => part.Mesh.PlaceOf(seen.Point.ToDirectionBodyFixed()) is not null))
             || camera.Bounds(Margin).Any(
                 bounds => new BlockCuller(surface).Find(bounds, threads: 1, CancellationToken.None).Count > 0);
     }

@@ -76,9 +76,9 @@ public static class TerrainHeight
 
     /// <summary>
     /// Distance from the Moon's centre to the facet of a surface of several models, m. The seams are needed only where no model has it well
-    /// inside one of its cells.
+    /// inside one of its cells. Null beside the facets of a surface that is not closed.
     /// </summary>
-    internal static double RadiusOn(IReadOnlyList<GridPatch> parts, Func<SeamPatch> seamsOf, Vector3D direction)
+    internal static double? RadiusOn(IReadOnlyList<GridPatch> parts, Func<SeamPatch> seamsOf, Vector3D direction)
     {
         double nearest = double.NegativeInfinity;
         double radius = double.NaN;
@@ -119,7 +119,9 @@ public static class TerrainHeight
             }
         }
 
-        return double.IsFinite(radius) ? radius : throw new InvalidOperationException($"No facet in direction {direction}.");
+        return nearest < -WellInside && !parts[0].Mesh.IsClosed ? null
+            : double.IsFinite(radius) ? radius
+            : throw new InvalidOperationException($"No facet in direction {direction}.");
     }
 
     /// <summary>Throws an exception for a position that is not above the surface.</summary>

@@ -6,20 +6,24 @@ namespace Msisf.Core.Surface.Sources;
 public static class AutomaticOffset
 {
     /// <summary>Models with those raised that are to be: each by the mean misfit at its border, the coarser ones first.</summary>
-    /// <param name="models">The models, in any order; the coarsest is one of the whole Moon.</param>
+    /// <param name="models">The models, in any order.</param>
     /// <param name="blend">Which of two models gives way where they meet; it decides which of two alike is finer.</param>
     /// <param name="isWanted">Which of them.</param>
     /// <returns>m for each, in the order in which they were given; 0 for the others.</returns>
+    /// <exception cref="BadInputException">There is no coarser model below the border of a wanted one.</exception>
     public static IReadOnlyList<double> Of(IReadOnlyList<ITerrainGrid> models, NestBlend blend, Func<ITerrainGrid, bool> isWanted)
     {
         double[] offsets = new double[models.Count];
         ITerrainGrid[] order = [.. models.Order(new ModelOrder(blend))];
-        for (int part = 1; part < order.Length; part++)
+        for (int part = 0; part < order.Length; part++)
         {
             if (isWanted(order[part]))
             {
                 int index = models.Index().First(model => ReferenceEquals(model.Item, order[part])).Index;
-                offsets[index] = -new OutlineFields(order[..(part + 1)]).MisfitOf(part).Height.Mean;
+                BorderMisfit? misfit = part == 0 ? null : new OutlineFields(order[..(part + 1)]).MisfitOf(part);
+                offsets[index] = -(misfit ?? throw new BadInputException(
+                    $"{order[part].ProductId}: offset=auto raises a map to meet the models around it, and there are none. Give a model of "
+                        + "the whole Moon as well, or metres.")).Height.Mean;
                 order[part] = new OffsetGrid(order[part], offsets[index]);
             }
         }

@@ -17,25 +17,31 @@ public readonly record struct BorderMisfit(string ProductId, MisfitNumbers Heigh
     public const int SlopeSamples = 64;
 
     /// <summary>Compares a model's outermost samples, also those around places without data.</summary>
-    /// <param name="coarserAt">m: radius of the coarser models in a direction.</param>
-    internal static BorderMisfit Of(ITerrainGrid model, Outline outline, Func<Vector3D, double> coarserAt)
+    /// <param name="coarserAt">m: radius of the coarser models in a direction; null where there is none.</param>
+    /// <returns>Null if the coarser models are nowhere below the border.</returns>
+    internal static BorderMisfit? Of(ITerrainGrid model, Outline outline, Func<Vector3D, double?> coarserAt)
     {
         GridWindow window = model.Window;
         int inwards = Math.Clamp(Math.Min(window.Lines, window.Samples) / 4, 1, SlopeSamples);
         (MisfitSums heights, MisfitSums slopes) = (default, default);
         foreach (OutlineSample sample in outline.Samples)
         {
-            double misfit = sample.Radius - coarserAt(sample.Direction);
-            heights = heights.With(misfit, sample.Count);
-            if (Inside(model, sample, inwards) is (Vector3D direction, double radius))
+            if (coarserAt(sample.Direction) is not { } below)
             {
-                double rise = radius - coarserAt(direction) - misfit;
+                continue;
+            }
+
+            double misfit = sample.Radius - below;
+            heights = heights.With(misfit, sample.Count);
+            if (Inside(model, sample, inwards) is (Vector3D direction, double radius) && coarserAt(direction) is { } belowInside)
+            {
+                double rise = radius - belowInside - misfit;
                 slopes = slopes.With(
                     rise / (MoonConstants.ReferenceRadius * (direction - sample.Direction).Length), sample.Count);
             }
         }
 
-        return new BorderMisfit(model.ProductId, heights.Numbers, slopes.Numbers);
+        return heights.Count == 0.0 ? null : new BorderMisfit(model.ProductId, heights.Numbers, slopes.Numbers);
     }
 
     /// <summary>A place with data, so many samples from an outermost one away from where there is none; null if there is no such.</summary>

@@ -4,15 +4,27 @@ namespace Msisf.Core.Surface.Sources;
 internal sealed class CoarserGround
 {
     private readonly FacetMesh[] _meshes;
+    private readonly double _referenceRadius;
 
     /// <summary>Takes the models.</summary>
-    /// <param name="coarser">The models, the coarsest first; that is one of the whole Moon.</param>
-    public CoarserGround(IEnumerable<GridPatch> coarser) =>
+    /// <param name="coarser">The models, the coarsest first.</param>
+    /// <param name="referenceRadius">m: the sphere that counts where there is no model.</param>
+    public CoarserGround(IEnumerable<GridPatch> coarser, double referenceRadius)
+    {
         _meshes = [.. coarser.Where(part => !part.IsLeftOut).Select(part => part.Mesh).Reverse()];
+        _referenceRadius = referenceRadius;
+    }
 
-    /// <summary>Minimum and maximum radius of the models' samples, m.</summary>
-    public (double Min, double Max) RadiusLimits =>
-        (_meshes.Min(mesh => mesh.Grid.RadiusLimits.Min), _meshes.Max(mesh => mesh.Grid.RadiusLimits.Max));
+    /// <summary>Minimum and maximum radius of the models' samples, m, and of the sphere if the models leave a part of it.</summary>
+    public (double Min, double Max) RadiusLimits
+    {
+        get
+        {
+            IEnumerable<(double Min, double Max)> limits = _meshes.Select(mesh => mesh.Grid.RadiusLimits);
+            limits = _meshes.Any(mesh => mesh.IsClosed) ? limits : limits.Append((_referenceRadius, _referenceRadius));
+            return (limits.Min(limit => limit.Min), limits.Max(limit => limit.Max));
+        }
+    }
 
     /// <summary>Distance from the Moon's centre to the facet in a direction, of the finest model there, m.</summary>
     public double RadiusAt(Vector3D direction)
@@ -25,7 +37,7 @@ internal sealed class CoarserGround
             }
         }
 
-        throw new InvalidOperationException($"The coarsest model has no facet in direction {direction}.");
+        return _referenceRadius;
     }
 
     /// <summary>rad: upper bound of the sides of a cell of the finest model in a direction.</summary>

@@ -76,7 +76,7 @@ internal sealed class NestedParts
             }
             else
             {
-                CoarserGround? coarser = part == 0 ? null : new CoarserGround(whole);
+                CoarserGround? coarser = grid.IsWholeBody ? null : new CoarserGround(whole, models[0].ReferenceRadius);
                 whole.Add(new GridPatch(
                     fields is not null ? OutwardBlend.Of(grid, fields.Of(part, isDrawn), coarser)
                     : coarser is null ? grid

@@ -3,8 +3,9 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Surface.Sources;
 
 /// <summary>
-/// Several elevation models as one closed surface: everywhere the finest model that has data, joined without a crack and without a step
-/// (docs/elevation-seams.md). The seams are made when the surface is first needed. Safe for several threads.
+/// Several elevation models as one surface: everywhere the finest model that has data, joined without a crack and without a step
+/// (docs/elevation-seams.md). It is closed if one of them is of the whole Moon; else there is nothing around the maps. The seams are made
+/// when the surface is first needed. Safe for several threads.
 /// </summary>
 public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
 {
@@ -18,7 +19,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     private readonly OutlineFields _fields;
 
     /// <summary>Takes the models; nothing is read yet.</summary>
-    /// <param name="models">Two or more, in any order; the coarsest is one of the whole Moon.</param>
+    /// <param name="models">Two or more, in any order; of the whole Moon only the coarsest may be.</param>
     /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
     /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <exception cref="BadInputException">They are no such models.</exception>
@@ -30,11 +31,11 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
             throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");
         }
 
-        if (!Models[0].IsWholeBody)
+        if (blend == NestBlend.Inward && !Models[0].IsWholeBody)
         {
             throw new BadInputException(
-                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon. Give one that is as well, for "
-                    + "instance LDEM_4: around the others there would be nothing, and no horizon would throw shadows.");
+                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon: there is no ground to which its "
+                    + "border could be bent. Give one that is as well, for instance LDEM_4.");
         }
 
         if (Models.Skip(1).FirstOrDefault(model => model.IsWholeBody) is { } whole)
@@ -85,6 +86,9 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     public double ReferenceRadius => Models[0].ReferenceRadius;
 
     /// <inheritdoc/>
+    public bool IsWholeBody => Models[0].IsWholeBody;
+
+    /// <inheritdoc/>
     public int PartCount => Models.Count;
 
     /// <inheritdoc/>
@@ -122,9 +126,10 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     internal IReadOnlyList<GridPatch> WholeParts => _parts.Value.Whole;
 
     /// <summary>
-    /// Distance from the Moon's centre to the ground in a direction, of the finest model there, m; in a seam about that of the surface.
+    /// Distance from the Moon's centre to the ground in a direction, of the finest model there, m; in a seam about that of the surface, and
+    /// around maps the reference sphere.
     /// </summary>
-    internal double GroundRadius(Vector3D direction) => new CoarserGround(WholeParts).RadiusAt(direction);
+    internal double GroundRadius(Vector3D direction) => new CoarserGround(WholeParts, ReferenceRadius).RadiusAt(direction);
 
     /// <summary>Number of models that have the same heights at other levels.</summary>
     internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) => IsSame(levels).Count(same => same);
@@ -134,17 +139,14 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;
 
-    /// <summary>How far each model but the coarsest is off the coarser ones along its border.</summary>
-    public IEnumerable<BorderMisfit> BorderMisfits() => Enumerable.Range(1, Models.Count - 1).Select(part =>
-    {
-        BorderMisfit misfit = _fields.MisfitOf(part);
-        return misfit with
+    /// <summary>How far each model but the coarsest is off the coarser ones along its border; null if it lies on none.</summary>
+    public IEnumerable<BorderMisfit?> BorderMisfits() => Enumerable.Range(1, Models.Count - 1).Select(part =>
+        _fields.MisfitOf(part) is not { } misfit ? (BorderMisfit?)null : misfit with
         {
             BlendedMetres = WholeParts[part].Grid is BorderBlend bent
                 ? bent.Width * bent.Projection.Resolution.MetresPerPixel
                 : OutlineField.WidthOf(misfit.Height.Rms, Models[part - 1].Projection.Resolution.MetresPerPixel),
-        };
-    });
+        });
 
     /// <inheritdoc/>
     public void ReleasePages()
@@ -176,7 +178,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
                 : same && part >= finest && (part < coarsest || !Models[part].MayHaveGaps));
     }
 
-    double IGround.RadiusAt(Vector3D direction) => TerrainHeight.RadiusOn(Parts, () => Surface.Seams, direction);
+    double IGround.RadiusAt(Vector3D direction) => TerrainHeight.RadiusOn(Parts, () => Surface.Seams, direction) ?? ReferenceRadius;
 
     private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams, isDelaunay: Blend == NestBlend.Outward));
 }

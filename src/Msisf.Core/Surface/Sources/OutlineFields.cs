@@ -38,15 +38,18 @@ internal sealed class OutlineFields
 
     /// <summary>How far a model is off the coarser ones along its border, before any of them is changed.</summary>
     /// <param name="part">Number of the model; not the coarsest.</param>
-    public BorderMisfit MisfitOf(int part) => BorderMisfit.Of(_models[part], _outlines[part].Value, direction =>
+    /// <returns>Null if its border lies on no coarser model.</returns>
+    public BorderMisfit? MisfitOf(int part) => BorderMisfit.Of(_models[part], _outlines[part].Value, direction =>
     {
-        for (int coarser = part - 1; ; coarser--)
+        for (int coarser = part - 1; coarser >= 0; coarser--)
         {
             if (_grounds[coarser].RadiusAt(direction) is { } radius)
             {
                 return radius;
             }
         }
+
+        return null;
     });
 
     /// <summary>The samples of a model's outline that lie on a coarser one and are seen, with the differences there.</summary>

@@ -25,7 +25,7 @@ internal sealed class SeamBuilder
     private SeamBuilder(IReadOnlyList<GridPatch> parts) => _parts = parts;
 
     /// <summary>Makes the seams of models.</summary>
-    /// <param name="parts">The models with their cells; the coarsest is one of the whole Moon.</param>
+    /// <param name="parts">The models with their cells; if the first is not of the whole Moon there is nothing around them.</param>
     /// <param name="store">Keeps what fills the gaps; null to make all of it.</param>
     /// <param name="isDelaunay">Whether the facets are a constrained Delaunay triangulation, or what is found first.</param>
     /// <param name="more">Corners of further facets, three of each, whose vertices may belong to further parts; null for none.</param>
@@ -33,19 +33,21 @@ internal sealed class SeamBuilder
     public static SeamPatch Join(
         IReadOnlyList<GridPatch> parts, ISeamStore? store, bool isDelaunay = false, IReadOnlyList<SeamVertex>? more = null)
     {
-        SeamBuilder builder = new(parts);
-        for (int part = 0; part < parts.Count; part++)
+        bool isOpen = !parts[0].Mesh.IsClosed;
+        SeamBuilder builder = new(isOpen ? EmptySurroundings.Before(parts) : parts);
+        for (int part = 0; part < builder._parts.Count; part++)
         {
-            if (!parts[part].IsLeftOut)
+            if (!builder._parts[part].IsLeftOut)
             {
                 builder.AddBorders(part);
             }
         }
 
         SeamVertex[] vertices = [.. builder._vertices];
-        int[] filling = SeamTriangulator.Fill(parts, vertices, builder._edges, isDelaunay, store);
-        int[] corners = InPlaces(vertices, filling);
+        int[] filling = SeamTriangulator.Fill(builder._parts, vertices, builder._edges, isDelaunay, store);
+        int[] corners = InPlaces(vertices, isOpen ? EmptySurroundings.RemoveFrom(builder._parts, vertices, filling) : filling);
         builder.Check(vertices, corners);
+        vertices = isOpen ? [.. vertices.Select(vertex => vertex with { Part = vertex.Part - 1 })] : vertices;
         return more is null
             ? new SeamPatch(vertices, corners)
             : new SeamPatch([.. vertices, .. more], [.. corners, .. Enumerable.Range(vertices.Length, more.Count)]);

@@ -25,6 +25,6 @@ public sealed class AutomaticOffsetTests
         Assert.InRange(one[0], 29.8, 30.0);
         Assert.Equal([0.0, 0.0], one.Skip(1));
         OffsetGrid raised = new(site, one[0]);
-        Assert.InRange(new NestedTerrain([moon, map, raised]).BorderMisfits().Last().Height.Mean, -1e-6, 1e-6);
+        Assert.InRange(new NestedTerrain([moon, map, raised]).BorderMisfits().Last()!.Value.Height.Mean, -1e-6, 1e-6);
     }
 }

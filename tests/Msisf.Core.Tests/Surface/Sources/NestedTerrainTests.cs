@@ -163,15 +163,6 @@ public sealed class NestedTerrainTests
     }
 
     [Fact]
-    public void Constructor_NoModelOfTheWholeMoon_SaysWhatToAdd()
-    {
-        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 5000.0, 70, 34.5, 34.5);
-        PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 500.0, 70, 34.5, 34.5);
-        BadInputException refused = Assert.Throws<BadInputException>(() => new NestedTerrain([map, site]));
-        Assert.Contains("whole Moon", refused.Message, StringComparison.Ordinal);
-    }
-
-    [Fact]
     public void Constructor_TwoOfTheWholeMoon_SaysWhichIsHidden() => Assert.Contains(
         "Leave that one out",
         Assert.Throws<BadInputException>(() => new NestedTerrain([FunctionGrid.Rugged(1), FunctionGrid.Rugged(4)])).Message,
