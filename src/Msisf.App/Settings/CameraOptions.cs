@@ -35,7 +35,8 @@ internal static class CameraOptions
 
     public static TimeSpec Epoch { get; } = new(
         "--epoch", DecidesBytes.ByStates,
-        "Time for which the orbit and the attitude are given, or from which a batch file counts its seconds (UTC)")
+        "Time for which the orbit and the attitude are given; of a batch file the one from which its seconds count, and whose axes "
+            + "--batch-frame moon-me-epoch has (UTC)")
     {
         Aliases = ["-e"],
     };

@@ -27,9 +27,7 @@ internal sealed class CylinderGeometry : MeshGeometry
         CellAngle = Math.PI / 180.0 / pixelsPerDegree;
         Sagitta = MeshBounds.SagittaFactor(pixelsPerDegree);
         WidestColumns = WidestDegrees * pixelsPerDegree;
-        StepsPerMetre = mesh.IsClosed
-            ? LatticePoint.StepsPerMetre
-            : Math.ScaleB(1.0, PlaneGeometry.LatticeOf(mesh.Grid.Projection.Resolution.MetresPerPixel));
+        StepsPerMetre = StepsOf(mesh);
         GridWindow window = mesh.Grid.Window;
         bool isPart = window.Samples < mesh.Samples;
         GridDirections directions = new(pixelsPerDegree, hasTable: !isPart);
@@ -68,15 +66,18 @@ internal sealed class CylinderGeometry : MeshGeometry
     public SineCosine Longitude(int sample) =>
         new(_longitudeSines[sample - _firstSample], _longitudeCosines[sample - _firstSample]);
 
-    public override Vector3D Vertex(int line, int sample, double radius)
+    public override Vector3D Vertex(int line, int sample, double radius) =>
+        VertexAt(StepsPerMetre, Latitude(line), Longitude(sample), radius);
+
+    /// <summary>Position of a vertex on a lattice, m, body-fixed.</summary>
+    public static Vector3D VertexAt(double stepsPerMetre, SineCosine latitude, SineCosine longitude, double radius)
     {
-        (SineCosine latitude, SineCosine longitude) = (Latitude(line), Longitude(sample));
-        double steps = StepsPerMetre * radius;
+        double steps = stepsPerMetre * radius;
         double equatorial = steps * latitude.Cosine;
         return new Vector3D(
-            Math.Floor((equatorial * longitude.Cosine) + 0.5) / StepsPerMetre,
-            Math.Floor((equatorial * longitude.Sine) + 0.5) / StepsPerMetre,
-            Math.Floor((steps * latitude.Sine) + 0.5) / StepsPerMetre);
+            Math.Floor((equatorial * longitude.Cosine) + 0.5) / stepsPerMetre,
+            Math.Floor((equatorial * longitude.Sine) + 0.5) / stepsPerMetre,
+            Math.Floor((steps * latitude.Sine) + 0.5) / stepsPerMetre);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors

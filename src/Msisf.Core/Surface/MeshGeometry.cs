@@ -25,6 +25,11 @@ internal abstract class MeshGeometry
     public static MeshGeometry Of(FacetMesh mesh) =>
         mesh.Grid.Projection is PolarStereographic polar ? new PlaneGeometry(polar, mesh) : new CylinderGeometry(mesh);
 
+    /// <summary>Steps of the lattice of a mesh a metre.</summary>
+    public static double StepsOf(FacetMesh mesh) => mesh.IsClosed
+        ? LatticePoint.StepsPerMetre
+        : Math.ScaleB(1.0, PlaneGeometry.LatticeOf(mesh.Grid.Projection.Resolution.MetresPerPixel));
+
     /// <summary>Position of a vertex whose radius is known, m, body-fixed, on the lattice.</summary>
     public abstract Vector3D Vertex(int line, int sample, double radius);
 

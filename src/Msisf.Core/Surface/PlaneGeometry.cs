@@ -18,7 +18,7 @@ internal sealed class PlaneGeometry : MeshGeometry
     public PlaneGeometry(PolarStereographic projection, FacetMesh mesh)
     {
         _projection = projection;
-        StepsPerMetre = Math.ScaleB(1.0, LatticeOf(projection.MetresPerPixel));
+        StepsPerMetre = StepsOf(mesh);
         CellAngle = projection.MetresPerPixel / MoonConstants.ReferenceRadius;
         Sagitta = MeshBounds.SagittaOf(CellAngle);
         Nodes = new PlaneNodes(projection);
@@ -46,16 +46,20 @@ internal sealed class PlaneGeometry : MeshGeometry
     /// </summary>
     public static int LatticeOf(double cell) => Math.Max(7, (int)Math.Ceiling(Math.Log2(2048.0 / cell)));
 
-    public override Vector3D Vertex(int line, int sample, double radius)
+    public override Vector3D Vertex(int line, int sample, double radius) =>
+        VertexAt(StepsPerMetre, _projection, _a[sample], _projection.B(line), radius);
+
+    /// <summary>Position of a vertex on a lattice, m, body-fixed.</summary>
+    /// <param name="a">X / R of its sample.</param>
+    /// <param name="b">Y / R of its line.</param>
+    public static Vector3D VertexAt(double stepsPerMetre, PolarStereographic projection, double a, double b, double radius)
     {
-        double a = _a[sample];
-        double b = _projection.B(line);
         double s = 0.25 * ((a * a) + (b * b));
-        double f = (StepsPerMetre * radius) / (1.0 + s);
-        return _projection.ToBodyFixed(new Vector3D(
-            Math.Floor((f * b) + 0.5) / StepsPerMetre,
-            Math.Floor((f * a) + 0.5) / StepsPerMetre,
-            Math.Floor((_projection.PoleSign * (f * (1.0 - s))) + 0.5) / StepsPerMetre));
+        double f = (stepsPerMetre * radius) / (1.0 + s);
+        return projection.ToBodyFixed(new Vector3D(
+            Math.Floor((f * b) + 0.5) / stepsPerMetre,
+            Math.Floor((f * a) + 0.5) / stepsPerMetre,
+            Math.Floor((projection.PoleSign * (f * (1.0 - s))) + 0.5) / stepsPerMetre));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors

@@ -6,8 +6,8 @@ namespace Msisf.Core.Surface;
 public static class TerrainHeight
 {
     /// <summary>
-    /// m: a facet with a shorter edge has no area. The pole vertex is computed for each sample and scatters by 1e-9 m. The shortest real
-    /// edges, beside a pole at 1024 px/deg, have 2e-4 m.
+    /// m: a facet with a shorter edge has no area: those at a pole, and at 1024 px/deg those beside it, whose edges of 2e-4 m vanish on the
+    /// lattice. Below the steps of all lattices.
     /// </summary>
     private const double ShortestEdge = 1e-6;
 

@@ -1,10 +1,13 @@
+using Msisf.Core.Terrain;
+
 namespace Msisf.Core.Surface;
 
-/// <summary>The vertices of a block of cells, read from the model; one object is loaded for many blocks.</summary>
+/// <summary>The vertices of a block of cells, on the lattice, read from the model; one object is loaded for many blocks.</summary>
 internal sealed class TerrainPatch(FacetMesh mesh)
 {
+    private readonly double _stepsPerMetre = MeshGeometry.StepsOf(mesh);
     private double[] _radii = [];
-    private (double Sin, double Cos)[] _longitudes = [];
+    private SineCosine[] _longitudes = [];
     private Vector3D[] _positions = [];
 
     /// <summary>Number of vertices from north to south.</summary>
@@ -32,42 +35,48 @@ internal sealed class TerrainPatch(FacetMesh mesh)
         if (_radii.Length < Samples)
         {
             _radii = new double[Samples];
-            _longitudes = new (double, double)[Samples];
+            _longitudes = new SineCosine[Samples];
         }
 
-        if (!mesh.IsClosed)
+        if (mesh.Grid.Projection is Equirectangular(var pixelsPerDegree))
         {
-            LoadMap(cells);
-            return;
+            LoadCylinder(cells, new GridDirections(pixelsPerDegree, hasTable: false));
         }
+        else
+        {
+            LoadPlane(cells, (PolarStereographic)mesh.Grid.Projection);
+        }
+    }
 
+    private void LoadCylinder(CellRange cells, GridDirections directions)
+    {
         for (int sample = 0; sample < Samples; sample++)
         {
-            _longitudes[sample] = Math.SinCos(FacetMesh.Longitude(cells.FirstSample + sample, mesh.Samples));
+            _longitudes[sample] = directions.Longitude((cells.FirstSample + sample + mesh.Samples) % mesh.Samples);
         }
 
         for (int line = 0; line < Lines; line++)
         {
             mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
-            (double sinLatitude, double cosLatitude) = Math.SinCos(FacetMesh.Latitude(cells.FirstLine + line, mesh.Lines));
+            SineCosine latitude = directions.Latitude(cells.FirstLine + line);
             for (int sample = 0; sample < Samples; sample++)
             {
-                double across = _radii[sample] * cosLatitude;
-                _positions[(line * Samples) + sample] = new Vector3D(
-                    across * _longitudes[sample].Cos, across * _longitudes[sample].Sin, _radii[sample] * sinLatitude);
+                _positions[(line * Samples) + sample] =
+                    CylinderGeometry.VertexAt(_stepsPerMetre, latitude, _longitudes[sample], _radii[sample]);
             }
         }
     }
 
-    private void LoadMap(CellRange cells)
+    private void LoadPlane(CellRange cells, PolarStereographic plane)
     {
         for (int line = 0; line < Lines; line++)
         {
             mesh.ReadRadii(cells.FirstLine + line, cells.FirstSample, _radii.AsSpan(0, Samples));
+            double b = plane.B(cells.FirstLine + line);
             for (int sample = 0; sample < Samples; sample++)
             {
                 _positions[(line * Samples) + sample] =
-                    _radii[sample] * mesh.Grid.Projection.DirectionOf(cells.FirstLine + line, cells.FirstSample + sample);
+                    PlaneGeometry.VertexAt(_stepsPerMetre, plane, plane.A(cells.FirstSample + sample), b, _radii[sample]);
             }
         }
     }

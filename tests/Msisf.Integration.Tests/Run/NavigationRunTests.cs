@@ -12,6 +12,9 @@ public sealed class NavigationRunTests : IDisposable
     private const int Width = 120;
     private const int Height = 90;
 
+    /// <summary>m: thousands of roundings of the coordinates.</summary>
+    private const double OneGround = 1e-6;
+
     /// <summary>Tycho, Clavius, Maginus, Longomontanus, a crater behind the limb and a small one.</summary>
     private const string Catalogue =
         "id,name,lat,lon,diam_km,lat_sd,lon_sd,diam_km_sd\n"
@@ -230,6 +233,71 @@ public sealed class NavigationRunTests : IDisposable
         Assert.False(Directory.Exists(_folder["out"]));
     }
 
+    /// <summary>
+    /// The layer position, landmarks, craters and cameras over the terrain have one ground: what the layer says of a pixel's middle is
+    /// where a landmark of that latitude and longitude lies, at the pixel's middle.
+    /// </summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_GroundOfAPixel_IsThatOfLandmarksCratersAndCameras()
+    {
+        const double OverGround = 1000.0; // m
+        Assert.Equal(0, Run("layer", "--layers", "position", "--layers-format", "npy").ExitCode);
+        double[] positions = Doubles(Path.Combine(_folder["layer"], "MoonSurfIllumSim_step_00001.position.npy"));
+        int[] pixels = [.. Enumerable.Range(0, Width * Height).Where(pixel => pixel % 37 == 0 && double.IsFinite(positions[3 * pixel]))];
+        string[] places = [.. pixels.Select(pixel => Place(positions.AsSpan(3 * pixel, 3)))];
+        _folder.Write("l.csv", "id,lat,lon\n" + string.Concat(pixels.Zip(places, (pixel, place) => $"{pixel},{place}\n")));
+        _folder.Write("c.csv", "id,lat,lon,diam_km\n" + string.Concat(pixels.Zip(places, (pixel, place) => $"{pixel},{place},40\n")));
+        string[] cameraRows = [.. places.Select((place, i) => $"{60 * i},{place},terrain+{OverGround:F0}\n")];
+        _folder.Write("b.csv", "seconds,lat,lon,height\n" + string.Concat(cameraRows));
+
+        Assert.Equal(0, Run("lists", "--landmarks", _folder["l.csv"], "--craters", _folder["c.csv"]).ExitCode);
+        CommandLineRun states = CommandLineRun.Of(
+        [
+            "batchconvert", "--batch-file", _folder["b.csv"], "--epoch", "55280", "--format", "sh", "--pieces", "1", "--script",
+            _folder["s.sh"],
+        ]);
+
+        Assert.True(states.ExitCode == 0, states.Error);
+        string stem = Path.Combine(_folder["lists"], "MoonSurfIllumSim_step_00001");
+        Dictionary<string, string>[] landmarks = Table($"{stem}.landmarks.csv");
+        Dictionary<string, string>[] craters = Table($"{stem}.craters.csv");
+        double[] cameras =
+        [
+            .. File.ReadLines(_folder["s.sh.states.tab"]).Where(line => line[0] != '#')
+                .Select(line => Norm([.. line.Split(' ')[1..4].Select(Number)])),
+        ];
+        Assert.InRange(pixels.Length, 100, 400);
+        Assert.Equal(pixels.Length, cameras.Length);
+        Assert.Equal(pixels.Length, landmarks.Length);
+        Assert.InRange(craters.Length, pixels.Length / 2, pixels.Length); // those on the limb are too narrow to be told
+        for (int i = 0; i < pixels.Length; i++)
+        {
+            double[] position = positions[(3 * pixels[i])..((3 * pixels[i]) + 3)];
+            Dictionary<string, string> landmark = landmarks.Single(row => Number(row["id"]) == pixels[i]);
+            Assert.Equal("yes", landmark["visible"]);
+            Assert.Equal(1.0 + (pixels[i] % Width), Number(landmark["h"]), 1e-6);
+            Assert.Equal(1.0 + (pixels[i] / Width), Number(landmark["v"]), 1e-6);
+            Assert.Equal(position[0], Number(landmark["x"]), OneGround);
+            Assert.Equal(position[1], Number(landmark["y"]), OneGround);
+            Assert.Equal(position[2], Number(landmark["z"]), OneGround);
+            Assert.Equal(Norm(position), cameras[i] - OverGround, OneGround);
+        }
+
+        foreach (Dictionary<string, string> crater in craters)
+        {
+            int pixel = (int)Number(crater["id"]);
+            Assert.Equal(Norm(positions[(3 * pixel)..((3 * pixel) + 3)]), 1_737_400.0 + Number(crater["height"]), OneGround);
+        }
+
+        static string Place(ReadOnlySpan<double> r)
+        {
+            double latitude = double.RadiansToDegrees(Math.Atan2(r[2], Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]))));
+            return FormattableString.Invariant($"{latitude},{double.RadiansToDegrees(Math.Atan2(r[1], r[0]))}");
+        }
+
+        static double Norm(double[] r) => Math.Sqrt((r[0] * r[0]) + (r[1] * r[1]) + (r[2] * r[2]));
+    }
+
     private CommandLineRun Run(string output, params string[] options) => CommandLineRun.Of(
     [
         .. options.Contains("--renderer") ? (string[])[] : ["--renderer", "native"],
@@ -267,6 +335,20 @@ public sealed class NavigationRunTests : IDisposable
     }
 
     /// <summary>The last numbers of an array file.</summary>
+    private static double[] Doubles(string path)
+    {
+        byte[] bytes = File.ReadAllBytes(path);
+        double[] numbers = new double[3 * Width * Height];
+        Buffer.BlockCopy(bytes, bytes.Length - (sizeof(double) * numbers.Length), numbers, 0, sizeof(double) * numbers.Length);
+        return numbers;
+    }
+
+    private static Dictionary<string, string>[] Table(string path)
+    {
+        string[][] lines = [.. File.ReadLines(path).Select(line => line.Split(','))];
+        return [.. lines[1..].Select(fields => lines[0].Zip(fields).ToDictionary())];
+    }
+
     private static int[] Numbers(string path)
     {
         byte[] bytes = File.ReadAllBytes(path);
