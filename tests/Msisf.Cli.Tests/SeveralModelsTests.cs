@@ -171,6 +171,25 @@ public sealed class SeveralModelsTests : IDisposable
         Assert.DoesNotContain("misfitMean=\"0\"", Meta("alone"), StringComparison.Ordinal);
     }
 
+    /// <summary>Of a file with two bands the first one is drawn, and a note says so.</summary>
+    [RequiresFact(Part.Gdal, Part.PolarPieces, Part.GdalLibrary)]
+    public void Run_SecondBand_IsNoted()
+    {
+        ChildRun.Of(
+            "gdal_translate", ["-q", "-b", "1", "-b", "1", TestParts.PolarPiece("NPC")!, _folder["two.tif"]], _folder.Path).Succeeded();
+        string NotesOf(string path)
+        {
+            CommandLineRun run = CommandLineRun.Of(
+                ["--renderer", "native", "--ldem", path, "--position=-84.8,126,9000", "--time", "61060", "--width", "20", "--height", "20",
+                 "--batch", "--output-dir", _folder["out"]]);
+            Assert.True(run.ExitCode == 0, run.Error);
+            return run.Error;
+        }
+
+        Assert.Contains("It has 2 bands; heights are those of the first one.", NotesOf(_folder["two.tif"]), StringComparison.Ordinal);
+        Assert.DoesNotContain(" bands; ", NotesOf(TestParts.PolarPiece("NPC")!), StringComparison.Ordinal);
+    }
+
     /// <summary>
     /// A real map of 5 m that lies 47 m below LDEM_4 in the mean, under low Suns: in LDEM_4 its ground is as lit as alone. Bent inwards it
     /// lies in a pit (tests/reference/nested_light.py: 20 to 35 % less).

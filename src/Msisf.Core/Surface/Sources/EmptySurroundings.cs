@@ -44,7 +44,8 @@ internal sealed class EmptySurroundings(double referenceRadius) : IGlobalGrid
     }
 
     /// <summary>
-    /// The facets between maps that touch: without those at the surroundings, between maps that lie apart, and in holes of a map below which there is no other.
+    /// The facets between maps that touch: without those at the surroundings, between maps that lie apart, and in holes of a map below
+    /// which there is no other.
     /// </summary>
     /// <param name="parts">The surroundings, and the maps after them.</param>
     /// <param name="corners">Three indices of vertices for each facet.</param>

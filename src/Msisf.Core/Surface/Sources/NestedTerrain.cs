@@ -34,8 +34,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
         if (blend == NestBlend.Inward && !Models[0].IsWholeBody)
         {
             throw new BadInputException(
-                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon: there is no ground to which its "
-                    + "border could be bent. Give one that is as well, for instance LDEM_4.");
+                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon: there is no ground to which "
+                    + "its border could be bent. Give one that is as well, for instance LDEM_4.");
         }
 
         if (Models.Skip(1).FirstOrDefault(model => model.IsWholeBody) is { } whole)

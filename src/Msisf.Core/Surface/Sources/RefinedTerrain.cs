@@ -138,7 +138,9 @@ public sealed class RefinedTerrain : ITerrain, IGround
             {
                 ITerrainGrid window = new DetailWindow(_detail, _tiles, place);
                 known = (place, isCoarsest, new GridPatch(
-                    isCoarsest ? new BorderBlend(window, new CoarserGround(WholeParts, ReferenceRadius), WindowPlan.WidestBorder) : window));
+                    isCoarsest
+                        ? new BorderBlend(window, new CoarserGround(WholeParts, ReferenceRadius), WindowPlan.WidestBorder)
+                        : window));
             }
 
             _windows.AddFirst(known);

@@ -35,7 +35,8 @@ public sealed class BorderMisfitTests
             (line, sample) is (39, 45) ? 300.0 : 0.0);
         GridWithGaps withHole = new(map, (line, sample) => line is >= 40 and < 50 && sample is >= 40 and < 50);
 
-        BorderMisfit misfit = Assert.Single(new NestedTerrain([new FunctionGrid(8, (_, _) => 1_737_400.0), withHole]).BorderMisfits())!.Value;
+        NestedTerrain terrain = new([new FunctionGrid(8, (_, _) => 1_737_400.0), withHole]);
+        BorderMisfit misfit = Assert.Single(terrain.BorderMisfits())!.Value;
 
         Assert.InRange(misfit.Height.Greatest, 300.0, 300.0 + Sagitta);
     }

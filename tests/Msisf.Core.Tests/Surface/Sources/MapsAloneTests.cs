@@ -15,7 +15,7 @@ public sealed class MapsAloneTests
     private const int Places = 60;
 
     /// <summary>Where maps touch, the ground goes on as it does inside a model of the whole Moon, to the bit.</summary>
-    /// <param name="maps">px/deg, northern latitude, western longitude, height and width in degrees; maps are divided by semicolons.</param>
+    /// <param name="maps">px/deg, northern latitude, western longitude, height and width in degrees; semicolons between maps.</param>
     [Theory]
     [InlineData("6 20 30 5 8; 6 20 38 5 8")] // beside each other
     [InlineData("6 20 30 5 8; 6 15 30 5 8")] // above each other
