@@ -1,5 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Serving;
+using Msisf.Core.Time;
 
 namespace Msisf.Server;
 
@@ -22,7 +23,7 @@ internal sealed class FoldersEndpoint
         (_frames, _host) = (frames, host);
         foreach ((string name, string path) in frames.Settings.Folders)
         {
-            ServedFolder folder = new(path, frames.Names, host.Log);
+            ServedFolder folder = new(path, frames.Names, frames.TimeScale, host.Log);
             _readers[name] = Directory.Exists(path)
                 ? _ => Task.FromResult(folder.Frames())
                 : cancellation => ReadBatchAsync(path, cancellation);
@@ -48,7 +49,7 @@ internal sealed class FoldersEndpoint
             Frames = frames.Select(frame => new
             {
                 frame.Number,
-                Mjd = frame.State.Time.Days,
+                Mjd = frame.State.Time.Mjd,
                 Utc = frame.State.Time.ToIsoUtc(),
                 State = frame.State.ToNumbers(),
                 Camera = frame.Camera is { } camera ? ModelsEndpoint.Described(camera) : null,

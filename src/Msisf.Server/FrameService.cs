@@ -81,9 +81,12 @@ internal sealed class FrameService : IAsyncDisposable
     /// <summary>A frame with the defaults of all options, for what needs no camera.</summary>
     public RequestedFrame ReadDefault() => Read(JsonElement.Parse("{}"), needsPlace: false);
 
+    /// <summary>The leap seconds for requests that give no options of the ephemeris.</summary>
+    public TimeScale TimeScale() => Sessions.Ephemeris.Of(ReadDefault().Settings).TimeScale();
+
     /// <summary>Where the Sun is at times, m, BODY_FIXED, for requests that give no options of the ephemeris.</summary>
     /// <exception cref="MsisfException">The kernels do not cover a time.</exception>
-    public Vector3D[] SunAt(IEnumerable<ModifiedJulianDate> times)
+    public Vector3D[] SunAt(IEnumerable<Instant> times)
     {
         RenderSettings settings = ReadDefault().Settings;
         IEphemeris engine = Sessions.Ephemeris.Of(settings).Engine();

@@ -1,8 +1,9 @@
+using Msisf.App.Settings;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
 using System.Buffers.Binary;
 using System.Net.WebSockets;
 using System.Text.Json;
-using Msisf.App.Settings;
-using Msisf.Core.Scene;
 
 namespace Msisf.Server;
 
@@ -104,6 +105,6 @@ internal sealed record StreamMessage(WebSocketMessageType Type, byte[] Bytes, ui
             numbers[index] = BinaryPrimitives.ReadDoubleLittleEndian(Bytes.AsSpan(index * sizeof(double)));
         }
 
-        return new FixedStateSettings(SpacecraftState.FromNumbers(numbers));
+        return new FixedStateSettings(CalendarTime.OfMjd(numbers[0]), SpacecraftState.FromNumbers(default, numbers.AsSpan(1)));
     }
 }

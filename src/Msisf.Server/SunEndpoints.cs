@@ -1,9 +1,10 @@
-using System.Text.Json;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Preview;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using System.Text.Json;
 
 namespace Msisf.Server;
 
@@ -43,16 +44,18 @@ internal sealed class SunEndpoints(FrameService frames)
             throw new UsageException("'latitude' and 'longitude' belong together. Give both, or none.");
         }
 
-        ModifiedJulianDate time = TimeText.Parse(Text(query, query.ContainsKey("utc") ? "utc" : "mjd"));
+        CalendarTime utc = TimeText.Parse(Text(query, query.ContainsKey("utc") ? "utc" : "mjd"));
         RenderSettings settings = SettingsOf(query);
-        Vector3D sun = frames.Sessions.Ephemeris.Of(settings).Engine().SunPositionBodyFixed(time, settings.Aberration);
+        IEphemeris engine = frames.Sessions.Ephemeris.Of(settings).Engine();
+        Instant time = engine.TimeScale.InstantOf(utc);
+        Vector3D sun = engine.SunPositionBodyFixed(time, settings.Aberration);
         SelenographicPoint below = SelenographicPoint.Below(sun);
         Vector3D direction = sun.Normalized();
         SkyDirection? sky = query.ContainsKey("latitude") ? SkyDirection.Of(PlaceOf(query), sun) : null;
         return JsonBody.SendAsync(context.Response, new
         {
             Utc = time.ToIsoUtc(),
-            Mjd = time.Days,
+            Mjd = time.Mjd,
             SubSolarPoint = new
             {
                 Latitude = double.RadiansToDegrees(below.Latitude),
@@ -79,7 +82,8 @@ internal sealed class SunEndpoints(FrameService frames)
         }
 
         double step = (to - from) / (count - 1.0);
-        Vector3D[] suns = frames.SunAt(Enumerable.Range(0, (int)count).Select(index => new ModifiedJulianDate(from + (index * step))));
+        TimeScale scale = frames.TimeScale();
+        Vector3D[] suns = frames.SunAt(Enumerable.Range(0, (int)count).Select(index => scale.InstantOfMjd(from + (index * step))));
         return JsonBody.SendAsync(context.Response, new
         {
             From = from,

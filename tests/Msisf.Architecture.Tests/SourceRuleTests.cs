@@ -1,5 +1,5 @@
-using System.Text.RegularExpressions;
 using Msisf.TestSupport;
+using System.Text.RegularExpressions;
 using Xunit;
 
 namespace Msisf.Architecture.Tests;
@@ -51,6 +51,36 @@ public sealed partial class SourceRuleTests
             Sources.Where(path => File.ReadAllText(path).Contains("ProcessStartInfo", StringComparison.Ordinal))
                 .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)));
 
+    /// <summary>A moment is an Instant: doubles of MJD are read and printed, and never kept.</summary>
+    [Fact]
+    public void Mjd_IsADouble_AtInputAndOutputOnly() =>
+        Assert.Equal(
+            [
+                "src/Msisf.Adapters/Input/TimeText.cs", "src/Msisf.App/Preparation/FrameNaming.cs", "src/Msisf.Core/Time/CalendarTime.cs",
+                "src/Msisf.Core/Time/Instant.cs", "src/Msisf.Core/Time/TimeScale.cs",
+            ],
+            Sources.Where(path => DoubleOfMjd().IsMatch(File.ReadAllText(path)))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)).Order(StringComparer.Ordinal));
+
+    /// <summary>Tables, labels, messages, JSON, names of files; the noise of a frame, which is that of its printed time.</summary>
+    [Fact]
+    public void Mjd_OfAMoment_IsAskedForByOutputsOnly() =>
+        Assert.Equal(
+            [
+                "src/Msisf.Adapters/CameraExport/Pds4Product.cs", "src/Msisf.Adapters/Input/TimeText.cs",
+                "src/Msisf.Adapters/Layers/FitsProvenance.cs", "src/Msisf.Adapters/Layers/LayersJson.cs",
+                "src/Msisf.Adapters/Metadata/AnnotationRenderer.cs", "src/Msisf.Adapters/Metadata/MetadataXmlWriter.cs",
+                "src/Msisf.Adapters/Metadata/OriginXml.cs", "src/Msisf.App/DataSets/DataSetFile.cs",
+                "src/Msisf.App/Illumination/IlluminationMaps.cs", "src/Msisf.App/Illumination/MonthOfLight.cs",
+                "src/Msisf.App/Preparation/FrameNaming.cs", "src/Msisf.App/Preparation/PreparedRun.cs",
+                "src/Msisf.Core/Detector/Noise/NoiseSource.cs", "src/Msisf.Core/Ephemeris/BlockTimes.cs",
+                "src/Msisf.Core/Ephemeris/KernelCover.cs", "src/Msisf.Core/Scene/SpacecraftState.cs",
+                "src/Msisf.Core/Time/Instant.cs", "src/Msisf.Core/Time/TimeInterval.cs", "src/Msisf.Server/FoldersEndpoint.cs",
+                "src/Msisf.Server/SunEndpoints.cs",
+            ],
+            Sources.Where(path => File.ReadAllText(path).Contains(".Mjd", StringComparison.Ordinal))
+                .Select(path => Path.GetRelativePath(TestParts.RepositoryRoot, path)).Order(StringComparer.Ordinal));
+
     /// <summary>Which exceptions say that the file system refuses is written in one place.</summary>
     [Fact]
     public void FileErrors_AreNamed_InOnePlaceOnly() =>
@@ -88,6 +118,9 @@ public sealed partial class SourceRuleTests
     /// <summary>A statement on the line of its condition, or below it.</summary>
     [GeneratedRegex(@"^ *(else )?(if|for|foreach|while) \([^\n]*\)(\n? +[^ {.?:&|+\-*/=\n][^\n]*;| [^\n]*;)$", RegexOptions.Multiline)]
     private static partial Regex BranchWithoutBraces();
+
+    [GeneratedRegex(@"\bdouble\??(\[\])? \w*[mM]jd\w*")]
+    private static partial Regex DoubleOfMjd();
 
     [GeneratedRegex(@"\b[a-z]\w*Km\b")]
     private static partial Regex KilometreName();

@@ -63,7 +63,7 @@ public sealed class SunriseTableTests : IDisposable
             Assert.Equal(!isRise, IsLit(days - (1.0 / 86400.0)));
             Assert.Equal(isRise, IsLit(days + (1.0 / 86400.0)));
 
-            bool IsLit(double at) => IsAnyInView(tracer, place, opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(at)));
+            bool IsLit(double at) => IsAnyInView(tracer, place, opened.Engine.SunPositionBodyFixed(Moments.OfMjd(at)));
         }
     }
 

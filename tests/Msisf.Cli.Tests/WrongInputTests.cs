@@ -124,7 +124,7 @@ public sealed class WrongInputTests : IDisposable
 
     // Times.
     [InlineData($"{Orbit} --time 2455289.5", 1, "--time: '2455289.5' looks like a Julian Date; its MJD is 55289 (")]
-    [InlineData($"{Orbit} --time 2016-12-31T23:59:60Z", 1, "no leap second")]
+    [InlineData($"{Orbit} --time 2017-12-31T23:59:60Z", 2, "2017-12-31T23:59:60: there was no leap second then")]
     [InlineData($"{Kepler} --epoch 2016-12-31 --time 55289", 1, "--epoch: '2016-12-31' has no time of day; write e.g. 2016-12-31T00")]
     [InlineData("--fixed-state {2455289.5,2E6,2E6,0,0,0,0,1}", 1, "number 1 (MJD): '2455289.5' looks like a Julian Date")]
     [InlineData($"{Orbit} --times {{55289,2016-12-31T12:00:00}}", 1, "number 2 (MJD2): '2016-12-31T12:00:00' has no time zone")]

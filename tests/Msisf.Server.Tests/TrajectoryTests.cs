@@ -57,7 +57,8 @@ public sealed class TrajectoryTests : IDisposable
         Assert.Equal(expected, await server.RenderAsync($"\"states\": \"orbit.oem\", {time}, \"off-nadir\": \"5,40\", {Small}"));
         Assert.Equal(
             expected,
-            await server.RenderAsync($"\"states\": {Rows()}, \"orbit-frame\": \"j2000\", {time}, \"off-nadir\": \"5,40\", {Small}"));
+            await server.RenderAsync(
+                $"\"states\": {RowsOfCalendarTimes()}, \"orbit-frame\": \"j2000\", {time}, \"off-nadir\": \"5,40\", {Small}"));
         File.Delete(oem); // it has been read
         Assert.NotEqual(expected, await server.RenderAsync($"\"states\": \"orbit.oem\", {time}, {Small}"));
         await server.DisposeAsync();
@@ -70,6 +71,8 @@ public sealed class TrajectoryTests : IDisposable
     [InlineData("\"states\": 7", "'states' is '7', which is no trajectory")]
     [InlineData("\"states\": {}", "'states' is an object; a text or a number is needed")]
     [InlineData("\"states\": []", "'states' is empty. Give states, MJD rx ry rz vx vy vz each")]
+    [InlineData("\"states\": [[\"noon\", 2e6, 0, 0, 0, 1600, 0]]", "'states', state 1: 'noon' is not a number; a time is an MJD (UTC), or")]
+    [InlineData("\"states\": [[60328.5, \"2e6\", 0, 0, 0, 1600, 0]]", "'states', state 1: a list of 7 finite numbers is needed")]
     [InlineData("\"states\": [[60328.5, 2e6, 0, 0]]", "'states', state 1: a list of 7 finite numbers is needed: MJD rx ry rz vx vy vz.")]
     [InlineData("\"states\": [[60328.5, 2e6, 0, 0, 0, 1600, null]]", "'states', state 1: a list of 7 finite numbers")]
     [InlineData("\"states\": [[60328.5, 2e999, 0, 0, 0, 1600, 0]]", "'states', state 1: a list of 7 finite numbers")]
@@ -108,6 +111,9 @@ public sealed class TrajectoryTests : IDisposable
 
     private static string Rows() => $"[{string.Join(", ", States().Select(
         row => $"[{string.Join(", ", row.State.Prepend(Start + (row.Time / Day)).Select(Text))}]"))}]";
+
+    private static string RowsOfCalendarTimes() => $"[{string.Join(", ", States().Select(
+        row => $"[\"2024-01-19T12:{row.Time / 60.0:00}:00Z\", {string.Join(", ", row.State.Select(Text))}]"))}]";
 
     private static string Oem() =>
         "CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\n"

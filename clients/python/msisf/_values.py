@@ -61,7 +61,8 @@ def time_text(time: Optional[Time]) -> str:
             raise MsisfError("the time has no zone; give datetime(..., tzinfo=timezone.utc)")
         return time.isoformat()
     if isinstance(time, np.datetime64) and not np.isnat(time):
-        return f"{np.datetime_as_string(time.astype('datetime64[us]'))}Z"
+        is_fine = np.datetime_data(time.dtype)[0] in ("ns", "ps", "fs", "as")
+        return f"{np.datetime_as_string(time if is_fine else time.astype('datetime64[us]'))}Z"
     if isinstance(time, str):
         return str(time)
     try:

@@ -109,6 +109,7 @@ def test_wrong_argument_is_an_msisf_error_that_names_it(wrong, text):
 def test_time_keeps_its_digits():
     assert time_text(55289.12345678901) == "55289.12345678901"
     assert time_text(np.datetime64("2010-04-03T01:02:03.123456")) == "2010-04-03T01:02:03.123456Z"
+    assert time_text(np.datetime64("2010-04-03T01:02:03.123456789")) == "2010-04-03T01:02:03.123456789Z"
 
 
 def test_frame_says_what_it_is(moon, frame):

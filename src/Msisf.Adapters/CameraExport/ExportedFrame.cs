@@ -10,10 +10,10 @@ namespace Msisf.Adapters.CameraExport;
 /// <summary>What camera models for other programs are made from.</summary>
 /// <param name="Name">File name of the image, without extension.</param>
 /// <param name="Camera">The camera in its state.</param>
-/// <param name="Time">UTC.</param>
+/// <param name="Time">When.</param>
 /// <param name="SunPosition">m, in the body's frame; with a lamp at the camera the camera's position.</param>
 /// <param name="Globe">The body.</param>
-public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJulianDate Time, Vector3D SunPosition, DrawnGlobe Globe)
+public sealed record ExportedFrame(string Name, FrameCamera Camera, Instant Time, Vector3D SunPosition, DrawnGlobe Globe)
 {
     /// <summary>For formats that need it: what time TDB is, and how the body is turned.</summary>
     public IEphemeris? Ephemeris { get; init; }
@@ -34,7 +34,7 @@ public sealed record ExportedFrame(string Name, FrameCamera Camera, ModifiedJuli
     internal int Height => Camera.Height * (Scan is { Kind: not ScanKind.RollingShutter } scan ? scan.Count : 1);
 
     /// <summary>TDB seconds past J2000.</summary>
-    internal double TdbSeconds => Ephemeris!.TimeScale.FromUtc(Time);
+    internal double TdbSeconds => Time.Tdb.Seconds;
 
     /// <summary>Turns J2000 into the body's frame.</summary>
     internal RotationMatrix BodyFromJ2000 => BodyFromJ2000At(TdbSeconds);

@@ -1,10 +1,11 @@
-using System.Xml;
-using System.Xml.Linq;
 using Msisf.Adapters.Input;
 using Msisf.Core.Camera;
 using Msisf.Core.Camera.Lenses;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
+using Msisf.Core.Time;
+using System.Xml;
+using System.Xml.Linq;
 
 namespace Msisf.Adapters.CameraExport;
 
@@ -12,25 +13,27 @@ namespace Msisf.Adapters.CameraExport;
 public static class MetaFileFrame
 {
     /// <summary>Reads it; the pixels are not read.</summary>
+    /// <param name="scale">Makes a moment of its time.</param>
     /// <exception cref="BadInputException">It is none, is too old to have the camera, or lacks the states of a scan's rows.</exception>
-    public static ExportedFrame Read(string path) => FileErrors.ToBadInput($"{path}: can't be read", () =>
+    public static ExportedFrame Read(string path, TimeScale scale) => FileErrors.ToBadInput($"{path}: can't be read", () =>
     {
         using FileStream stream = File.OpenRead(path);
-        return Read(stream, path, () => RowStateFiles.Find(path));
+        return Read(stream, path, scale, () => RowStateFiles.Find(path));
     });
 
     /// <summary>The same of a stream.</summary>
     /// <param name="stream">The content.</param>
     /// <param name="path">Its name.</param>
+    /// <param name="scale">Makes a moment of its time.</param>
     /// <param name="rowStates">The states of all rows of a scan (<see cref="RowStates"/>); null if they are not known.</param>
-    /// <inheritdoc cref="Read(string)" path="/exception"/>
-    public static ExportedFrame Read(Stream stream, string path, Func<double[]?> rowStates)
+    /// <inheritdoc cref="Read(string, TimeScale)" path="/exception"/>
+    public static ExportedFrame Read(Stream stream, string path, TimeScale scale, Func<double[]?> rowStates)
     {
         try
         {
             XElement general = General(stream) ?? throw new BadInputException(
                 $"{path}: there is no GeneralInformation in it. Name a meta file (.xml) of msis.");
-            return Frame(general, path, rowStates);
+            return Frame(general, path, scale, rowStates);
         }
         catch (Exception exception) when (exception is XmlException or FormatException or OverflowException)
         {
@@ -45,7 +48,7 @@ public static class MetaFileFrame
         return reader.ReadToFollowing("GeneralInformation") ? (XElement)XNode.ReadFrom(reader) : null;
     }
 
-    private static ExportedFrame Frame(XElement general, string path, Func<double[]?> rowStates)
+    private static ExportedFrame Frame(XElement general, string path, TimeScale scale, Func<double[]?> rowStates)
     {
         XElement camera = general.Element("Camera") ?? throw new BadInputException(
             $"{path}: the file is of a version of msis that did not write the camera yet. Make the image again.");
@@ -70,7 +73,7 @@ public static class MetaFileFrame
         return new ExportedFrame(
             Path.GetFileNameWithoutExtension(path),
             model.At(state),
-            TimeText.Parse(Child(Child(general, "SimulationTime"), "MJD").Value),
+            scale.InstantOf(TimeText.Parse(Child(Child(general, "SimulationTime"), "UTC").Value)),
             state.SunPositionBodyFixed ?? Vector(general, "SunPosition"),
             globe)
         {

@@ -112,7 +112,7 @@ internal static class Pds4Product
         UnitQuaternion q = frame.BodyFromOpenCv;
         string axes = frame.Globe.Body.Frame;
         StringBuilder text = new();
-        Line($"MJD (UTC) = {Real(frame.Time.Days)}");
+        Line($"MJD (UTC) = {Real(frame.Time.Mjd)}");
         Line($"Camera position ({axes}, m) = {Reals(" ", Of(frame.Camera.PositionBodyFixed))}");
         Line($"Quaternion x y z w, camera axes (x right, y down, z forward) to {axes} = {Reals(" ", q.X, q.Y, q.Z, q.W)}");
         Line($"Position of the light ({axes}, m) = {Reals(" ", Of(frame.SunPosition))}");

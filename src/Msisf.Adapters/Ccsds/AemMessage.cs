@@ -1,5 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ccsds;
 
@@ -9,7 +10,7 @@ namespace Msisf.Adapters.Ccsds;
 /// <param name="scale">Turns times into TDB.</param>
 /// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
 /// <param name="isRounded">Whether quaternions may be rounded to a few decimals.</param>
-internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, bool isRounded)
+internal sealed class AemMessage(CcsdsPlace place, TimeScale scale, Func<RotationMatrix> moonMeFromMoonPa, bool isRounded)
     : CcsdsMessage(place, scale)
 {
     private static readonly string[] OfBlock =
@@ -87,20 +88,20 @@ internal sealed class AemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
             : new AttitudeSamples { Useable = ReadUseable(), Interpolation = said };
     }
 
-    protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
+    protected override void Add(TdbTime time, ReadOnlySpan<double> numbers, bool areNamed)
     {
-        RequireLater(_samples.Times, tdbSeconds);
+        RequireLater(_samples.Times, time);
         try
         {
             UnitQuaternion frameFromBody = _columns!.FrameFromBody(numbers, areNamed, isRounded);
             if (_samples is EulerAngleSamples angles)
             {
-                angles.Add(tdbSeconds, Radians(numbers), Radians(numbers[3..]));
+                angles.Add(time, Radians(numbers), Radians(numbers[3..]));
             }
             else
             {
                 Vector3D? rate = _columns.HasRates ? _columns.RateBody(numbers, areNamed, frameFromBody) : null;
-                ((AttitudeSamples)_samples).Add(tdbSeconds, frameFromBody, rate);
+                ((AttitudeSamples)_samples).Add(time, frameFromBody, rate);
             }
         }
         catch (BadInputException exception)

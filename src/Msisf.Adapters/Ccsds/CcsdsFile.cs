@@ -1,20 +1,21 @@
-using System.IO.Compression;
-using System.Text;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using System.IO.Compression;
+using System.Text;
 
 namespace Msisf.Adapters.Ccsds;
 
 /// <summary>
 /// Reads CCSDS files: orbit ephemeris messages (OEM 1.0, 2.0, 3.0) and attitude ephemeris messages (AEM 1.0, 2.0), as lines (KVN) or XML,
-/// also compressed by gzip. A state takes 56 bytes of memory, an attitude 40, and 72 with rates.
+/// also compressed by gzip. A state takes 64 bytes of memory, an attitude 48, and 80 with rates.
 /// </summary>
 /// <param name="scale">Turns the files' times into TDB.</param>
 /// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
 /// <param name="note">Receives a sentence for what was put right.</param>
-public sealed class CcsdsFile(TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa, Action<string>? note = null)
+public sealed class CcsdsFile(TimeScale scale, Func<RotationMatrix> moonMeFromMoonPa, Action<string>? note = null)
 {
     /// <summary>Reads files by the kernels of a run.</summary>
     /// <param name="kernels">The engine with its kernels.</param>

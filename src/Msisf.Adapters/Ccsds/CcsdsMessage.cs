@@ -1,12 +1,13 @@
 using Msisf.Adapters.Input;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ccsds;
 
 /// <summary>What is the same in both kinds of files: header, blocks of keywords, times, interpolation.</summary>
 /// <param name="place">Where the reader is.</param>
-/// <param name="scale">Turns times into TDB.</param>
-internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
+/// <param name="scale">Makes moments of times.</param>
+internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
 {
     /// <summary>Of an interpolation for which the file gives none.</summary>
     protected const int DefaultDegree = 7;
@@ -25,11 +26,11 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
         ("SLERP", InterpolationMethod.Linear),
     ];
 
-    private CcsdsTimeSystem? _timeSystem;
+    private TimeSystem _timeSystem;
     private CcsdsMetadata? _metadata;
     private readonly Dictionary<string, string> _object = [];
     private double[] _lastNumbers = [];
-    private double? _lastTime;
+    private TdbTime? _lastTime;
 
     /// <summary>"OEM" or "AEM".</summary>
     public abstract string Kind { get; }
@@ -97,9 +98,13 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     /// <summary>All keywords of the block were taken; its data follow.</summary>
     public void BeginData()
     {
-        string system = Metadata.Require("TIME_SYSTEM", $"in which system its times are ({string.Join(", ", CcsdsTimeSystem.Names)})");
-        _timeSystem = CcsdsTimeSystem.Of(system, scale)
-            ?? throw Metadata.Error("TIME_SYSTEM", $"{string.Join(", ", CcsdsTimeSystem.Names)} are read.");
+        string names = string.Join(", ", CcsdsEpoch.Systems.Select(known => known.Name));
+        string system = Metadata.Require("TIME_SYSTEM", $"in which system its times are ({names})");
+        (string Name, TimeSystem System) found = CcsdsEpoch.Systems.FirstOrDefault(
+            known => known.Name.Equals(system, StringComparison.OrdinalIgnoreCase));
+        _timeSystem = found.Name is not null
+            ? found.System
+            : throw Metadata.Error("TIME_SYSTEM", $"{names} are read.");
         if (string.IsNullOrEmpty(Metadata.Find("OBJECT_NAME")))
         {
             place.Note("The block has no OBJECT_NAME, which the standard demands.");
@@ -114,7 +119,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     /// <param name="areNamed">Whether each number had a name of its own (XML), so that they are in the standard's order.</param>
     public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed)
     {
-        double time = TdbSecondsOf(epoch);
+        TdbTime time = TimeOf(epoch);
         if (time == _lastTime && numbers.SequenceEqual(_lastNumbers))
         {
             place.Note("A line stands twice; the second one is left out.");
@@ -140,14 +145,14 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     protected abstract void OpenBlock();
 
     /// <summary>Adds a line of data to the block.</summary>
-    protected abstract void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed);
+    protected abstract void Add(TdbTime time, ReadOnlySpan<double> numbers, bool areNamed);
 
     /// <summary>The error for a time that does not rise.</summary>
-    protected void RequireLater(SampleTimes times, double tdbSeconds)
+    protected void RequireLater(SampleTimes times, TdbTime time)
     {
-        if (times.Count > 0 && !(tdbSeconds > times.Last))
+        if (times.Count > 0 && !(time > times.Last))
         {
-            throw place.Error(tdbSeconds == times.Last
+            throw place.Error(time == times.Last
                 ? "the time of the line before stands again, with other numbers. Remove one of the lines, or begin a new block between "
                     + "them."
                 : "the time is before that of the line above. Put the lines into the order of time.");
@@ -170,15 +175,15 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     /// <summary>Notes where START_TIME and STOP_TIME of a block are not those of its lines, which count.</summary>
     protected void CompareWith(SampleTimes times)
     {
-        foreach ((string key, double time) in ((string, double)[])[("START_TIME", times.First), ("STOP_TIME", times.Last)])
+        foreach ((string key, double time) in ((string, double)[])[("START_TIME", times.First.Seconds), ("STOP_TIME", times.Last.Seconds)])
         {
             if (Metadata.Find(key) is { Length: > 0 } said
                 && !(TryTime(said) is { } stated && Math.Abs(stated - time) <= RoundingOfTimes))
             {
                 string which = key == "START_TIME" ? "first" : "last";
                 place.Note(
-                    $"{key} = {NumberText.Shown(said)} is not the time of the block's {which} line, {scale.ToUtc(time).ToIsoUtc()} (UTC); "
-                        + "the lines count. Is the file complete?");
+                    $"{key} = {NumberText.Shown(said)} is not the time of the block's {which} line, "
+                        + $"{scale.InstantOf(time).ToIsoUtc()} (UTC); the lines count. Is the file complete?");
             }
         }
     }
@@ -187,7 +192,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
     protected TdbInterval? ReadUseable()
     {
         TdbInterval useable = new(
-            TimeOf("USEABLE_START_TIME") ?? double.NegativeInfinity, TimeOf("USEABLE_STOP_TIME") ?? double.PositiveInfinity);
+            TimeOfKey("USEABLE_START_TIME") ?? double.NegativeInfinity, TimeOfKey("USEABLE_STOP_TIME") ?? double.PositiveInfinity);
         return useable.Start <= useable.End ? useable : throw Metadata.Error("USEABLE_STOP_TIME", "it is before USEABLE_START_TIME.");
     }
 
@@ -230,20 +235,23 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TdbScale scale)
                 "INTERPOLATION_DEGREE", Invariant($"a whole number from 1 to {Highest} is needed."));
     }
 
-    private double? TryTime(string text) => CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch) ? _timeSystem!.ToTdbSeconds(epoch) : null;
+    private double? TryTime(string text) => CcsdsEpoch.TryParse(text, out CalendarTime time) && scale.HasMoment(time, _timeSystem)
+        ? scale.InstantOf(time, _timeSystem).Tdb.Seconds
+        : null;
 
-    private double? TimeOf(string key) => Metadata.Find(key) is not { } text ? null
+    private double? TimeOfKey(string key) => Metadata.Find(key) is not { } text ? null
         : TryTime(text) is { } seconds ? seconds
         : throw Metadata.Error(key, $"not a time, which looks like {CcsdsEpoch.ValidValues}.");
 
-    private double TdbSecondsOf(ReadOnlySpan<char> text)
+    private TdbTime TimeOf(ReadOnlySpan<char> text)
     {
-        if (!CcsdsEpoch.TryParse(text, out CcsdsEpoch epoch))
+        if (!CcsdsEpoch.TryParse(text, out CalendarTime time))
         {
             throw place.Error($"{NumberText.Shown(text)} is not a time, which looks like {CcsdsEpoch.ValidValues}.");
         }
 
-        return _timeSystem!.ToTdbSeconds(epoch)
-            ?? throw place.Error($"{NumberText.Shown(text)}: there was no leap second then.");
+        return scale.HasMoment(time, _timeSystem)
+            ? scale.InstantOf(time, _timeSystem).Tdb
+            : throw place.Error($"{NumberText.Shown(text)}: there was no leap second then.");
     }
 }

@@ -1,5 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ccsds;
 
@@ -8,7 +9,7 @@ namespace Msisf.Adapters.Ccsds;
 /// <param name="place">Where the reader is.</param>
 /// <param name="scale">Turns times into TDB.</param>
 /// <param name="moonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
-internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<RotationMatrix> moonMeFromMoonPa) : CcsdsMessage(place, scale)
+internal sealed class OemMessage(CcsdsPlace place, TimeScale scale, Func<RotationMatrix> moonMeFromMoonPa) : CcsdsMessage(place, scale)
 {
     private const double MetresPerKilometre = 1000.0;
 
@@ -116,7 +117,7 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
         _pull.BeginBlock();
     }
 
-    protected override void Add(double tdbSeconds, ReadOnlySpan<double> numbers, bool areNamed)
+    protected override void Add(TdbTime time, ReadOnlySpan<double> numbers, bool areNamed)
     {
         if (numbers.Length is not (6 or 9))
         {
@@ -124,13 +125,13 @@ internal sealed class OemMessage(CcsdsPlace place, TdbScale scale, Func<Rotation
                 $"{numbers.Length} numbers behind the time; 6 are needed (X Y Z X_DOT Y_DOT Z_DOT), or 9 with accelerations."));
         }
 
-        RequireLater(_samples.Times, tdbSeconds);
+        RequireLater(_samples.Times, time);
         StateVector state = new(
             MetresPerKilometre * new Vector3D(numbers[0], numbers[1], numbers[2]),
             MetresPerKilometre * new Vector3D(numbers[3], numbers[4], numbers[5]));
-        _samples.Add(tdbSeconds, state);
-        _joints.Add(tdbSeconds, state, Place.Line);
-        _pull.Add(tdbSeconds, state.Position);
+        _samples.Add(time, state);
+        _joints.Add(time, state, Place.Line);
+        _pull.Add(time, state.Position);
     }
 }
 
@@ -150,7 +151,7 @@ internal sealed class OemJoints
     /// </summary>
     private const double MaxPart = 0.25;
 
-    private double _time;
+    private TdbTime _time;
     private StateVector _state;
     private bool _isFirst;
     private int _count;
@@ -168,9 +169,8 @@ internal sealed class OemJoints
     public void BeginBlock() => _isFirst = true;
 
     /// <summary>Takes a line.</summary>
-    /// <param name="time">s.</param>
     /// <param name="state">Position (m) and velocity (m/s); a velocity of 0 is none.</param>
-    public void Add(double time, StateVector state, int line)
+    public void Add(TdbTime time, StateVector state, int line)
     {
         if (!_isFirst && state.Velocity != default && _state.Velocity != default)
         {
@@ -212,8 +212,8 @@ internal sealed class OemPull
     ];
 
     private readonly List<double> _pulls = [];
-    private (double Time, Vector3D Position) _first;
-    private (double Time, Vector3D Position) _second;
+    private (TdbTime Time, Vector3D Position) _first;
+    private (TdbTime Time, Vector3D Position) _second;
     private int _count;
 
     /// <summary>The next line has none before it.</summary>
@@ -224,9 +224,8 @@ internal sealed class OemPull
     }
 
     /// <summary>Takes a line.</summary>
-    /// <param name="time">s.</param>
     /// <param name="position">m, if the file has km.</param>
-    public void Add(double time, Vector3D position)
+    public void Add(TdbTime time, Vector3D position)
     {
         if (_count++ >= 2)
         {

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -75,20 +76,20 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
 
     public TdbInterval Interval { get; }
 
-    public Vector3D ValueAt(double tdbSeconds)
+    public Vector3D ValueAt(TdbTime tdb)
     {
-        ReadOnlySpan<double> record = RecordAt(tdbSeconds);
-        double x = (tdbSeconds - record[0]) / record[1];
+        ReadOnlySpan<double> record = RecordAt(tdb);
+        double x = (tdb - record[0]) / record[1];
         return new Vector3D(
             Chebyshev.Evaluate(Series(record, 0), x),
             Chebyshev.Evaluate(Series(record, 1), x),
             Chebyshev.Evaluate(Series(record, 2), x));
     }
 
-    public Vector3D RateAt(double tdbSeconds)
+    public Vector3D RateAt(TdbTime tdb)
     {
-        ReadOnlySpan<double> record = RecordAt(tdbSeconds);
-        double x = (tdbSeconds - record[0]) / record[1];
+        ReadOnlySpan<double> record = RecordAt(tdb);
+        double x = (tdb - record[0]) / record[1];
         return _hasRates
             ? new Vector3D(
                 Chebyshev.Evaluate(Series(record, 3), x),
@@ -100,10 +101,10 @@ internal sealed class ChebyshevSegment : IEphemerisSegment
                 Chebyshev.Derivative(Series(record, 2), x)) / record[1];
     }
 
-    private ReadOnlySpan<double> RecordAt(double tdbSeconds)
+    private ReadOnlySpan<double> RecordAt(TdbTime tdb)
     {
         // As in SPICE the last record also serves the segment's very end.
-        int index = (int)Math.Clamp((tdbSeconds - _start) / _recordSeconds, 0.0, _records.Length - 1.0);
+        int index = (int)Math.Clamp((tdb - _start) / _recordSeconds, 0.0, _records.Length - 1.0);
         return Volatile.Read(ref _records[index]) ?? ReadRecord(index);
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -11,7 +12,7 @@ internal static class DafSegments
     /// <summary>The segments of an SPK or PCK, in the order of the file.</summary>
     /// <param name="file">The kernel; must outlive the segments.</param>
     /// <param name="frameFromJ2000">The frame of a number at a time, for positions in other frames than J2000.</param>
-    public static IEnumerable<IEphemerisSegment> Of(DafFile file, Func<int, double, RotationMatrix> frameFromJ2000) =>
+    public static IEnumerable<IEphemerisSegment> Of(DafFile file, Func<int, TdbTime, RotationMatrix> frameFromJ2000) =>
         file.Summaries.Select(summary =>
             file.IdWord == "DAF/SPK" ? Position(file, summary, frameFromJ2000) : Orientation(file, summary));
 
@@ -31,7 +32,7 @@ internal static class DafSegments
                 file, summary, $"{file.FileName}: the attitude of {summary.Integers[0]} is given by CK type {type}; 1 to 6 are known"),
         };
 
-    private static IEphemerisSegment Position(DafFile file, DafSummary summary, Func<int, double, RotationMatrix> frameFromJ2000)
+    private static IEphemerisSegment Position(DafFile file, DafSummary summary, Func<int, TdbTime, RotationMatrix> frameFromJ2000)
     {
         (
             int target,
@@ -48,7 +49,7 @@ internal static class DafSegments
             _ => new UnreadableSegment(target, center, summary.Interval,
                 $"{file.FileName}: body {target} is given by SPK type {type}; the built-in reader knows {KnownTypes}"),
         };
-        return frame == J2000 ? segment : new FramedSegment(segment, tdbSeconds => frameFromJ2000(frame, tdbSeconds));
+        return frame == J2000 ? segment : new FramedSegment(segment, tdb => frameFromJ2000(frame, tdb));
     }
 
     /// <summary>The SPK types that can be read, for messages.</summary>
@@ -84,9 +85,9 @@ internal static class DafSegments
 /// <param name="Reason">What it is, with the file's name.</param>
 internal sealed record UnreadableSegment(int Body, int Center, TdbInterval Interval, string Reason) : IEphemerisSegment
 {
-    public Vector3D ValueAt(double tdbSeconds) => throw Unreadable();
+    public Vector3D ValueAt(TdbTime tdb) => throw Unreadable();
 
-    public Vector3D RateAt(double tdbSeconds) => throw Unreadable();
+    public Vector3D RateAt(TdbTime tdb) => throw Unreadable();
 
     private SpiceException Unreadable() => new($"{Reason}. Use --ephemeris cspice, or a kernel of another type.");
 }
@@ -107,8 +108,8 @@ public sealed record DafSummary(TdbInterval Interval, IReadOnlyList<int> Integer
 }
 
 /// <summary>A segment whose states are given in another frame than J2000.</summary>
-/// <param name="frameFromJ2000">The frame at a time in TDB seconds past J2000.</param>
-internal sealed class FramedSegment(IEphemerisSegment segment, Func<double, RotationMatrix> frameFromJ2000) : IEphemerisSegment
+/// <param name="frameFromJ2000">The frame at a time.</param>
+internal sealed class FramedSegment(IEphemerisSegment segment, Func<TdbTime, RotationMatrix> frameFromJ2000) : IEphemerisSegment
 {
     /// <summary>
     /// s: the velocity by a frame that turns as fast as the Earth, 7e-5 rad/s, is then right to 1e-13 km/s; the frame's rounding adds
@@ -122,18 +123,18 @@ internal sealed class FramedSegment(IEphemerisSegment segment, Func<double, Rota
 
     public TdbInterval Interval => segment.Interval;
 
-    public Vector3D ValueAt(double tdbSeconds) => frameFromJ2000(tdbSeconds).Transposed * segment.ValueAt(tdbSeconds);
+    public Vector3D ValueAt(TdbTime tdb) => frameFromJ2000(tdb).Transposed * segment.ValueAt(tdb);
 
-    public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
+    public Vector3D RateAt(TdbTime tdb) => StateAt(tdb).Velocity;
 
-    public StateVector StateAt(double tdbSeconds)
+    public StateVector StateAt(TdbTime tdb)
     {
-        StateVector inFrame = segment.StateAt(tdbSeconds);
-        StateVector turned = frameFromJ2000(tdbSeconds).Transposed * inFrame;
+        StateVector inFrame = segment.StateAt(tdb);
+        StateVector turned = frameFromJ2000(tdb).Transposed * inFrame;
         return turned with { Velocity = turned.Velocity + ((8.0 * Difference(Step) - Difference(2.0 * Step)) / (12.0 * Step)) };
 
-        Vector3D Difference(double step) => (frameFromJ2000(tdbSeconds + step).Transposed * inFrame.Position)
-            - (frameFromJ2000(tdbSeconds - step).Transposed * inFrame.Position);
+        Vector3D Difference(double step) => (frameFromJ2000(tdb + step).Transposed * inFrame.Position)
+            - (frameFromJ2000(tdb + -step).Transposed * inFrame.Position);
     }
 }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -21,20 +22,19 @@ internal sealed class FrameSystem : ISpaceFrames
     public FrameSystem(KernelPool pool, Func<SegmentTable> orientations, SpacecraftAttitudes attitudes) =>
         (_pool, _orientations, _attitudes) = (pool, new Lazy<SegmentTable>(orientations), attitudes);
 
-    public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) => Of(frame, tdbSeconds, 0).FromJ2000;
+    public RotationMatrix FrameFromJ2000(string frame, TdbTime tdb) => Of(frame, tdb, 0).FromJ2000;
 
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
     /// <param name="frame">NAIF's number of the frame.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
-    public RotationMatrix FrameFromJ2000(int frame, double tdbSeconds) => FrameFromJ2000(NameOf(frame), tdbSeconds);
+    public RotationMatrix FrameFromJ2000(int frame, TdbTime tdb) => FrameFromJ2000(NameOf(frame), tdb);
 
     /// <summary>How fast a frame turns, as kernels say it.</summary>
     /// <param name="frame">The frame's name.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
+    /// <param name="tdb">TDB seconds past J2000.</param>
     /// <returns>rad/s relative to J2000, along its axes; null if a CK on the way to J2000 does not say it.</returns>
     /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
-    public Vector3D? RateJ2000(string frame, double tdbSeconds) => Of(frame, tdbSeconds, 0).Rate;
+    public Vector3D? RateJ2000(string frame, TdbTime tdb) => Of(frame, tdb, 0).Rate;
 
     /// <summary>The class IDs of the CK frames on the way from a frame to one that is not of a CK, or that no kernel defines.</summary>
     /// <exception cref="BadInputException">The frame itself is not known.</exception>
@@ -66,7 +66,7 @@ internal sealed class FrameSystem : ISpaceFrames
         ? Invariant($"{name} ({frame})")
         : frame.ToString(CultureInfo.InvariantCulture);
 
-    private (RotationMatrix FromJ2000, Vector3D? Rate) Of(string frame, double tdbSeconds, int links)
+    private (RotationMatrix FromJ2000, Vector3D? Rate) Of(string frame, TdbTime tdb, int links)
     {
         if (links > MaximumLinks)
         {
@@ -83,18 +83,18 @@ internal sealed class FrameSystem : ISpaceFrames
         {
             case FrameDefinition.PckClass:
                 KernelOrientation orientation = new(_orientations.Value, new BodyFixedFrame(definition.ClassId, RotationMatrix.Identity));
-                return orientation.FrameFromJ2000(tdbSeconds) is { } fromJ2000
-                    ? (fromJ2000, orientation.RateJ2000(tdbSeconds))
+                return orientation.FrameFromJ2000(tdb) is { } fromJ2000
+                    ? (fromJ2000, orientation.RateJ2000(tdb))
                     : throw new BadInputException(
                         $"No binary PCK has the orientation of frame {frame} at that time. Add it, or choose another time.");
             case FrameDefinition.CkClass:
-                (CkAttitude attitude, int number) = _attitudes.At(definition.ClassId, frame, tdbSeconds);
-                (RotationMatrix FromJ2000, Vector3D? Rate) reference = Of(NameOf(number), tdbSeconds, links + 1);
+                (CkAttitude attitude, int number) = _attitudes.At(definition.ClassId, frame, tdb);
+                (RotationMatrix FromJ2000, Vector3D? Rate) reference = Of(NameOf(number), tdb, links + 1);
                 return (
                     attitude.InstrumentFromReference * reference.FromJ2000,
                     attitude.Rate is { } rate ? (reference.FromJ2000.Transposed * rate) + reference.Rate : null);
             case FrameDefinition.TkClass:
-                (RotationMatrix FromJ2000, Vector3D? Rate) relative = Of(definition.Relative, tdbSeconds, links + 1);
+                (RotationMatrix FromJ2000, Vector3D? Rate) relative = Of(definition.Relative, tdb, links + 1);
                 return relative with { FromJ2000 = definition.RelativeFromFrame().Transposed * relative.FromJ2000 };
             default:
                 throw new BadInputException(

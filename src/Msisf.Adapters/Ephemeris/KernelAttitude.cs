@@ -1,5 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -36,7 +37,7 @@ public sealed class KernelAttitude : IAttitudeSource
     /// <remarks>By the built-in reader, because CSPICE's frames take another segment where the first one has no rates.</remarks>
     public TurnRate? RateOf(in TrajectoryPoint point)
     {
-        double time = Cover.InstantNear(point.TdbSeconds) ?? point.TdbSeconds;
+        TdbTime time = Cover.InstantNear(point.Tdb.Seconds) ?? point.Tdb;
         FrameSystem frames = _opened.Catalogue.Frames;
         try
         {
@@ -54,8 +55,8 @@ public sealed class KernelAttitude : IAttitudeSource
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
     {
         // CSPICE's frames know no attitude at a single instant, because no time hits its tick; its reader of CKs has tolerances for that.
-        double? instant = Cover.InstantNear(point.TdbSeconds);
-        if (instant is null && !Cover.Contains(point.TdbSeconds))
+        double? instant = Cover.InstantNear(point.Tdb.Seconds);
+        if (instant is null && !Cover.Contains(point.Tdb))
         {
             throw new BadInputException(
                 $"{point.Time.ToIsoUtc()} is outside what the CKs have of frame {_frame}: "
@@ -65,7 +66,7 @@ public sealed class KernelAttitude : IAttitudeSource
         RotationMatrix moonFromInstrument =
             point.BodyFromJ2000 * (instant is { } at
                 ? _opened.Catalogue.Frames.FrameFromJ2000(_frame, at)
-                : _opened.Frames.FrameFromJ2000(_frame, point.TdbSeconds)).Transposed;
+                : _opened.Frames.FrameFromJ2000(_frame, point.Tdb)).Transposed;
         return UnitQuaternion.FromMatrix(moonFromInstrument) * _instrumentFromCamera;
     }
 }

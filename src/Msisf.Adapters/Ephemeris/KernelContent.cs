@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -22,11 +23,11 @@ public sealed record KernelContent(
     /// <param name="installed">The kernels of the installation, whose leap seconds give the times.</param>
     /// <returns>The contents of each file in turn, and the scale that turns their times into UTC.</returns>
     /// <exception cref="BadInputException">A kernel can't be read, or is damaged.</exception>
-    public static (IReadOnlyList<KernelContent> Contents, TdbScale Scale) Of(
+    public static (IReadOnlyList<KernelContent> Contents, TimeScale Scale) Of(
         IReadOnlyList<string> paths, IReadOnlyList<string> installed)
     {
         using KernelCatalogue catalogue = new([.. installed.Where(path => KernelFile.IdWordOf(path) == "KPL/LSK"), .. paths]);
-        TdbScale scale = LeapSecondsKernel.ReadScale(catalogue.Pool);
+        TimeScale scale = LeapSecondsKernel.ReadScale(catalogue.Pool);
         Dictionary<string, DafFile> binary = catalogue.Files.DistinctBy(file => file.FileName).ToDictionary(file => file.FileName);
         return (
             [

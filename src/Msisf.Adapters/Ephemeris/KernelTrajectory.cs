@@ -1,5 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -30,16 +31,16 @@ public sealed class KernelTrajectory : ITrajectory
     public TdbCover Cover { get; }
 
     /// <inheritdoc/>
-    public StateVector StateJ2000(double tdbSeconds)
+    public StateVector StateJ2000(TdbTime tdb)
     {
-        if (!Cover.Contains(tdbSeconds))
+        if (!Cover.Contains(tdb))
         {
             throw new BadInputException(Invariant(
-                $"{_engine.TimeScale.ToUtc(tdbSeconds).ToIsoUtc()} is outside what the kernels have of {_name}: "
+                $"{_engine.TimeScale.InstantOf(tdb).ToIsoUtc()} is outside what the kernels have of {_name}: "
                     + $"{new KernelCover(_engine.TimeScale, Cover).Describe()}. Choose a time inside, or other kernels."));
         }
 
-        StateVector state = _engine.StateOf(_number, tdbSeconds);
+        StateVector state = _engine.StateOf(_number, tdb);
         return state.Position.IsFinite && state.Velocity.IsFinite
             ? state
             : throw new BadInputException($"{_files}: damaged kernel: the state of {_name} is not finite. Get the file anew.");

@@ -1,5 +1,6 @@
-using System.Collections.Concurrent;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
+using System.Collections.Concurrent;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -28,10 +29,9 @@ internal sealed class SpacecraftAttitudes
     /// <summary>How an instrument is turned at a time.</summary>
     /// <param name="instrument">NAIF's number; the class ID of its frame.</param>
     /// <param name="frame">Its frame, for messages.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>The attitude, and the reference frame's number.</returns>
     /// <exception cref="BadInputException">No kernel has it, or not at that time.</exception>
-    public (CkAttitude Attitude, int Reference) At(int instrument, string frame, double tdbSeconds)
+    public (CkAttitude Attitude, int Reference) At(int instrument, string frame, TdbTime tdb)
     {
         if (!_segments.Value.Contains(instrument))
         {
@@ -39,8 +39,8 @@ internal sealed class SpacecraftAttitudes
         }
 
         SpacecraftClock clock = ClockOf(instrument);
-        double ticks = clock.TicksAt(tdbSeconds);
-        double tolerance = Math.Abs(clock.TicksAt(tdbSeconds + TdbCover.InstantTolerance) - ticks);
+        double ticks = clock.TicksAt(tdb.Seconds);
+        double tolerance = Math.Abs(clock.TicksAt(tdb.Seconds + TdbCover.InstantTolerance) - ticks);
         foreach (Func<CkSegment, CkAttitude?> look in
             (Func<CkSegment, CkAttitude?>[])[segment => segment.At(ticks), segment => segment.AtInstant(ticks, tolerance)])
         {
@@ -53,9 +53,9 @@ internal sealed class SpacecraftAttitudes
             }
         }
 
-        TdbScale scale = LeapSecondsKernel.ReadScale(_pool);
+        TimeScale scale = LeapSecondsKernel.ReadScale(_pool);
         throw new BadInputException(
-            $"{scale.ToUtc(tdbSeconds).ToIsoUtc()} is outside what the CKs have of frame {frame}: "
+            $"{scale.InstantOf(tdb).ToIsoUtc()} is outside what the CKs have of frame {frame}: "
                 + $"{new KernelCover(scale, CoverOf(instrument)).Describe()}. Choose a time inside, or other kernels.");
     }
 

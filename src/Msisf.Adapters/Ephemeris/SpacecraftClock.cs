@@ -1,4 +1,4 @@
-using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -8,7 +8,7 @@ public sealed class SpacecraftClock
 {
     private const double IsTt = 2.0;
 
-    private readonly TdbScale _scale;
+    private readonly TimeScale _scale;
     private readonly bool _countsTt;
     private readonly double _ticksPerCount;
     private readonly double[] _ticks;
@@ -19,7 +19,7 @@ public sealed class SpacecraftClock
     private readonly double[] _partitions;
     private readonly string _source;
 
-    private SpacecraftClock(KernelPool pool, int clock, TdbScale scale)
+    private SpacecraftClock(KernelPool pool, int clock, TimeScale scale)
     {
         string suffix = SuffixOf(clock);
         if (pool.WholeNumber($"SCLK_DATA_TYPE_{suffix}") is not 1 and var type)
@@ -60,7 +60,7 @@ public sealed class SpacecraftClock
     /// <param name="clock">NAIF's number of the clock, usually of the spacecraft.</param>
     /// <param name="scale">Of the leap seconds kernel.</param>
     /// <exception cref="BadInputException">There is none, or it can't be read.</exception>
-    public static SpacecraftClock Read(KernelPool pool, int clock, TdbScale scale) => IsIn(pool, clock)
+    public static SpacecraftClock Read(KernelPool pool, int clock, TimeScale scale) => IsIn(pool, clock)
         ? new SpacecraftClock(pool, clock, scale)
         : throw new BadInputException(Invariant(
             $"No kernel has the clock of spacecraft {clock}, in whose ticks the CK counts. Add its SCLK kernel with --kernels."));
@@ -70,13 +70,13 @@ public sealed class SpacecraftClock
     /// <exception cref="BadInputException">The clock does not go yet.</exception>
     public double TicksAt(double tdbSeconds)
     {
-        double time = _countsTt ? _scale.ToTt(tdbSeconds) : tdbSeconds;
+        double time = _countsTt ? _scale.TtOfTdb(tdbSeconds) : tdbSeconds;
         int index = EntryOf(_times, time);
         return index >= 0
             ? _ticks[index] + ((time - _times[index]) / (_rates[index] / _ticksPerCount))
             : throw new BadInputException(
-                $"{_source}: the clock begins at {_scale.ToUtc(TimeOf(_ticks[0])).ToIsoUtc()}; "
-                    + $"{_scale.ToUtc(tdbSeconds).ToIsoUtc()} is before that. Choose a later time, or another SCLK kernel.");
+                $"{_source}: the clock begins at {_scale.InstantOf(TimeOf(_ticks[0])).ToIsoUtc()}; "
+                    + $"{_scale.InstantOf(tdbSeconds).ToIsoUtc()} is before that. Choose a later time, or another SCLK kernel.");
     }
 
     /// <summary>The time of ticks: TDB seconds past J2000. Before the clock's first entry its first rate goes on.</summary>
@@ -84,7 +84,7 @@ public sealed class SpacecraftClock
     {
         int index = Math.Max(0, EntryOf(_ticks, ticks));
         double time = _times[index] + (_rates[index] / _ticksPerCount * (ticks - _ticks[index]));
-        return _countsTt ? _scale.FromTt(time) : time;
+        return _countsTt ? _scale.TdbOfTt(time) : time;
     }
 
     /// <summary>The time of a count as labels write it: TDB seconds past J2000.</summary>

@@ -10,7 +10,7 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
     private readonly CSpice _cspice;
     private readonly IReadOnlyList<string> _paths;
     private readonly CelestialBody _body;
-    private readonly Lazy<TdbScale> _timeScale;
+    private readonly Lazy<TimeScale> _timeScale;
     private bool _isDisposed;
 
     /// <summary>Loads kernels into CSPICE, which must be started.</summary>
@@ -19,7 +19,7 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
     internal SpiceEphemeris(CSpice cspice, IReadOnlyList<string> paths, CelestialBody body)
     {
         (_cspice, _paths, _body) = (cspice, paths, body);
-        _timeScale = new Lazy<TdbScale>(() => LeapSecondsKernel.ReadScale(KernelPool.Of(paths)));
+        _timeScale = new Lazy<TimeScale>(() => LeapSecondsKernel.ReadScale(paths));
         cspice.Furnish(paths);
         if (!body.IsMoon && !cspice.HasVariable(paths, body.NaifNumber, PoleKernel.PoleItem))
         {
@@ -32,27 +32,23 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
     public string EngineName => _cspice.Version.Replace('_', ' ');
 
     /// <inheritdoc/>
-    public TdbScale TimeScale => _timeScale.Value;
+    public TimeScale TimeScale => _timeScale.Value;
 
     /// <inheritdoc/>
-    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
-        Ask((kernels, at) => _cspice.SunPosition(kernels, _body, at, aberration), time);
+    public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None) =>
+        Ask(kernels => _cspice.SunPosition(kernels, _body, time.Tdb.Seconds, aberration), () => time);
 
     /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) =>
-        Ask((kernels, at) => _cspice.FrameFromJ2000(kernels, _body, at), time);
+    public RotationMatrix BodyFromJ2000(TdbTime time) =>
+        Ask(kernels => _cspice.FrameFromJ2000(kernels, _body.Frame, time.Seconds), () => TimeScale.InstantOf(time));
 
     /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(double tdbSeconds) =>
-        Ask((kernels, _) => _cspice.FrameFromJ2000(kernels, _body.Frame, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
+    public RotationMatrix FrameFromJ2000(string frame, TdbTime time) =>
+        _cspice.FrameFromJ2000(Open(), frame, time.Seconds);
 
     /// <inheritdoc/>
-    public RotationMatrix FrameFromJ2000(string frame, double tdbSeconds) =>
-        _cspice.FrameFromJ2000(Open(), frame, tdbSeconds);
-
-    /// <inheritdoc/>
-    public StateVector StateOf(int naifNumber, double tdbSeconds) =>
-        Ask((kernels, _) => _cspice.StateOf(kernels, naifNumber, _body, tdbSeconds), TimeScale.ToUtc(tdbSeconds));
+    public StateVector StateOf(int naifNumber, TdbTime time) =>
+        Ask(kernels => _cspice.StateOf(kernels, naifNumber, _body, time.Seconds), () => TimeScale.InstantOf(time));
 
     /// <summary>Unloads the kernels.</summary>
     public void Dispose()
@@ -70,16 +66,16 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
         return _paths;
     }
 
-    private T Ask<T>(Func<IReadOnlyList<string>, ModifiedJulianDate, T> question, ModifiedJulianDate time)
+    private T Ask<T>(Func<IReadOnlyList<string>, T> question, Func<Instant> time)
     {
         try
         {
-            return question(Open(), time);
+            return question(Open());
         }
         catch (SpiceException exception)
         {
             KernelCover? cover = ReadCover();
-            throw cover is null || cover.Contains(time) ? exception : cover.Outside(time, exception);
+            throw cover is null || cover.Contains(time()) ? exception : cover.Outside(time(), exception);
         }
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -15,11 +16,11 @@ internal abstract class SpkSegment(DafFile file, DafSummary summary) : IEphemeri
     /// <summary>The segment's numbers.</summary>
     protected DafWords Words { get; } = new(file, summary);
 
-    public Vector3D ValueAt(double tdbSeconds) => StateAt(tdbSeconds).Position;
+    public Vector3D ValueAt(TdbTime tdb) => StateAt(tdb).Position;
 
-    public Vector3D RateAt(double tdbSeconds) => StateAt(tdbSeconds).Velocity;
+    public Vector3D RateAt(TdbTime tdb) => StateAt(tdb).Velocity;
 
-    public abstract StateVector StateAt(double tdbSeconds);
+    public abstract StateVector StateAt(TdbTime tdb);
 }
 
 /// <summary>SPK type 1 or 21: differences of an integration, as JPL's navigation and Horizons write them.</summary>
@@ -43,15 +44,15 @@ internal sealed class SpkDifferences : SpkSegment
         _ends = new Lazy<double[]>(() => Words.ReadRising((long)count * words, count));
     }
 
-    public override StateVector StateAt(double tdbSeconds)
+    public override StateVector StateAt(TdbTime tdb)
     {
         // Each record serves the times up to its end; past the last end, which a summary may name, the last one goes on.
-        int found = Array.BinarySearch(_ends.Value, tdbSeconds);
+        int found = Array.BinarySearch(_ends.Value, tdb.Seconds);
         int index = Math.Min(found < 0 ? ~found : found, _ends.Value.Length - 1);
         int words = DifferenceLine.Words(_terms);
         try
         {
-            return DifferenceLine.Evaluate(Words.Read((long)index * words, words), _terms, tdbSeconds);
+            return DifferenceLine.Evaluate(Words.Read((long)index * words, words), _terms, tdb);
         }
         catch (BadInputException exception) when (!exception.Message.EndsWith('.'))
         {
@@ -79,32 +80,32 @@ internal sealed class SpkTwoBody : SpkSegment
         _epochs = new Lazy<double[]>(() => Words.ReadRising((long)count * StateWords, count));
     }
 
-    public override StateVector StateAt(double tdbSeconds)
+    public override StateVector StateAt(TdbTime tdb)
     {
         double[] epochs = _epochs.Value;
-        int found = Array.BinarySearch(epochs, tdbSeconds);
+        int found = Array.BinarySearch(epochs, tdb.Seconds);
         int after = found < 0 ? ~found : found;
         if (found >= 0 || after == 0 || after == epochs.Length)
         {
-            return From(Math.Min(after, epochs.Length - 1), tdbSeconds);
+            return From(Math.Min(after, epochs.Length - 1), tdb);
         }
 
-        (StateVector first, StateVector second) = (From(after - 1, tdbSeconds), From(after, tdbSeconds));
+        (StateVector first, StateVector second) = (From(after - 1, tdb), From(after, tdb));
         double span = epochs[after] - epochs[after - 1];
-        double angle = Math.PI * (tdbSeconds - epochs[after - 1]) / span;
+        double angle = Math.PI * (tdb - epochs[after - 1]) / span;
         double weight = 0.5 + (0.5 * Math.Cos(angle));
         double weightRate = -0.5 * Math.PI / span * Math.Sin(angle);
         StateVector mean = (weight * first) + ((1.0 - weight) * second);
         return mean with { Velocity = mean.Velocity + (weightRate * (first.Position - second.Position)) };
     }
 
-    private StateVector From(int index, double tdbSeconds)
+    private StateVector From(int index, TdbTime tdb)
     {
         double[] s = Words.Read((long)index * StateWords, StateWords);
         try
         {
             return TwoBody.Propagate(
-                new StateVector(new Vector3D(s[0], s[1], s[2]), new Vector3D(s[3], s[4], s[5])), _gm, tdbSeconds - _epochs.Value[index]);
+                new StateVector(new Vector3D(s[0], s[1], s[2]), new Vector3D(s[3], s[4], s[5])), _gm, tdb - _epochs.Value[index]);
         }
         catch (BadInputException exception)
         {

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Ephemeris;
 
@@ -54,9 +55,9 @@ internal sealed class SpkStates : SpkSegment
         _epochs = new Lazy<double[]>(() => isEven ? [] : Words.ReadRising((long)_count * _packet, _count));
     }
 
-    public override StateVector StateAt(double tdbSeconds)
+    public override StateVector StateAt(TdbTime tdb)
     {
-        (int first, int count) = WindowAt(tdbSeconds);
+        (int first, int count) = WindowAt(tdb);
         Span<double> times = stackalloc double[count];
         for (int i = 0; i < count; i++)
         {
@@ -64,18 +65,18 @@ internal sealed class SpkStates : SpkSegment
             times[i] = _steps is { } even ? i * even.Step : _epochs.Value[first + i] - _epochs.Value[first];
         }
 
-        double time = tdbSeconds - (_steps is { } steps ? steps.Start + (first * steps.Step) : _epochs.Value[first]);
+        double time = tdb - (_steps is { } steps ? steps.Start + (first * steps.Step) : _epochs.Value[first]);
         double[] packets = Words.Read((long)first * _packet, count * _packet);
         return _isHermite ? Hermite(packets, times, time) : Lagrange(packets, times, time);
     }
 
     /// <summary>The states through which the polynomial for a time goes.</summary>
-    private (int First, int Count) WindowAt(double tdbSeconds)
+    private (int First, int Count) WindowAt(TdbTime tdb)
     {
-        double position = _steps is { } even ? (tdbSeconds - even.Start) / even.Step : 0.0;
+        double position = _steps is { } even ? (tdb - even.Start) / even.Step : 0.0;
         int low = _steps is not null
             ? (int)Math.Clamp(Math.Truncate(position), 0.0, _count - 1.0)
-            : Math.Max(0, LastBefore(tdbSeconds));
+            : Math.Max(0, LastBefore(tdb));
         if (_narrowsAtEnds)
         {
             int first = Math.Max(0, low - (_window / 2) + 1);
@@ -86,20 +87,20 @@ internal sealed class SpkStates : SpkSegment
         {
             low = _steps is not null
                 ? (int)Math.Clamp(Math.Round(position, MidpointRounding.AwayFromZero), 0.0, _count - 1.0)
-                : Nearest(low, tdbSeconds);
+                : Nearest(low, tdb);
         }
 
         return (Math.Clamp(low - ((_window - 1) / 2), 0, _count - _window), _window);
     }
 
-    private int LastBefore(double tdbSeconds)
+    private int LastBefore(TdbTime tdb)
     {
-        int found = Array.BinarySearch(_epochs.Value, tdbSeconds);
+        int found = Array.BinarySearch(_epochs.Value, tdb.Seconds);
         return (found < 0 ? ~found : found) - 1;
     }
 
-    private int Nearest(int low, double tdbSeconds) =>
-        low + 1 == _count || Math.Abs(tdbSeconds - _epochs.Value[low]) < Math.Abs(tdbSeconds - _epochs.Value[low + 1]) ? low : low + 1;
+    private int Nearest(int low, TdbTime tdb) =>
+        low + 1 == _count || Math.Abs(tdb - _epochs.Value[low]) < Math.Abs(tdb - _epochs.Value[low + 1]) ? low : low + 1;
 
     private StateVector Lagrange(ReadOnlySpan<double> packets, ReadOnlySpan<double> times, double time)
     {

@@ -32,7 +32,7 @@ public sealed record BatchConventions
     public EulerSequence? Euler { get; init; }
 
     /// <summary>From when on seconds are counted, and of the frame that is held still, UTC.</summary>
-    public ModifiedJulianDate? Epoch { get; init; }
+    public CalendarTime? Epoch { get; init; }
 
     /// <summary>Whether columns that are not known are left out.</summary>
     public bool IgnoresColumns { get; init; }

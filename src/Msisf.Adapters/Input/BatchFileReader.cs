@@ -1,6 +1,7 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;
 
@@ -119,13 +120,14 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
     private SpacecraftState ParseState(ReadOnlySpan<char> content)
     {
         Span<double> numbers = stackalloc double[SpacecraftState.NumberNames.Count + CameraMotion.NumberNames.Count];
+        CalendarTime time = default;
         int count = 0;
         int position = 0;
         while (TryNextWord(content, ref position, out ReadOnlySpan<char> word))
         {
             bool isTime = count == 0;
-            double number;
-            if (isTime ? !TimeText.TryParse(word, out number) : !NumberText.TryParse(word, out number))
+            double number = 0.0;
+            if (isTime ? !TimeText.TryParse(word, out time) : !NumberText.TryParse(word, out number))
             {
                 string problem = isTime ? TimeText.ProblemWith(word) : NumberText.ProblemWith(word);
                 string header = word.Contains(',') ? $" Values apart by commas need a header line, e.g. {ExampleHeader}."
@@ -153,7 +155,7 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
                     + $"{(count < needed ? "Complete" : "Shorten")} or remove the line.");
         }
 
-        return BatchStates.Of(numbers[..count], _frame!);
+        return BatchStates.Of(scene.TimeScale.InstantOf(time), numbers[1..count], _frame!);
     }
 
     private static bool TryNextWord(ReadOnlySpan<char> content, ref int position, out ReadOnlySpan<char> word)

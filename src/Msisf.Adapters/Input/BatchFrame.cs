@@ -23,10 +23,10 @@ internal sealed class BatchFrame
         _attitude = new AttitudeConvention(conventions.Axes ?? default, conventions.Rotation ?? default);
         if (_frame == OrbitFrame.MoonMeEpoch)
         {
-            ModifiedJulianDate epoch = conventions.Epoch
+            CalendarTime epoch = conventions.Epoch
                 ?? throw new BadInputException(
                     "frame moon-me-epoch needs the epoch whose axes are held still: --epoch, or epoch= beside it.");
-            _j2000FromFrame = scene.BodyFromJ2000(epoch).Transposed;
+            _j2000FromFrame = scene.BodyFromJ2000(scene.TimeScale.InstantOf(epoch)).Transposed;
         }
     }
 
@@ -34,34 +34,30 @@ internal sealed class BatchFrame
     public bool IsBodyFixed => _frame == OrbitFrame.MoonMe;
 
     /// <summary>A position as one fixed to the body.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="position">m, in the frame of the file.</param>
-    public Vector3D PositionBodyFixed(ModifiedJulianDate time, Vector3D position) =>
+    public Vector3D PositionBodyFixed(Instant time, Vector3D position) =>
         IsBodyFixed ? position : MoonFromFrame(time) * position;
 
     /// <summary>The attitude of a quaternion.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="numbers">qx, qy, qz, q0 as the file has them.</param>
     /// <exception cref="BadInputException">They are no rotation.</exception>
-    public UnitQuaternion OfQuaternion(ModifiedJulianDate time, ReadOnlySpan<double> numbers) =>
+    public UnitQuaternion OfQuaternion(Instant time, ReadOnlySpan<double> numbers) =>
         MoonFromCamera(time, UnitQuaternion.FromComponents(numbers[0], numbers[1], numbers[2], numbers[3], _normalizes));
 
     /// <summary>The attitude of a matrix.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="numbers">By rows, as the file has them.</param>
     /// <exception cref="BadInputException">They are no rotation.</exception>
-    public UnitQuaternion OfMatrix(ModifiedJulianDate time, ReadOnlySpan<double> numbers) =>
+    public UnitQuaternion OfMatrix(Instant time, ReadOnlySpan<double> numbers) =>
         MoonFromCamera(time, GivenRotation.OfMatrix(numbers, _normalizes));
 
     /// <summary>The attitude of a rotation as the file means it.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="given">In the file's frame and axes.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
-    public UnitQuaternion MoonFromCamera(ModifiedJulianDate time, UnitQuaternion given)
+    public UnitQuaternion MoonFromCamera(Instant time, UnitQuaternion given)
     {
         UnitQuaternion frameFromCamera = _attitude.FrameFromCamera(given);
         return IsBodyFixed ? frameFromCamera : UnitQuaternion.FromMatrix(MoonFromFrame(time)) * frameFromCamera;
     }
 
-    private RotationMatrix MoonFromFrame(ModifiedJulianDate time) => _scene.BodyFromJ2000(time) * _j2000FromFrame;
+    private RotationMatrix MoonFromFrame(Instant time) => _scene.BodyFromJ2000(time) * _j2000FromFrame;
 }

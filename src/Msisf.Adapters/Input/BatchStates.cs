@@ -12,7 +12,6 @@ namespace Msisf.Adapters.Input;
 internal sealed class BatchStates(BatchColumns columns, BatchConventions said, BatchFrame frame, ISceneGeometry scene)
 {
     private const double MetresPerKilometre = 1000.0;
-    private const double SecondsPerDay = 86400.0;
 
     private readonly List<int> _hiddenTargets = [];
     private ulong _step;
@@ -37,7 +36,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
 
         _step++;
         BatchRow row = new(columns, values);
-        ModifiedJulianDate time = TimeOf(row);
+        Instant time = TimeOf(row);
         Vector3D position = PositionBodyFixed(row, time);
         Vector3D? sun = row.Has(BatchNames.Sun[0]) ? SunOf(row, time) : null;
         return new SpacecraftState(time, position, MoonFromCamera(row, time, position, SceneWithSun.Of(scene, sun), lineNumber))
@@ -51,14 +50,13 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         };
     }
 
-    /// <summary>Reads a state of eight numbers, or of fourteen with the motion.</summary>
-    /// <param name="numbers">In their order.</param>
+    /// <summary>Makes a state of seven numbers, or of thirteen with the motion.</summary>
+    /// <param name="numbers">Those behind the time, in their order.</param>
     /// <param name="frame">Turns positions and attitudes into those of MOON_ME.</param>
     /// <exception cref="BadInputException">They are no state.</exception>
-    public static SpacecraftState Of(ReadOnlySpan<double> numbers, BatchFrame frame)
+    public static SpacecraftState Of(Instant time, ReadOnlySpan<double> numbers, BatchFrame frame)
     {
-        ModifiedJulianDate time = new(numbers[0]);
-        int count = SpacecraftState.NumberNames.Count;
+        int count = SpacecraftState.NumberNames.Count - 1;
         if (numbers.Length > count && !frame.IsBodyFixed)
         {
             throw new BadInputException(
@@ -67,17 +65,17 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         }
 
         return new SpacecraftState(
-            time, frame.PositionBodyFixed(time, new Vector3D(numbers[1], numbers[2], numbers[3])), frame.OfQuaternion(time, numbers[4..8]))
+            time, frame.PositionBodyFixed(time, new Vector3D(numbers[0], numbers[1], numbers[2])), frame.OfQuaternion(time, numbers[3..7]))
         {
             Motion = numbers.Length > count ? CameraMotion.FromNumbers(numbers[count..]) : null,
         };
     }
 
-    private ModifiedJulianDate TimeOf(BatchRow row) => row.Has(BatchNames.Seconds)
-        ? new ModifiedJulianDate(said.Epoch!.Value.Days + (row.Number(BatchNames.Seconds) / SecondsPerDay))
-        : row.Read(BatchNames.Time, text => TimeText.Parse(text));
+    private Instant TimeOf(BatchRow row) => row.Has(BatchNames.Seconds)
+        ? scene.TimeScale.InstantOf(said.Epoch!.Value) + Duration.OfDecimal(row.Number(BatchNames.Seconds))
+        : row.Read(BatchNames.Time, text => scene.TimeScale.InstantOf(TimeText.Parse(text)));
 
-    private Vector3D PositionBodyFixed(BatchRow row, ModifiedJulianDate time)
+    private Vector3D PositionBodyFixed(BatchRow row, Instant time)
     {
         if (row.Has(BatchNames.Place[0]))
         {
@@ -91,7 +89,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         return frame.PositionBodyFixed(time, isMetres ? position : MetresPerKilometre * position);
     }
 
-    private Vector3D SunOf(BatchRow row, ModifiedJulianDate time)
+    private Vector3D SunOf(BatchRow row, Instant time)
     {
         double[] numbers = row.Numbers(BatchNames.Sun);
         return row.Read(
@@ -105,7 +103,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         : (MetresPerKilometre * row.Number(BatchNames.HeightKilometres), false);
 
     private UnitQuaternion MoonFromCamera(
-        BatchRow row, ModifiedJulianDate time, Vector3D position, ISceneGeometry withSun, int lineNumber)
+        BatchRow row, Instant time, Vector3D position, ISceneGeometry withSun, int lineNumber)
     {
         if (row.Has(BatchNames.Quaternion[0]))
         {

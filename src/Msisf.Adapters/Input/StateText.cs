@@ -4,12 +4,11 @@ namespace Msisf.Adapters.Input;
 
 /// <summary>
 /// The values of the options that take several numbers (thesis appendix A): <c>{a,b,...}</c> and <c>[start:step:end]</c>. A shell may have
-/// cut the text at blanks, or expanded the braces into separate words; all of these mean the same. A field named
-/// <see cref="TimeText.Field"/> is a time, and may be written as one of the calendar.
+/// cut the text at blanks, or expanded the braces into separate words; all of these mean the same.
 /// </summary>
 public static class StateText
 {
-    private static readonly (string Unit, double PerDay)[] StepUnits = [("min", 1440.0), ("s", 86400.0), ("h", 24.0), ("d", 1.0)];
+    private static readonly (string Unit, decimal Seconds)[] StepUnits = [("min", 60m), ("s", 1m), ("h", 3600m), ("d", 86_400m)];
 
     /// <summary>Reads a list of a given length.</summary>
     /// <param name="option">The option's name for messages, e.g. "--kepler-set".</param>
@@ -19,27 +18,48 @@ public static class StateText
     /// <exception cref="BadInputException">Unbalanced braces, a wrong count, an empty field or one that is not a number.</exception>
     public static double[] ParseNumbers(string option, IReadOnlyList<string> words, IReadOnlyList<string> fields)
     {
-        string expected = $"{{{string.Join(',', fields)}}}";
-        List<string> texts = SplitList(option, words, expected);
-        return texts.Count == fields.Count
-            ? ParseAll(option, texts, index => fields[index], index => fields[index] == TimeText.Field)
-            : throw new BadInputException(
-                $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. "
-                    + $"Commas separate the numbers, decimals take a point.");
+        List<string> texts = SplitFields(option, words, fields);
+        return [.. texts.Select((text, index) => NumberAt(option, text, index, fields[index]))];
+    }
+
+    /// <summary>Reads a time and the numbers behind it.</summary>
+    /// <param name="option">The option's name for messages, e.g. "--fixed-state".</param>
+    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="fields">The names of the time and of the numbers in their order.</param>
+    /// <returns>The time (UTC); as many finite numbers as there are fields behind it, in their order.</returns>
+    /// <exception cref="BadInputException">As of <see cref="ParseNumbers"/>, or it begins with no time.</exception>
+    public static (CalendarTime Time, double[] Numbers) ParseState(
+        string option, IReadOnlyList<string> words, IReadOnlyList<string> fields)
+    {
+        List<string> texts = SplitFields(option, words, fields);
+        return (
+            TimeAt(option, texts[0], 0, fields[0]),
+            [.. texts.Skip(1).Select((text, index) => NumberAt(option, text, index + 1, fields[index + 1]))]);
     }
 
     /// <summary>Reads a list of any length from 1.</summary>
-    /// <param name="option">The option's name for messages, e.g. "--times".</param>
+    /// <param name="option">The option's name for messages, e.g. "--heights".</param>
     /// <param name="words">What stands after the option on the command line.</param>
-    /// <param name="field">What each number is, for messages, e.g. "MJD".</param>
+    /// <param name="field">What each number is, for messages, e.g. "M".</param>
     /// <returns>Finite numbers in their order.</returns>
     /// <exception cref="BadInputException">Unbalanced braces, no number, an empty field or one that is not a number.</exception>
-    public static double[] ParseList(string option, IReadOnlyList<string> words, string field)
+    public static double[] ParseList(string option, IReadOnlyList<string> words, string field) =>
+        ParseList(option, words, field, NumberAt);
+
+    /// <summary>Reads a list of times of any length from 1.</summary>
+    /// <param name="option">The option's name for messages, e.g. "--times".</param>
+    /// <param name="words">What stands after the option on the command line.</param>
+    /// <returns>UTC, in their order.</returns>
+    /// <exception cref="BadInputException">Unbalanced braces, no time, an empty field or one that is not a time.</exception>
+    public static CalendarTime[] ParseTimes(string option, IReadOnlyList<string> words) =>
+        ParseList(option, words, TimeText.Field, TimeAt);
+
+    private static T[] ParseList<T>(string option, IReadOnlyList<string> words, string field, Func<string, string, int, string, T> parse)
     {
         string expected = $"{{{field}1,{field}2,...}}";
         List<string> texts = SplitList(option, words, expected);
         return texts.Count > 0
-            ? ParseAll(option, texts, index => field + (index + 1).ToString(CultureInfo.InvariantCulture), _ => field == TimeText.Field)
+            ? [.. texts.Select((text, index) => parse(option, text, index, Invariant($"{field}{index + 1}")))]
             : throw new BadInputException($"{option}: the list is empty; {expected} is expected.");
     }
 
@@ -61,12 +81,13 @@ public static class StateText
                     + $"numbers.{hint}");
         }
 
-        string[] fields = ["start", "step", "end"];
-        (texts[1], double unitsPerDay) = SplitUnit(texts[1]);
-        double[] numbers = ParseAll(option, texts, index => fields[index], index => index != 1);
+        (string step, decimal unit) = SplitUnit(texts[1]);
+        CalendarTime start = TimeAt(option, texts[0], 0, "start");
+        double count = NumberAt(option, step, 1, "step");
+        CalendarTime end = TimeAt(option, texts[2], 2, "end");
         try
         {
-            return new TimeInterval(new ModifiedJulianDate(numbers[0]), numbers[1] / unitsPerDay, new ModifiedJulianDate(numbers[2]));
+            return new TimeInterval(start, Duration.OfDecimal(count, unit), end);
         }
         catch (BadInputException exception)
         {
@@ -74,18 +95,18 @@ public static class StateText
         }
     }
 
-    /// <summary>The number of a step, and how many of its units make a day.</summary>
-    private static (string Number, double UnitsPerDay) SplitUnit(string step)
+    /// <summary>The number of a step, and how many seconds its unit has.</summary>
+    private static (string Number, decimal Seconds) SplitUnit(string step)
     {
-        foreach ((string unit, double perDay) in StepUnits)
+        foreach ((string unit, decimal seconds) in StepUnits)
         {
             if (step.EndsWith(unit, StringComparison.OrdinalIgnoreCase))
             {
-                return (step[..^unit.Length].TrimEnd(), perDay);
+                return (step[..^unit.Length].TrimEnd(), seconds);
             }
         }
 
-        return (step, 1.0);
+        return (step, 86_400m);
     }
 
     /// <summary>Splits at the colons that do not belong to a time of ISO 8601.</summary>
@@ -133,21 +154,26 @@ public static class StateText
             : inner;
     }
 
-    private static double[] ParseAll(string option, List<string> texts, Func<int, string> fieldName, Func<int, bool> isTime)
+    private static List<string> SplitFields(string option, IReadOnlyList<string> words, IReadOnlyList<string> fields)
     {
-        double[] values = new double[texts.Count];
-        for (int index = 0; index < values.Length; index++)
-        {
-            string text = texts[index];
-            if (isTime(index) ? !TimeText.TryParse(text, out values[index]) : !NumberText.TryParse(text, out values[index]))
-            {
-                string problem = isTime(index) ? TimeText.ProblemWith(text) : NumberText.ProblemWith(text);
-                throw new BadInputException($"{option}, number {index + 1} ({fieldName(index)}): {problem}.");
-            }
-        }
-
-        return values;
+        string expected = $"{{{string.Join(',', fields)}}}";
+        List<string> texts = SplitList(option, words, expected);
+        return texts.Count == fields.Count
+            ? texts
+            : throw new BadInputException(
+                $"{option}: {CountOf(texts.Count)}, {fields.Count} expected: {expected}. "
+                    + $"Commas separate the numbers, decimals take a point.");
     }
+
+    private static double NumberAt(string option, string text, int index, string field) => NumberText.TryParse(text, out double number)
+        ? number
+        : throw Wrong(option, index, field, NumberText.ProblemWith(text));
+
+    private static CalendarTime TimeAt(string option, string text, int index, string field) =>
+        TimeText.TryParse(text, out CalendarTime time) ? time : throw Wrong(option, index, field, TimeText.ProblemWith(text));
+
+    private static BadInputException Wrong(string option, int index, string field, string problem) =>
+        new($"{option}, number {index + 1} ({field}): {problem}.");
 
     private static string CountOf(int count) => count == 1 ? "1 number" : Invariant($"{count} numbers");
 }

@@ -18,11 +18,13 @@ public static partial class TimeText
     /// <summary>Julian Date of the year 10000, past the last date.</summary>
     private const double EndOfJulianDates = 5_373_484.5;
 
+    private static readonly Duration LastMinute = Duration.OfSeconds(86_340);
+
     /// <summary>Reads a time.</summary>
     /// <param name="text">The characters of the time alone.</param>
-    /// <param name="mjd">Days since 1858-11-17T00:00:00 UTC. <see cref="ModifiedJulianDate"/> checks their range.</param>
+    /// <param name="time">UTC.</param>
     /// <returns>False if it is no time: <see cref="ProblemWith"/> says why.</returns>
-    public static bool TryParse(ReadOnlySpan<char> text, out double mjd) => Read(text, out mjd) is null;
+    public static bool TryParse(ReadOnlySpan<char> text, out CalendarTime time) => Read(text, out time) is null;
 
     /// <summary>Why <see cref="TryParse"/> refuses a text, and what to write.</summary>
     /// <param name="text">The refused characters.</param>
@@ -30,39 +32,61 @@ public static partial class TimeText
 
     /// <summary>Reads a time.</summary>
     /// <param name="text">The characters of the time alone.</param>
+    /// <returns>UTC.</returns>
     /// <exception cref="BadInputException">It is no time.</exception>
-    public static ModifiedJulianDate Parse(ReadOnlySpan<char> text) =>
-        Read(text, out double mjd) is { } problem ? throw new BadInputException($"{problem}.") : new ModifiedJulianDate(mjd);
+    public static CalendarTime Parse(ReadOnlySpan<char> text) =>
+        Read(text, out CalendarTime time) is { } problem ? throw new BadInputException($"{problem}.") : time;
+
+    /// <summary>The text of a moment that <see cref="Parse"/> reads as the same one: its MJD if that names it, else ISO 8601.</summary>
+    public static string Of(Instant moment)
+    {
+        CalendarTime time = moment.Utc;
+        double mjd = time.Mjd;
+        return CalendarTime.OfMjd(mjd) == time ? mjd.ToString("R", CultureInfo.InvariantCulture) : $"{time.ToExactText()}Z";
+    }
 
     /// <summary>The length of the ISO time at a place of a text, up to the colon after it or the end; 0 if there is none.</summary>
     internal static int LengthOfIsoTime(string text, int start) =>
         IsoTimeInList().Match(text, start) is { Success: true } match ? match.Length : 0;
 
-    private static string? Read(ReadOnlySpan<char> text, out double mjd)
+    private static string? Read(ReadOnlySpan<char> text, out CalendarTime time)
     {
-        if (IsLikeCalendar(text))
+        time = default;
+        try
         {
-            return ReadIso(text, out mjd);
+            return IsLikeCalendar(text) ? ReadIso(text, out time) : ReadMjd(text, out time);
         }
+        catch (BadInputException outside)
+        {
+            return outside.Message.TrimEnd('.');
+        }
+    }
 
-        if (!NumberText.TryParse(text, out mjd))
+    private static string? ReadMjd(ReadOnlySpan<char> text, out CalendarTime time)
+    {
+        time = default;
+        if (!NumberText.TryParse(text, out double mjd))
         {
             return $"{NumberText.ProblemWith(text)}; a time is {ValidValues}";
         }
 
-        return mjd is >= JulianDateOfMjdZero and < EndOfJulianDates
-            ? Invariant(
-                $"{NumberText.Shown(text)} looks like a Julian Date; its MJD is {mjd - JulianDateOfMjdZero:R} (MJD = JD - 2400000.5)")
-            : null;
+        if (mjd is >= JulianDateOfMjdZero and < EndOfJulianDates)
+        {
+            return Invariant(
+                $"{NumberText.Shown(text)} looks like a Julian Date; its MJD is {mjd - JulianDateOfMjdZero:R} (MJD = JD - 2400000.5)");
+        }
+
+        time = CalendarTime.OfMjd(mjd);
+        return null;
     }
 
     /// <summary>Whether a text can only be meant as a calendar date: a year with a dash behind it, or a colon.</summary>
     private static bool IsLikeCalendar(ReadOnlySpan<char> text) =>
         text.Contains(':') || (text.Length > 5 && text[4] == '-' && !text[..4].ContainsAnyExceptInRange('0', '9'));
 
-    private static string? ReadIso(ReadOnlySpan<char> text, out double mjd)
+    private static string? ReadIso(ReadOnlySpan<char> text, out CalendarTime time)
     {
-        mjd = 0.0;
+        time = default;
         string shown = NumberText.Shown(text);
         if (IsoTime().Match(text.ToString()) is not { Success: true } iso)
         {
@@ -89,18 +113,17 @@ public static partial class TimeText
             return $"{shown}: there is no such day in the calendar";
         }
 
-        if (second is >= 60m and < 61m)
-        {
-            return $"{shown}: MJD, in which times are counted, has no leap second; take the second before or after it";
-        }
-
-        if (hour > 23 || minute > 59 || second >= 61m || zoneHour > 23 || zoneMinute > 59)
-        {
-            return $"{shown}: hours are 00 to 23, minutes and seconds 00 to 59";
-        }
-
         int zoneSeconds = 60 * ((60 * zoneHour) + zoneMinute) * (iso.Groups["zone"].Value[0] == '-' ? -1 : 1);
-        mjd = ModifiedJulianDate.DaysOf(date, (60 * ((60 * hour) + minute)) + second - zoneSeconds);
+        CalendarTime atMinute = CalendarTime.Of(date, (60 * ((60 * hour) + minute)) - zoneSeconds);
+        bool isLeapSecond = second is >= 60m and < 61m && atMinute.SinceMidnight == LastMinute;
+        if (hour > 23 || minute > 59 || (second >= 60m && !isLeapSecond) || zoneHour > 23 || zoneMinute > 59)
+        {
+            return $"{shown}: hours are 00 to 23, minutes and seconds 00 to 59, but for a leap second, 23:59:60 UTC";
+        }
+
+        time = isLeapSecond
+            ? CalendarTime.InLeapSecond(atMinute.DayNumber, Duration.OfSeconds(second - 60m))
+            : atMinute + Duration.OfSeconds(second);
         return null;
     }
 
@@ -130,7 +153,7 @@ public static partial class TimeText
 
     [GeneratedRegex(
         @"^(?<year>[0-9]{4})-((?<month>[0-9]{2})-(?<day>[0-9]{2})|(?<dayOfYear>[0-9]{3}))"
-            + @"([Tt](?<hour>[0-9]{2}):(?<minute>[0-9]{2})(:(?<second>[0-9]{2}(\.[0-9]{1,15})?))?"
+            + @"([Tt](?<hour>[0-9]{2}):(?<minute>[0-9]{2})(:(?<second>[0-9]{2}(\.[0-9]{1,18})?))?"
             + @"(?<zone>[Zz]|[+-](?<zoneHour>[0-9]{2}):?(?<zoneMinute>[0-9]{2}))?)?$",
         RegexOptions.ExplicitCapture)]
     private static partial Regex IsoTime();

@@ -1,6 +1,5 @@
 using System.Runtime.InteropServices;
 using Msisf.Core.Ephemeris;
-using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Interop;
 
@@ -82,10 +81,10 @@ internal sealed class CSpice
     /// frame's centre to the observer, which is 0).
     /// </summary>
     /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="time">UTC.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
     /// <param name="aberration">What of light's finite speed is taken in.</param>
     /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public Vector3D SunPosition(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time, Aberration aberration)
+    public Vector3D SunPosition(IReadOnlyList<string> kernels, CelestialBody body, double ephemerisSeconds, Aberration aberration)
     {
         string correction = aberration switch
         {
@@ -98,25 +97,11 @@ internal sealed class CSpice
         lock (_gate)
         {
             _furnished.Use(kernels);
-            double ephemerisSeconds = EphemerisSeconds(time);
             CSpiceNative.spkpos_c("SUN", ephemerisSeconds, body.Frame, correction, body.CapitalName, ref positionKm[0], out _);
-            CSpiceError.ThrowIfFailed("spkpos_c", time);
+            CSpiceError.ThrowIfFailed("spkpos_c", ephemerisSeconds);
         }
 
         return MetresPerKilometre * new Vector3D(positionKm[0], positionKm[1], positionKm[2]);
-    }
-
-    /// <summary>The rotation that turns J2000 components into those of a body's frame.</summary>
-    /// <param name="kernels">The kernels to work with.</param>
-    /// <param name="time">UTC.</param>
-    /// <exception cref="SpiceException">CSPICE failed.</exception>
-    public RotationMatrix FrameFromJ2000(IReadOnlyList<string> kernels, CelestialBody body, ModifiedJulianDate time)
-    {
-        lock (_gate)
-        {
-            _furnished.Use(kernels);
-            return FrameFromJ2000(kernels, body.Frame, EphemerisSeconds(time));
-        }
     }
 
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
@@ -171,18 +156,6 @@ internal sealed class CSpice
             CSpiceError.ThrowIfFailed("bodfnd_c", item);
             return isThere;
         }
-    }
-
-    /// <summary>
-    /// TDB seconds past J2000, by deltet_c. utc2et_c takes a text, and its own sums round up to two units in the last place
-    /// away, which in 1900 turns the Sun by 2.6e-12; so both engines add to the same number.
-    /// </summary>
-    private static double EphemerisSeconds(ModifiedJulianDate time)
-    {
-        double utcSeconds = TdbScale.UtcSeconds(time);
-        CSpiceNative.deltet_c(utcSeconds, "UTC", out double deltaSeconds);
-        CSpiceError.ThrowIfFailed("deltet_c", time);
-        return utcSeconds + deltaSeconds;
     }
 
     private static string Configure()

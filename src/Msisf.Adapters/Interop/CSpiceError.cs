@@ -1,5 +1,4 @@
 using System.Text;
-using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Interop;
 
@@ -21,7 +20,6 @@ internal static class CSpiceError
 
         string what = argument switch
         {
-            ModifiedJulianDate time => Invariant($"{time.ToIsoUtc()}, MJD {time.Days:R}"),
             double ephemerisSeconds => Invariant($"{ephemerisSeconds:R} s past J2000"),
             _ => $"{argument}",
         };

@@ -32,7 +32,7 @@ internal static class FitsProvenance
         unit.Put("RENDERER", FitsText.Ascii(provenance.Renderer), "what found the surface of each pixel");
         unit.Put("TIMESYS", "UTC", "time system");
         unit.Put("DATE-OBS", frame.SimulationTime.ToIsoUtc().TrimEnd('Z'), "simulation time");
-        unit.Put("MJD-OBS", frame.SimulationTime.Days, "[d] simulation time");
+        unit.Put("MJD-OBS", frame.SimulationTime.Mjd, "[d] simulation time");
         unit.Put("OBJECT", frame.Globe.Body.Name, string.Empty);
         unit.Put("REFFRAME", frame.Globe.Body.Frame, "of positions, directions, orientation");
         PutVector(unit, "CAMPOS", frame.Camera.PositionBodyFixed, "camera", frame.Globe);

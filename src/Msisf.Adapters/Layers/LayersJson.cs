@@ -22,7 +22,7 @@ internal static class LayersJson
             json.WriteString("version", frame.Version);
             json.WriteString("commandLine", frame.CommandLine);
             json.WriteString("renderer", provenance.Renderer);
-            json.WriteNumber("mjdUtc", frame.SimulationTime.Days);
+            json.WriteNumber("mjdUtc", frame.SimulationTime.Mjd);
             json.WriteString("utc", frame.SimulationTime.ToIsoUtc());
             json.WriteString("frame", frame.Globe.Body.Frame);
             if (!frame.Globe.Body.IsMoon)

@@ -116,7 +116,7 @@ internal static class AnnotationText
         UnitQuaternion orientation = frame.Camera.MoonFromCamera;
         return
         [
-            Invariant($"Simulation time:    {frame.SimulationTime.ToIsoUtc()} (MJD {frame.SimulationTime.Days:R})"),
+            Invariant($"Simulation time:    {frame.SimulationTime.ToIsoUtc()} (MJD {frame.SimulationTime.Mjd:R})"),
             Invariant($"S/C position:       {Components(frame.Camera.PositionBodyFixed)} m"),
             Invariant($"S/C orientation:    {orientation.X:F6}, {orientation.Y:F6}, {orientation.Z:F6}, {orientation.W:F6} (x, y, z, r)"),
             Invariant($"Sun position:       {Components(frame.SunPositionBodyFixed)} m"),

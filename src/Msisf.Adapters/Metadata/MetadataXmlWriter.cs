@@ -83,7 +83,7 @@ public static class MetadataXmlWriter
         <MSISRendering>
           <GeneralInformation>
             <SimulationTime>
-              <MJD>{LongE.ToText(frame.SimulationTime.Days, digits)}</MJD>
+              <MJD>{LongE.ToText(frame.SimulationTime.Mjd, digits)}</MJD>
               <UTC>{frame.SimulationTime.ToIsoUtc()}</UTC>
             </SimulationTime>
             <CameraPosition unit="m">

@@ -163,7 +163,7 @@ internal static class ScanXml
             int y = grid.PixelY(row);
             double[] numbers = RowStates.Of(frame, y);
             text.Append(CultureInfo.InvariantCulture, $"\n      <Row v=\"{y}\" mjd=\"")
-                .Append(LongE.ToText(frame.SimulationTime.After(numbers[0]).Days, digits)).Append('"');
+                .Append(LongE.ToText(frame.SimulationTime.After(numbers[0]).Mjd, digits)).Append('"');
             for (int i = 0; i < numbers.Length; i++)
             {
                 text.Append(' ').Append(RowStates.Names[i]).Append("=\"").Append(LongE.ToText(numbers[i], digits)).Append('"');

@@ -83,7 +83,7 @@ public static class CocoWriter
             json.WriteNumber("height", size.Height);
             json.WriteString("file_name", image.FileName);
             json.WriteNumber("license", 1);
-            json.WriteString("date_captured", image.Time.ToNearestSecond().ToIsoUtc().Replace('T', ' ').TrimEnd('Z'));
+            json.WriteString("date_captured", image.Time.Utc.RoundedTo(Duration.OfSeconds(1)).ToString().Replace('T', ' '));
             json.WriteEndObject();
         }
 
@@ -179,4 +179,4 @@ public sealed record CocoSource(string Description, string Version, IReadOnlyLis
 /// <summary>An image that a file in COCO's format names.</summary>
 /// <param name="Number">Its identity, at least 1.</param>
 /// <param name="Time">UTC of the scene.</param>
-public sealed record CocoImage(int Number, string FileName, ModifiedJulianDate Time);
+public sealed record CocoImage(int Number, string FileName, Instant Time);

@@ -3,6 +3,7 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 
 namespace Msisf.Adapters.RealImages;
 
@@ -42,35 +43,33 @@ public sealed class CubeStates
     }
 
     /// <summary>The camera at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <param name="axes">How the image lies in the instrument's frame.</param>
     /// <exception cref="BadInputException">The tables do not reach to the time.</exception>
-    public CameraState At(double tdbSeconds, InstrumentAxes axes)
+    public CameraState At(TdbTime tdb, InstrumentAxes axes)
     {
-        UnitQuaternion bodyFromJ2000 = Turn(_body, tdbSeconds, "BodyRotation");
-        UnitQuaternion instrumentFromJ2000 = Turn(_instrument, tdbSeconds, "InstrumentPointing");
+        UnitQuaternion bodyFromJ2000 = Turn(_body, tdb, "BodyRotation");
+        UnitQuaternion instrumentFromJ2000 = Turn(_instrument, tdb, "InstrumentPointing");
         return new CameraState(
-            bodyFromJ2000 * (_position.At(Within(_position.Times, tdbSeconds, "InstrumentPosition")).Position),
+            bodyFromJ2000 * (_position.At(Within(_position.Times, tdb, "InstrumentPosition")).Position),
             bodyFromJ2000 * instrumentFromJ2000.Conjugate * axes.InstrumentFromCamera);
     }
 
     /// <summary>The Sun at a time, m, in the body's frame.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="BadInputException">The tables do not reach to the time.</exception>
-    public Vector3D SunAt(double tdbSeconds) => Turn(_body, tdbSeconds, "BodyRotation") * (
-        _sun.At(_sun.Count == 1 ? _sun.Times.First : Within(_sun.Times, tdbSeconds, "SunPosition")).Position);
+    public Vector3D SunAt(TdbTime tdb) => Turn(_body, tdb, "BodyRotation") * (
+        _sun.At(_sun.Count == 1 ? _sun.Times.First : Within(_sun.Times, tdb, "SunPosition")).Position);
 
-    private static bool Covers(SampleTimes times, double tdbSeconds) =>
-        tdbSeconds >= times.First - OfRounding && tdbSeconds <= times.Last + OfRounding;
+    private static bool Covers(SampleTimes times, TdbTime tdb) =>
+        tdb - times.First >= -OfRounding && tdb - times.Last <= OfRounding;
 
-    private UnitQuaternion Turn((AttitudeSamples Samples, UnitQuaternion Constant) of, double tdbSeconds, string name) =>
-        of.Constant * of.Samples.At(Within(of.Samples.Times, tdbSeconds, name));
+    private UnitQuaternion Turn((AttitudeSamples Samples, UnitQuaternion Constant) of, TdbTime tdb, string name) =>
+        of.Constant * of.Samples.At(Within(of.Samples.Times, tdb, name));
 
-    private double Within(SampleTimes times, double tdbSeconds, string name) => Covers(times, tdbSeconds)
-        ? Math.Clamp(tdbSeconds, times.First, times.Last)
+    private TdbTime Within(SampleTimes times, TdbTime tdb, string name) => Covers(times, tdb)
+        ? tdb < times.First ? times.First : tdb > times.Last ? times.Last : tdb
         : throw new BadInputException(Invariant(
-            $"{_path}: table {name} reaches from {times.First:F3} to {times.Last:F3} (TDB seconds past J2000), and the image needs "
-                + $"{tdbSeconds:F3}. The cube's tables are not of these times: run ISIS's spiceinit on it again."));
+            $"{_path}: table {name} reaches from {times.First.Seconds:F3} to {times.Last.Seconds:F3} (TDB seconds past J2000), and the "
+                + $"image needs {tdb.Seconds:F3}. The cube's tables are not of these times: run ISIS's spiceinit on it again."));
 
     private (AttitudeSamples Samples, UnitQuaternion Constant) Attitudes(CubeTables tables, string name)
     {

@@ -5,13 +5,13 @@ using Msisf.Core.Time;
 namespace Msisf.Adapters.States;
 
 /// <summary>A camera at a time, about the Moon and along J2000's axes.</summary>
-/// <param name="TdbSeconds">TDB seconds past J2000.</param>
-/// <param name="Time">UTC.</param>
+/// <param name="TdbSeconds">TDB seconds past J2000, the nearest double.</param>
+/// <param name="Time">When.</param>
 /// <param name="State">Position (m) and velocity (m/s) relative to the Moon's centre.</param>
 /// <param name="J2000FromCamera">Turns camera axes (looks along -x, y right, z up) into J2000's.</param>
 /// <param name="RateJ2000">rad/s of the camera relative to J2000, along its axes; null where nothing says it.</param>
 public readonly record struct InertialState(
-    double TdbSeconds, ModifiedJulianDate Time, StateVector State, UnitQuaternion J2000FromCamera, Vector3D? RateJ2000)
+    double TdbSeconds, Instant Time, StateVector State, UnitQuaternion J2000FromCamera, Vector3D? RateJ2000)
 {
     /// <summary>Neighbours whose positions give a velocity that no state says: a polynomial of degree 7.</summary>
     private const int Neighbours = 8;
@@ -22,27 +22,27 @@ public readonly record struct InertialState(
     /// <exception cref="BadInputException">Two states are of one time.</exception>
     public static InertialState[] Of(IReadOnlyList<SpacecraftState> states, IEphemeris ephemeris)
     {
-        SpacecraftState[] sorted = [.. states.OrderBy(state => state.Time.Days)];
+        SpacecraftState[] sorted = [.. states.OrderBy(state => state.Time)];
         SampleTimes times = new();
         Vector3D[] positions = new Vector3D[sorted.Length];
         RotationMatrix[] j2000FromBody = new RotationMatrix[sorted.Length];
         for (int i = 0; i < sorted.Length; i++)
         {
-            double seconds = ephemeris.TimeScale.FromUtc(sorted[i].Time);
-            if (i > 0 && !(seconds > times.Last))
+            TdbTime time = sorted[i].Time.Tdb;
+            if (i > 0 && !(time.Seconds > times.Last.Seconds))
             {
                 throw new BadInputException(
                     $"two states of the run are of {sorted[i].Time.ToIsoUtc()}: a trajectory is at one place then. Choose other times, or "
                         + "--format batch.");
             }
 
-            times.Add(seconds);
-            j2000FromBody[i] = ephemeris.BodyFromJ2000(seconds).Transposed;
+            times.Add(time);
+            j2000FromBody[i] = ephemeris.BodyFromJ2000(time).Transposed;
             positions[i] = j2000FromBody[i] * sorted[i].PositionBodyFixed;
         }
 
         return [.. sorted.Select((state, i) => new InertialState(
-            times[i], state.Time,
+            times[i].Seconds, state.Time,
             new StateVector(positions[i], state.Motion is { } motion
                 ? TurningMoon.ToJ2000(
                     new StateVector(state.PositionBodyFixed, motion.VelocityBodyFixed), RotationMatrix.Identity, times[i],

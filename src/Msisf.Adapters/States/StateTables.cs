@@ -10,10 +10,7 @@ public static class StateTables
     /// <summary>Says in each file what its quaternion turns.</summary>
     private const string CameraAxesText = "camera axes (x right in the image, y down, z along the line of sight)";
 
-    private static readonly DateTime MjdZero = new(1858, 11, 17, 0, 0, 0, DateTimeKind.Utc);
-
-    /// <summary>MJD of 1970-01-01, from which Unix counts.</summary>
-    private const int DayOfUnix = 40587;
+    private static readonly CalendarTime UnixZero = CalendarTime.Of(new DateOnly(1970, 1, 1), 0m);
 
     /// <summary>Columns that --batch-file reads back, to the last bit.</summary>
     public static void WriteCsv(TextWriter writer, IReadOnlyList<SpacecraftState> states)
@@ -101,19 +98,13 @@ public static class StateTables
     internal static double[] Numbers(Vector3D v) => [v.X, v.Y, v.Z];
 
     /// <summary>A time as CCSDS has it, to the nanosecond: 2024-01-19T12:00:00.000000000.</summary>
-    internal static string Calendar(ModifiedJulianDate time)
-    {
-        decimal seconds = Math.Round((decimal)time.SecondsOfDay, 9);
-        DateTime minute = MjdZero.AddDays(time.DayNumber).AddMinutes((double)Math.Floor(seconds / 60m));
-        decimal second = seconds - (60m * Math.Floor(seconds / 60m));
-        return Invariant($"{minute:yyyy-MM-dd'T'HH:mm}:{second:00.000000000}");
-    }
+    internal static string Calendar(Instant time) => time.Utc.ToNanoseconds();
 
-    private static string UnixSeconds(ModifiedJulianDate time) => UnixTime(time).ToString("F9", CultureInfo.InvariantCulture);
+    private static string UnixSeconds(Instant time) => UnixTime(time).ToString("F9", CultureInfo.InvariantCulture);
 
-    private static string UnixNanoseconds(ModifiedJulianDate time) =>
-        Math.Round(UnixTime(time) * 1_000_000_000m).ToString("F0", CultureInfo.InvariantCulture);
+    private static string UnixNanoseconds(Instant time) =>
+        (UnixTime(time) * 1_000_000_000m).ToString("F0", CultureInfo.InvariantCulture);
 
-    private static decimal UnixTime(ModifiedJulianDate time) =>
-        (86400m * (time.DayNumber - DayOfUnix)) + Math.Round((decimal)time.SecondsOfDay, 9);
+    /// <summary>Unix counts 86 400 s in each day, so that a leap second has the numbers of the second after it.</summary>
+    private static decimal UnixTime(Instant time) => (time.Utc - UnixZero).ToDecimalSeconds(decimals: 9);
 }

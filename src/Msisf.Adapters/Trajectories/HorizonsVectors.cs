@@ -1,7 +1,8 @@
-using System.Text.RegularExpressions;
 using Msisf.Adapters.Input;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using System.Text.RegularExpressions;
 
 namespace Msisf.Adapters.Trajectories;
 
@@ -139,7 +140,7 @@ internal sealed partial class HorizonsVectors(TrajectoryReading reading)
             ? new Interpolation(InterpolationMethod.Hermite, 7)
             : new Interpolation(InterpolationMethod.Lagrange, 7);
         List<double> numbers = [];
-        (double Time, int Line)? begun = null;
+        (TdbTime Time, int Line)? begun = null;
         while (reading.TryRead(out string line))
         {
             if (line == "$$EOE")
@@ -193,10 +194,10 @@ internal sealed partial class HorizonsVectors(TrajectoryReading reading)
     }
 
     /// <summary>The calendar date, which has no rounding on a grid of seconds; the Julian date where they differ.</summary>
-    private double TimeOf(Match date)
+    private TdbTime TimeOf(Match date)
     {
         double julian = SecondsPerDay * (reading.Place.Number(date.Groups["jd"].Value) - JulianDateOfJ2000);
-        double calendar = reading.Time("TDB", date.Groups["date"].Value)
+        TdbTime calendar = reading.Time("TDB", date.Groups["date"].Value)
             ?? throw reading.Place.Error($"{NumberText.Shown(date.Groups["date"].Value)} is not a time. Get the answer of Horizons again.");
         return Math.Abs(calendar - julian) <= SameTime ? calendar : julian;
     }

@@ -1,7 +1,8 @@
-using System.Text.RegularExpressions;
 using Msisf.Adapters.Input;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using System.Text.RegularExpressions;
 
 namespace Msisf.Adapters.Trajectories;
 
@@ -110,8 +111,8 @@ internal sealed partial class StkEphemeris(TrajectoryReading reading)
 
     private void ReadData(int needed)
     {
-        double epoch = Epoch();
-        double ttOfEpoch = reading.Scale.ToTt(epoch);
+        TdbTime epoch = Epoch();
+        Instant start = reading.Scale.InstantOf(epoch);
         double unit = Named("DistanceUnit", Units, "Meters", "Convert it to one of them");
         int center = Named("CentralBody", Bodies, "Earth", "Export it about one of them");
         RotationMatrix? moonMeFromFrame = Frame(center);
@@ -126,7 +127,7 @@ internal sealed partial class StkEphemeris(TrajectoryReading reading)
             }
 
             double[] numbers = [.. words.Select(word => reading.Place.Number(word))];
-            double time = reading.Scale.FromTt(ttOfEpoch + numbers[0]);
+            TdbTime time = start.After(numbers[0]).Tdb;
             if (_samples.Count > 0 && !(time > _samples.Times.Last))
             {
                 if (time < _samples.Times.Last)
@@ -155,7 +156,7 @@ internal sealed partial class StkEphemeris(TrajectoryReading reading)
         }
     }
 
-    private double Epoch()
+    private TdbTime Epoch()
     {
         (string text, int line) = _keywords.TryGetValue("ScenarioEpoch", out (string, int) found)
             ? found

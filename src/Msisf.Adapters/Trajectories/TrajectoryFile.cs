@@ -1,9 +1,10 @@
-using System.Text;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.Input;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using System.Text;
 
 namespace Msisf.Adapters.Trajectories;
 
@@ -89,7 +90,7 @@ public static class TrajectoryFile
 /// <param name="Scale">Turns times into TDB.</param>
 /// <param name="MoonMeFromMoonPa">Reads the constant rotation from the Moon's principal axes.</param>
 internal sealed record TrajectoryReading(
-    BoundedLineReader Lines, CcsdsPlace Place, TdbScale Scale, Func<RotationMatrix> MoonMeFromMoonPa)
+    BoundedLineReader Lines, CcsdsPlace Place, TimeScale Scale, Func<RotationMatrix> MoonMeFromMoonPa)
 {
     /// <summary>Reads the next line that has something in it.</summary>
     /// <param name="line">Without blanks around it.</param>
@@ -110,11 +111,11 @@ internal sealed record TrajectoryReading(
         return false;
     }
 
-    /// <summary>TDB seconds past J2000 of a calendar date.</summary>
+    /// <summary>The time of a calendar date.</summary>
     /// <param name="system">UTC or TDB.</param>
     /// <param name="text">Day, month by its first three letters, year, or year first; then hour, minute and seconds.</param>
     /// <returns>Null if it is no date, or a leap second that there was not.</returns>
-    public double? Time(string system, string text)
+    public TdbTime? Time(string system, string text)
     {
         string[] parts = text.Split((char[])[' ', '\t', '-', ':', ','], StringSplitOptions.RemoveEmptyEntries);
         string[] months = ["jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"];
@@ -126,8 +127,9 @@ internal sealed record TrajectoryReading(
         (string year, string day) = parts[0].Length == 4 ? (parts[0], parts[2]) : (parts[2], parts[0]);
         int month = Array.IndexOf(months, parts[1].ToLowerInvariant()) + 1;
         string iso = $"{year}-{month:D2}-{day.PadLeft(2, '0')}T{Part(3)}:{Part(4)}:{Part(5)}";
-        return month > 0 && CcsdsEpoch.TryParse(iso, out CcsdsEpoch epoch)
-            ? CcsdsTimeSystem.Of(system, Scale)!.ToTdbSeconds(epoch)
+        return month > 0 && CcsdsEpoch.TryParse(iso, out CalendarTime time)
+            && (system == "UTC" ? TimeSystem.Utc : TimeSystem.Tdb) is var named && Scale.HasMoment(time, named)
+            ? Scale.InstantOf(time, named).Tdb
             : null;
 
         string Part(int index) => index < parts.Length ? parts[index].Split('.')[0].Length == 1 ? "0" + parts[index] : parts[index] : "00";

@@ -142,7 +142,7 @@ internal sealed class DataSetFile
 
         if (read.ContainsKey(Quantity.SunElevation))
         {
-            read.TryAdd(Quantity.Time, Distribution.Of(TimeText.Parse("2026-01-01T00:00:00Z").Days));
+            read.TryAdd(Quantity.Time, Distribution.Of(TimeText.Parse("2026-01-01T00:00:00Z").Mjd));
         }
         else
         {
@@ -172,7 +172,7 @@ internal sealed class DataSetFile
         {
             Distribution distribution = Distribution.Parse(
                 values,
-                text => quantity == Quantity.Time ? TimeText.Parse(text).Days : NumberOf(text));
+                text => quantity == Quantity.Time ? TimeText.Parse(text).Mjd : NumberOf(text));
             return distribution.Min >= quantity.Least && distribution.Max <= quantity.Greatest
                 ? distribution
                 : throw new BadInputException(Invariant(

@@ -1,7 +1,5 @@
-using System.Security.Cryptography;
-using System.Text;
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Navigation;
 using Msisf.App.Cluster;
@@ -13,6 +11,9 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
+using System.Security.Cryptography;
+using System.Text;
 
 namespace Msisf.App.DataSets;
 
@@ -111,7 +112,7 @@ internal sealed class DataSetRun
         using SurfaceInputs maps = SurfaceInputs.Open(_settings, _host);
         _ = NavigationInputs.Open(_settings.Native.Navigation, model.Opened.Grid.ReferenceRadius); // a wrong list is found now
         DataSetSource.RequireLicences(_spec, _settings, model.Opened, maps);
-        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, _settings.Aberration, _settings.Body);
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, ephemeris.TimeScale, _settings.Aberration, _settings.Body);
         ViewProbe probe = new(_settings, model.Opened, maps, _host.Times);
         using IRunProgress progress = _host.Progress.Start("States", _spec.Splits.Sum(split => split.Count), _settings.Unattended);
         DrawnStates drawn = new StateDraw(_spec, _settings, geometry, ephemeris.Engine, probe).Run(progress, cancellation);

@@ -30,7 +30,7 @@ internal sealed class StateMaker(DataSetSpec spec, ISceneGeometry scene)
         ((double latitude, double longitude), Region region) = split.At(point[0], point[1]);
         Vector3D position = new SurfacePlace(latitude, longitude, drawn[Quantity.Altitude], isOverTerrain: true)
             .ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
-        ModifiedJulianDate time = new(drawn[Quantity.Time]);
+        Instant time = scene.TimeScale.InstantOfMjd(drawn[Quantity.Time]);
         UnitQuaternion pointing = new CameraPointing
         {
             Kind = BoresightKind.OffNadir,

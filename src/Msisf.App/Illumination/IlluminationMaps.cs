@@ -3,6 +3,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.Core.Illumination;
 using Msisf.Core.Maps;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;
 
@@ -71,8 +72,8 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapGrid gr
     {
         double steps = settings.Times.Count;
         double hours = settings.StepHours;
-        double start = settings.Times[0].Days;
-        double days = settings.Times.StepDays;
+        double start = settings.Times[0].Mjd;
+        double days = settings.Times.Step / Duration.Day;
         yield return Of("lit", string.Empty, "Part of the time with any of the Sun in view.", light => light.LitSteps / steps);
         yield return Of("disc", string.Empty, "Mean visible part of the Sun's disc, by area.", light => light.DiscPart);
         yield return Of("longest_dark", "h", "Longest time without Sun, a whole number of steps.", light => hours * light.Dark.Count);
@@ -106,7 +107,8 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapGrid gr
         yield return Of("sun_and_earth", string.Empty, "Part of the time with any of the Sun and any of the Earth in view.",
             light => light.BothSteps / steps);
         yield return Of("never_lit", string.Empty, FormattableString.Invariant(
-            $"1 where no light comes in the {settings.Times.LengthDays:R} days from MJD {start:R}."), light => light.LitSteps == 0 ? 1 : 0);
+            $"1 where no light comes in the {settings.Times.Length / Duration.Day:R} days from MJD {start:R}."),
+            light => light.LitSteps == 0 ? 1 : 0);
         yield return new LightMap("slope", "degree", "Slope of the ground.", [.. cells.Slopes.Select(
             slope => (float)double.RadiansToDegrees(Math.Atan(slope)))]) { Height = cells.Height };
 
@@ -132,7 +134,7 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapGrid gr
         double area = dark.Sum(cell => grid.AreaOf(cell / grid.Samples, cell % grid.Samples)) / 1e6; // m2 in a km2
         int best = cells.Ground.MaxBy(cell => lights[cell].LitSteps);
         int ground = cells.Ground.Count();
-        string shadow = settings.Times.LengthDays >= LongEnough ? "permanently shadowed" : "never lit in the interval";
+        string shadow = settings.Times.Length / Duration.Day >= LongEnough ? "permanently shadowed" : "never lit in the interval";
         string outside = ground == lights.Length ? string.Empty : Invariant(
             $" {lights.Length - ground} cells lie outside the models and have no data.");
         host.Log.Note(Invariant(

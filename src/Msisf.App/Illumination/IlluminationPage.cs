@@ -88,7 +88,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
         for (int date = 0; date < Dates; date++)
         {
             int x = date * LightWidth / Dates;
-            string time = settings.Times[(int)((long)date * (settings.Times.Count - 1) / Dates)].ToIsoUtc();
+            string time = settings.Times[(int)((long)date * (settings.Times.Count - 1) / Dates)].ToString() + "Z";
             axis.Append(
                 CultureInfo.InvariantCulture,
                 $"<path d=\"M{x} 100v4\" stroke=\"#000\"/><text x=\"{x + 2}\" y=\"113\">{time[..10]} {time[11..16]}</text>");
@@ -171,7 +171,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
             writer.Write(
                 $"<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{Style}</style></head>\n"
                     + $"<body><h1>{title}</h1>\n"
-                    + $"<p>{settings.Times[0].ToIsoUtc()} to {settings.Times[settings.Times.Count - 1].ToIsoUtc()}, "
+                    + $"<p>{settings.Times[0]}Z to {settings.Times[settings.Times.Count - 1]}Z, "
                     + string.Create(CultureInfo.InvariantCulture, $"a step of {settings.StepHours:R} h; the Sun as a ")
                     + (settings.IsPoint ? "point. " : "disc. ")
                     + $"Made by msis {version}.</p>\n");

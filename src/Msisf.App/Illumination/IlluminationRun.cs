@@ -27,6 +27,7 @@ internal sealed class IlluminationRun
     private readonly IlluminationSettings _settings;
     private readonly ElevationModel _model;
     private readonly IEphemeris _engine;
+    private readonly Instant[] _times;
     private readonly Aberration _aberration;
     private readonly CelestialBody _body;
     private readonly string _surface;
@@ -42,9 +43,10 @@ internal sealed class IlluminationRun
         (_settings, _model, _engine, _inputs, _host, _cancellation) = (settings, model, engine, inputs, host, cancellation);
         _aberration = models.Aberration;
         _body = models.Body;
+        _times = [.. settings.Times.Select(engine.TimeScale.InstantOf)];
         _surface = string.Join(' ', models.Ldem.Select(text => text[ModelPath.Parse(text).Path.Length..]));
         _conditions = new LightConditions(
-            [.. settings.Times.Select(SunAt)], [.. settings.Times.Select(EarthAt)])
+            [.. _times.Select(SunAt)], [.. _times.Select(EarthAt)])
         {
             IsPoint = settings.IsPoint,
             IsExact = settings.IsExact,
@@ -78,14 +80,14 @@ internal sealed class IlluminationRun
         }
     }
 
-    private Vector3D SunAt(ModifiedJulianDate time) => _engine.SunPositionBodyFixed(time, _aberration);
+    private Vector3D SunAt(Instant time) => _engine.SunPositionBodyFixed(time, _aberration);
 
-    private Vector3D EarthAt(ModifiedJulianDate time) =>
-        _engine.BodyFromJ2000(time) * _engine.StateOf(EarthNumber, _engine.TimeScale.FromUtc(time)).Position;
+    private Vector3D EarthAt(Instant time) =>
+        _engine.BodyFromJ2000(time.Tdb) * _engine.StateOf(EarthNumber, time.Tdb).Position;
 
     private void Tell()
     {
-        if (_settings.Times.StepDays > 1.0)
+        if (_settings.Times.Step > Duration.Day)
         {
             _host.Log.Note("The step of the interval is longer than a day: sunrises and nights in between are not seen.");
         }
@@ -147,7 +149,7 @@ internal sealed class IlluminationRun
             _inputs.Begin(_model.Sets, []);
             LightMapFiles files = new(
                 region, _body, new MapOrigin(_host.Version, _settings.Command, _inputs.All(camera: null)), new MapTimes(
-                    _settings.Times[0].ToIsoUtc(), _settings.Times[_settings.Times.Count - 1].ToIsoUtc(), _settings.StepHours,
+                    $"{_settings.Times[0]}Z", $"{_settings.Times[_settings.Times.Count - 1]}Z", _settings.StepHours,
                     _settings.IsPoint ? "point" : "disc"));
             new IlluminationMaps(_settings, region, files, _host).Write(results);
         }
@@ -169,12 +171,12 @@ internal sealed class IlluminationRun
         string path = Path.Combine(_settings.Folder, "comparison.csv");
         comparison.Write(path);
         _host.Results.WriteLine(path);
-        if (_settings.Times.LengthDays < IlluminationMaps.LongEnough || _settings.Heights[0] != 0.0)
+        if (_settings.Times.Length / Duration.Day < IlluminationMaps.LongEnough || _settings.Heights[0] != 0.0)
         {
             _host.Log.Note(string.Create(
                 CultureInfo.InvariantCulture,
                 $"LOLA's maps are of the ground over 18.6 years; these are of {_settings.Heights[0]:R} m over it and "
-                    + $"{_settings.Times.LengthDays:R} days."));
+                    + $"{_settings.Times.Length / Duration.Day:R} days."));
         }
     }
 
@@ -207,7 +209,7 @@ internal sealed class IlluminationRun
         IReadOnlyList<Landmark> points = IlluminationOptions.Points.NamedInErrors(() => ReadPoints(list));
         HorizonSurvey survey = new(_model.Grid, _model.Tracer, points.Select(point => point.Direction), _body.IsMoon) { IsFine = true };
         LightSurvey lights = new(survey, _conditions with { IsExact = true });
-        PointTables tables = new(_settings, survey, lights, _model, _conditions, SunAt, _host);
+        PointTables tables = new(_settings, _times, survey, lights, _model, _conditions, SunAt, _host);
         using IRunProgress progress = _host.Progress.Start("Points", points.Count * _settings.Heights.Count, _settings.Unattended);
         tables.Write(points, progress, _cancellation);
     }

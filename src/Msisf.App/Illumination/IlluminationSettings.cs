@@ -69,7 +69,7 @@ internal sealed record IlluminationSettings
     public required string Command { get; init; }
 
     /// <summary>Hours from one time to the next.</summary>
-    public double StepHours => Times.StepDays * 24.0;
+    public double StepHours => Times.Step.TotalSeconds / 3600.0;
 
     /// <summary>Reads the options.</summary>
     /// <exception cref="UsageException">A value is wrong, or options don't go together.</exception>
@@ -91,7 +91,7 @@ internal sealed record IlluminationSettings
 
         TimeInterval times = IlluminationOptions.TimeInterval.Value(() => StateText.ParseInterval(
             IlluminationOptions.TimeInterval.Name, values.Words(IlluminationOptions.TimeInterval)!));
-        if (times.Count == 0 || times.StepDays < 0.0)
+        if (times.Count == 0 || times.Step < default(Duration))
         {
             throw new UsageException(
                 $"{IlluminationOptions.TimeInterval.Name} runs backwards: the end has to come after the start, and the step above 0.")

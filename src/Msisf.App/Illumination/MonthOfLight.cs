@@ -8,24 +8,23 @@ namespace Msisf.App.Illumination;
 /// <param name="From">MJD, UTC, of the first hour.</param>
 internal sealed record MonthOfLight(double From, IReadOnlyList<MonthOfLight.Place> Places)
 {
-    private const double HalfDays = 15.0;
+    private const int HalfDays = 15;
     private const int Steps = 721;
-    private const double HoursOfDay = 24.0;
 
     /// <summary>Finds it.</summary>
     /// <param name="model">The ground.</param>
     /// <param name="directions">Places, BODY_FIXED, length 1.</param>
     /// <param name="sunAt">Says where the Sun is at times, m, BODY_FIXED.</param>
     public static MonthOfLight Find(
-        ElevationModel model, Vector3D[] directions, ModifiedJulianDate middle,
-        Func<IEnumerable<ModifiedJulianDate>, Vector3D[]> sunAt, int threads, CancellationToken cancellation)
+        ElevationModel model, Vector3D[] directions, Instant middle,
+        Func<IEnumerable<Instant>, Vector3D[]> sunAt, int threads, CancellationToken cancellation)
     {
-        double from = middle.Days - HalfDays;
-        Vector3D[] suns = sunAt(Enumerable.Range(0, Steps).Select(hour => new ModifiedJulianDate(from + (hour / HoursOfDay))));
+        Instant from = middle + (-HalfDays * Duration.Day);
+        Vector3D[] suns = sunAt(Enumerable.Range(0, Steps).Select(hour => from + (hour * Duration.OfSeconds(3600))));
         HorizonSurvey survey = new(model.Grid, model.Tracer, directions, isMoon: true);
         LightSurvey lights = new(survey, new LightConditions(suns, suns) { IsExact = true });
         PlaceHorizons horizons = survey.Find(directions, 0.0, threads, null, cancellation);
-        return new MonthOfLight(from, [.. directions.Select((_, place) =>
+        return new MonthOfLight(from.Mjd, [.. directions.Select((_, place) =>
         {
             (PlaceLight light, float[] parts) = lights.At(directions, horizons, place);
             return new Place(parts, light.LitSteps / (double)Steps, light.Light.Count, light.Dark.Count);

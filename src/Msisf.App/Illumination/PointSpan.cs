@@ -4,20 +4,18 @@ namespace Msisf.App.Illumination;
 
 /// <summary>A time in which a point is lit, or dark, without a break.</summary>
 /// <param name="IsLit">Whether it is lit.</param>
-/// <param name="Start">MJD.</param>
-/// <param name="End">MJD.</param>
-internal readonly record struct PointSpan(bool IsLit, double Start, double End)
+internal readonly record struct PointSpan(bool IsLit, Instant Start, Instant End)
 {
     /// <summary>Its length.</summary>
-    public double Hours => 24.0 * (End - Start);
+    public double Hours => End.SecondsSince(Start) / 3600.0;
 
     /// <summary>The spans of an interval, in order.</summary>
     /// <param name="times">The interval.</param>
     /// <param name="isLit">Whether the point is lit at its start.</param>
     /// <param name="events">Sunrises and sunsets in turn.</param>
-    public static PointSpan[] Of(TimeInterval times, bool isLit, IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> events)
+    public static PointSpan[] Of(IReadOnlyList<Instant> times, bool isLit, IReadOnlyList<(bool IsRise, Instant Time)> events)
     {
-        double[] borders = [times[0].Days, .. events.Select(at => at.Time.Days), times[times.Count - 1].Days];
+        Instant[] borders = [times[0], .. events.Select(at => at.Time), times[^1]];
         return [.. borders.Zip(borders.Skip(1), (start, end) => (start, end)).Select(
             (span, number) => new PointSpan(isLit == (number % 2 == 0), span.start, span.end))];
     }

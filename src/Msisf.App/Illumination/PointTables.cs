@@ -12,8 +12,8 @@ namespace Msisf.App.Illumination;
 
 /// <summary>Tables of points: the light of each, its horizon by rays of the exact tracer, and its sunrises and sunsets.</summary>
 internal sealed class PointTables(
-    IlluminationSettings settings, HorizonSurvey survey, LightSurvey lights, ElevationModel model, LightConditions conditions,
-    Func<ModifiedJulianDate, Vector3D> sunAt, ProgramHost host)
+    IlluminationSettings settings, Instant[] times, HorizonSurvey survey, LightSurvey lights, ElevationModel model,
+    LightConditions conditions, Func<Instant, Vector3D> sunAt, ProgramHost host)
 {
     /// <summary>Directions of a horizon's table: every half degree.</summary>
     private const int Azimuths = 720;
@@ -34,10 +34,10 @@ internal sealed class PointTables(
                 (PlaceLight light, float[] parts) = lights.At(directions, horizons, point);
                 PlaceRays rays = survey.RaysFrom(LocalFrame.At(horizons.Radii[point] * directions[point]));
                 float[] horizon = survey.HorizonOf(horizons, point);
-                List<(bool, ModifiedJulianDate)> events = EventsOf(rays, horizon, parts);
+                List<(bool, Instant)> events = EventsOf(rays, horizon, parts);
                 found[point] = new PointResult(
                     points[point], height, rays.Frame, light, IlluminationPage.MeansOf(parts), HorizonAt(rays, horizon), events,
-                    PointSpan.Of(settings.Times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point])));
+                    PointSpan.Of(times, parts[0] > 0.0f, events), double.RadiansToDegrees(Math.Atan(horizons.Slopes[point])));
                 progress.Advance(points[point].Identity);
                 return ValueTask.CompletedTask;
             }).GetAwaiter().GetResult();
@@ -70,18 +70,18 @@ internal sealed class PointTables(
             writer.WriteLine("id,height_m,event,utc");
             foreach (PointResult result in results)
             {
-                foreach ((bool isRise, ModifiedJulianDate time) in result.Events)
+                foreach ((bool isRise, Instant time) in result.Events)
                 {
                     writer.WriteLine(string.Create(
                         CultureInfo.InvariantCulture,
-                        $"{IdOf(result)},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{time.ToNearestSecond().ToIsoUtc()}"));
+                        $"{IdOf(result)},{result.Height:R},{(isRise ? "sunrise" : "sunset")},{ToSecond(time)}"));
                 }
             }
         });
         host.Results.WriteLine(new IlluminationPage(settings, host.Version).WritePoints(results, conditions));
     }
 
-    private static string ToSecond(double days) => new ModifiedJulianDate(days).ToNearestSecond().ToIsoUtc();
+    private static string ToSecond(Instant time) => $"{time.Utc.RoundedTo(Duration.OfSeconds(1))}Z";
 
     private static string IdOf(PointResult result) => CsvLine.Field(result.Point.Identity);
 
@@ -130,16 +130,16 @@ internal sealed class PointTables(
     }
 
     /// <summary>Sunrises and sunsets between steps at which the Sun is in view and steps at which it is not.</summary>
-    private List<(bool IsRise, ModifiedJulianDate Time)> EventsOf(PlaceRays rays, float[] horizon, float[] parts)
+    private List<(bool IsRise, Instant Time)> EventsOf(PlaceRays rays, float[] horizon, float[] parts)
     {
-        List<(bool, ModifiedJulianDate)> events = [];
-        for (int step = 1; step < settings.Times.Count; step++)
+        List<(bool, Instant)> events = [];
+        for (int step = 1; step < times.Length; step++)
         {
             bool isRise = parts[step] > 0.0f;
             if (isRise != parts[step - 1] > 0.0f)
             {
                 events.Add((isRise, lights.ChangeBetween(
-                    rays, horizon, settings.Times[step - 1], settings.Times[step], isRise, sunAt)));
+                    rays, horizon, times[step - 1], times[step], isRise, sunAt)));
             }
         }
 
@@ -150,7 +150,7 @@ internal sealed class PointTables(
 /// <summary>The light of a point at one height.</summary>
 internal sealed record PointResult(
     Landmark Point, double Height, LocalFrame Frame, PlaceLight Light, double[] Means, HorizonSample[] Horizon,
-    IReadOnlyList<(bool IsRise, ModifiedJulianDate Time)> Events, IReadOnlyList<PointSpan> Spans, double SlopeDegrees);
+    IReadOnlyList<(bool IsRise, Instant Time)> Events, IReadOnlyList<PointSpan> Spans, double SlopeDegrees);
 
 /// <summary>The horizon of a point in one direction.</summary>
 /// <param name="Azimuth">Degrees from north over east.</param>

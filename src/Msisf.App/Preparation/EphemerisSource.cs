@@ -3,12 +3,15 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
 /// <summary>The ephemeris engine of a run.</summary>
 internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host) : IDisposable
 {
+    private TimeScale? _timeScale;
+
     /// <summary>The opened engine; null if it was not needed yet.</summary>
     public OpenedEphemeris? Opened { get; private set; }
 
@@ -34,6 +37,13 @@ internal sealed class EphemerisSource(RenderSettings settings, ProgramHost host)
         Engine();
         return Opened!;
     }
+
+    /// <summary>The leap seconds of the engine's kernels; the call opens no other kernel.</summary>
+    public TimeScale TimeScale() => _timeScale ??= Opened?.Engine.TimeScale ?? LeapSecondsKernel.ReadScale(KernelFiles());
+
+    /// <summary>The leap seconds of the installation's kernels and those that a user names.</summary>
+    public static TimeScale ReadTimeScale(ProgramHost host, IReadOnlyList<string> kernels) => LightOptions.Kernels.NamedInErrors(
+        () => LeapSecondsKernel.ReadScale(KernelList.Expand(NamesOf(host, CelestialBody.Moon, kernels, SpacecraftKernels.None))));
 
     /// <summary>The kernels that the engine reads, in load order; the call opens no kernel.</summary>
     public IReadOnlyList<string> KernelFiles() => LightOptions.Kernels.NamedInErrors(

@@ -3,6 +3,7 @@ using Msisf.Adapters.Metadata;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
@@ -35,7 +36,7 @@ internal static class FlowStates
         };
         if (other is null)
         {
-            FlowState only = NavigationOptions.Flow.NamedInErrors(() => Read(target, settings));
+            FlowState only = NavigationOptions.Flow.NamedInErrors(() => Read(target, settings, states[0].Time.Scale));
             return [.. states.Select(state => state with { Flow = only })];
         }
 
@@ -75,11 +76,11 @@ internal static class FlowStates
         }
     }
 
-    private static FlowState Read(string target, RenderSettings settings)
+    private static FlowState Read(string target, RenderSettings settings, TimeScale scale)
     {
         if (target.StartsWith('{'))
         {
-            return StateOf(target);
+            return StateOf(target, scale);
         }
 
         if (!File.Exists(target))
@@ -108,18 +109,20 @@ internal static class FlowStates
             }
         }
 
-        FlowState state = StateOf(words[at + 1]);
+        FlowState state = StateOf(words[at + 1], scale);
         return ValueOf(words, LightOptions.SunPosition) is { } sun
             ? FlowState.FromNumbers(
-                [.. state.ToNumbers(), .. StateText.ParseNumbers(NavigationOptions.Flow.Name, [sun], FlowState.NumberNamesOfSun)])
+                state.Time,
+                [.. state.ToNumbers().Skip(1), .. StateText.ParseNumbers(NavigationOptions.Flow.Name, [sun], FlowState.NumberNamesOfSun)])
             : state;
     }
 
-    private static FlowState StateOf(string text)
+    private static FlowState StateOf(string text, TimeScale scale)
     {
         bool hasSun = text.Count(letter => letter == ',') + 1 == FlowState.NumberNamesWithSun.Count;
-        return FlowState.FromNumbers(StateText.ParseNumbers(
-            NavigationOptions.Flow.Name, [text], hasSun ? FlowState.NumberNamesWithSun : SpacecraftState.NumberNames));
+        (CalendarTime time, double[] numbers) = StateText.ParseState(
+            NavigationOptions.Flow.Name, [text], hasSun ? FlowState.NumberNamesWithSun : SpacecraftState.NumberNames);
+        return FlowState.FromNumbers(scale.InstantOf(time), numbers);
     }
 
     private static string? ValueOf(IReadOnlyList<string> words, OptionSpec option)

@@ -42,20 +42,20 @@ internal sealed partial class FrameNaming
             throw OutputOptions.Name.Wrong($"'{pattern}': a file name is needed, without folders; the folder is given by --output-dir.");
         }
 
-        NameOf(1, default);
+        NameOf(1, 0.0);
     }
 
     /// <summary>The file name of one frame, without extension.</summary>
     /// <param name="step">Number of the step, from 1.</param>
-    /// <param name="time">Time, UTC.</param>
-    public string NameOf(int step, ModifiedJulianDate time)
+    /// <param name="mjd">Time, UTC.</param>
+    public string NameOf(int step, double mjd)
     {
         string name = Field().Replace(_pattern, field =>
         {
             string? format = field.Groups["format"].Success ? field.Groups["format"].Value : null;
             return field.Groups["name"].Value == "step"
                 ? step.ToString(format, CultureInfo.InvariantCulture)
-                : time.Days.ToString(format ?? "R", CultureInfo.InvariantCulture);
+                : mjd.ToString(format ?? "R", CultureInfo.InvariantCulture);
         });
         int bytes = Encoding.UTF8.GetByteCount(name);
         return bytes <= LongestName
@@ -65,13 +65,13 @@ internal sealed partial class FrameNaming
     }
 
     /// <exception cref="UsageException">Two frames would get one name.</exception>
-    public IReadOnlyList<string> NamesOf(IReadOnlyList<ModifiedJulianDate> times)
+    public IReadOnlyList<string> NamesOf(IReadOnlyList<Instant> times)
     {
         Dictionary<string, int> stepOfName = new(times.Count, StringComparer.OrdinalIgnoreCase);
         string[] names = new string[times.Count];
         for (int index = 0; index < names.Length; index++)
         {
-            names[index] = NameOf(index + 1, times[index]);
+            names[index] = NameOf(index + 1, times[index].Mjd);
             if (!stepOfName.TryAdd(names[index], index + 1))
             {
                 throw OutputOptions.Name.Wrong(

@@ -90,7 +90,7 @@ internal static class FrameSetup
 /// <param name="Motion">How the camera moves during the exposure; null for images without it.</param>
 /// <param name="Noise">The noise of the camera's detector; null for that of the detector's seed and the frame's state.</param>
 internal sealed record Frame(
-    int Step, string Name, ModifiedJulianDate Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
+    int Step, string Name, Instant Time, ICamera Camera, SceneLight Light, CameraMotion? Motion = null,
     NoiseSeed? Noise = null)
 {
     /// <summary>Which camera of the rig takes it, from 0; 0 without a rig.</summary>

@@ -14,11 +14,13 @@ namespace Msisf.App.Preparation;
 
 /// <summary>The path of a camera that flies as the files of a mission say.</summary>
 /// <param name="Path">Its pose at each time.</param>
-/// <param name="Scale">Turns UTC into TDB.</param>
-internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
+/// <param name="Scale">Of the kernels' leap seconds.</param>
+internal sealed record MissionPath(SpacecraftPath Path, TimeScale Scale)
 {
     /// <summary>Maximum number of images of --every; a frame a second for four months.</summary>
     private const double MaxImages = 10_000_000.0;
+
+    private static readonly Duration Microsecond = Duration.OfSeconds(0.000_001m);
 
     /// <param name="settings">Where the spacecraft is, and how its camera points.</param>
     /// <param name="kernels">The engine with its kernels.</param>
@@ -41,7 +43,9 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         {
             InstrumentChoice choice => MissionOptions.Instrument.NamedInErrors(() => Attitude(choice, kernels)),
             PointedChoice choice => new PointedAttitude(choice.Pointing, scene),
-            QuaternionChoice choice => new FramedAttitude(choice.Attitude, choice.Frame, choice.Epoch ?? default, kernels.Engine),
+            QuaternionChoice choice => new FramedAttitude(
+                choice.Attitude, choice.Frame, choice.Epoch is { } epoch ? kernels.Engine.TimeScale.InstantOf(epoch) : null,
+                kernels.Engine),
             AemChoice aem => new SampledAttitude(
                 OpenFile(MissionOptions.Aem, "CCSDS_AE", aem.Path, () =>
                 {
@@ -62,26 +66,26 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
 
     /// <param name="settings">Times, or a step.</param>
     /// <exception cref="UsageException">The step gives too many images.</exception>
-    public IEnumerable<ModifiedJulianDate> Times(MissionSettings settings)
+    public IEnumerable<Instant> Times(MissionSettings settings)
     {
         if (settings.Every is not { } step)
         {
-            return settings.Times!;
+            return settings.Times!.Select(Scale.InstantOf);
         }
 
         double count = Path.Cover.Intervals.Sum(interval => Math.Floor((interval.End - interval.Start) / step) + 1.0);
         return count <= MaxImages
-            ? EachOnce(Path.Cover.Intervals.SelectMany(interval => Steps(interval, step)))
+            ? EachOnce(Path.Cover.Intervals.SelectMany(interval => Steps(interval, step, settings)))
             : throw MissionOptions.Every.Wrong(Invariant(
                 $"{step:R} gives {count:E1} images; {MaxImages:#,0} is the most. The files cover "
                     + $"{new KernelCover(Scale, Path.Cover).Describe()}. Choose a longer step, or {CameraOptions.TimeInterval.Name}."));
     }
 
     /// <summary>Leaves out times that are the one before: short steps, and intervals that all but meet, are rounded to such.</summary>
-    private static IEnumerable<ModifiedJulianDate> EachOnce(IEnumerable<ModifiedJulianDate> times)
+    private static IEnumerable<Instant> EachOnce(IEnumerable<Instant> times)
     {
-        ModifiedJulianDate? last = null;
-        foreach (ModifiedJulianDate time in times)
+        Instant? last = null;
+        foreach (Instant time in times)
         {
             if (time != last)
             {
@@ -110,29 +114,32 @@ internal sealed record MissionPath(SpacecraftPath Path, TdbScale Scale)
         return option.NamedInErrors(() => FileErrors.ToBadInput($"{path}: can't be read", read));
     }
 
-    /// <summary>Times in an interval of the cover; those at its ends are rounded inwards, because a date holds 0.6 microseconds.</summary>
-    private IEnumerable<ModifiedJulianDate> Steps(TdbInterval interval, double step)
+    /// <summary>
+    /// Times in an interval of the cover, SI seconds apart, and whole microseconds of UTC if the step is: the ends of a cover are doubles,
+    /// which hold 0.1 microseconds of today's times. A file of samples is read so far past its ends; of kernels the ends themselves
+    /// are taken.
+    /// </summary>
+    private IEnumerable<Instant> Steps(TdbInterval interval, double step, MissionSettings settings)
     {
+        Instant first = Scale.InstantOf(Scale.InstantOf(interval.Start).Utc.RoundedTo(Microsecond));
+        Duration length = Duration.OfDecimal(step);
         int count = (int)Math.Floor((interval.End - interval.Start) / step) + 1;
         for (int i = 0; i < count; i++)
         {
-            ModifiedJulianDate time = Scale.ToUtc(interval.Start + (i * step));
             if (interval.IsInstant)
             {
-                yield return time;
+                yield return settings is { Position: KernelPosition, Attitude: not InstrumentChoice }
+                    ? Scale.InstantOf(interval.Start)
+                    : first;
                 continue;
             }
 
-            ModifiedJulianDate later = new(double.BitIncrement(time.Days));
-            ModifiedJulianDate earlier = new(double.BitDecrement(time.Days));
-            foreach (ModifiedJulianDate candidate in (ModifiedJulianDate[])[time, later, earlier])
-            {
-                if (interval.Contains(Scale.FromUtc(candidate)))
-                {
-                    yield return candidate;
-                    break;
-                }
-            }
+            Instant time = first + (i * length);
+            double tdbSeconds = time.Tdb.Seconds;
+            yield return settings is { Position: not KernelPosition, Attitude: not InstrumentChoice } ? time
+                : tdbSeconds < interval.Start ? Scale.InstantOf(interval.Start)
+                : tdbSeconds > interval.End ? Scale.InstantOf(interval.End)
+                : time;
         }
     }
 }

@@ -228,14 +228,19 @@ internal static class PlausibleMistakes
         }
     }
 
-    private static IEnumerable<string> Interval(IEnumerable<ModifiedJulianDate> times)
+    private static IEnumerable<string> Interval(IEnumerable<CalendarTime> times)
     {
-        if (times is TimeInterval interval && Math.Abs(interval.StepDays) > Math.Abs(interval.LengthDays) && interval.LengthDays != 0.0
-            && interval.Count > 0)
+        if (times is not TimeInterval { Count: > 0 } interval)
+        {
+            yield break;
+        }
+
+        (double step, double length) = (interval.Step / Duration.Day, interval.Length / Duration.Day);
+        if (Math.Abs(step) > Math.Abs(length) && length != 0.0)
         {
             yield return Invariant(
-                $"--time-interval: the step of {interval.StepDays:R} days is longer than the interval of {interval.LengthDays:G6} days, "
-                    + $"so there is one image. If the step is seconds, write {interval.StepDays / 86400.0:G10}.");
+                $"--time-interval: the step of {step:R} days is longer than the interval of {length:G6} days, "
+                    + $"so there is one image. If the step is seconds, write {step / 86400.0:G10}.");
         }
     }
 

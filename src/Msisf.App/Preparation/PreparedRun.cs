@@ -92,7 +92,7 @@ internal static class GroundCheck
             if (depth > 0.0 && ++count <= NamedSteps)
             {
                 unit = buried.Count == 0 ? PlausibleMistakes.Inside(position, body ?? CelestialBody.Moon, trajectory) : unit;
-                buried.Add(Invariant($"step {frame.Step} (MJD {frame.Time.Days:R}) by {depth:F1} m"));
+                buried.Add(Invariant($"step {frame.Step} (MJD {frame.Time.Mjd:R}) by {depth:F1} m"));
             }
         }
 

@@ -2,6 +2,7 @@ using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
 
@@ -41,7 +42,7 @@ internal sealed record RunFrames(
         }
 
         RenderSettings first = cameras[0];
-        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, first.Aberration, first.Body);
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, ephemeris.TimeScale, first.Aberration, first.Body);
         StateNeeds[] needs = [.. cameras.Select(StateNeeds.Of)];
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {

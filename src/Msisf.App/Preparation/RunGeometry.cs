@@ -11,18 +11,22 @@ namespace Msisf.App.Preparation;
 /// <summary>Terrain and Sun of a run, each opened only where a camera is placed or pointed by it.</summary>
 /// <param name="model">Opens the elevation model, or returns the open one.</param>
 /// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
+/// <param name="scale">Reads the leap seconds, or returns those that were read.</param>
 /// <param name="aberration">Which effects of light's finite speed the Sun's position includes, as for the run's light.</param>
 /// <param name="body">The body; null for the Moon.</param>
 internal sealed class RunGeometry(
-    Func<ElevationModel> model, Func<IEphemeris> ephemeris, Aberration aberration, CelestialBody? body = null) : ISceneGeometry
+    Func<ElevationModel> model, Func<IEphemeris> ephemeris, Func<TimeScale> scale, Aberration aberration, CelestialBody? body = null)
+    : ISceneGeometry
 {
     public double ReferenceRadius => body is { IsMoon: false } ? model().Grid.ReferenceRadius : MoonConstants.ReferenceRadius;
 
+    public TimeScale TimeScale => scale();
+
     public double GroundRadius(Vector3D directionBodyFixed) => model().GroundRadius(directionBodyFixed);
 
-    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => ephemeris().SunPositionBodyFixed(time, aberration);
+    public Vector3D SunPositionBodyFixed(Instant time) => ephemeris().SunPositionBodyFixed(time, aberration);
 
-    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => ephemeris().BodyFromJ2000(time);
+    public RotationMatrix BodyFromJ2000(Instant time) => ephemeris().BodyFromJ2000(time.Tdb);
 }
 
 /// <summary>Where the Sun is at the times of images. Not for several threads, as CSPICE is not.</summary>
@@ -32,7 +36,7 @@ internal sealed class RunGeometry(
 internal sealed class SunPositions(Func<IEphemeris> ephemeris, Aberration aberration, SharedReadings? shared = null)
 {
     /// <summary>m, body-fixed.</summary>
-    public Vector3D At(ModifiedJulianDate time)
+    public Vector3D At(Instant time)
     {
         IEphemeris engine = ephemeris();
         return shared?.SunAt(time, aberration, engine) ?? engine.SunPositionBodyFixed(time, aberration);
@@ -42,15 +46,15 @@ internal sealed class SunPositions(Func<IEphemeris> ephemeris, Aberration aberra
 /// <summary>What the cameras of one request share: the states that were read, and where the Sun is. Not for several threads.</summary>
 internal sealed class SharedReadings
 {
-    private readonly Dictionary<(double Days, Aberration Aberration, IEphemeris Engine), Vector3D> _suns = [];
+    private readonly Dictionary<(Instant Time, Aberration Aberration, IEphemeris Engine), Vector3D> _suns = [];
     private readonly Dictionary<StatesKey, IReadOnlyList<SpacecraftState>> _states = [];
 
     /// <summary>m, body-fixed.</summary>
-    public Vector3D SunAt(ModifiedJulianDate time, Aberration aberration, IEphemeris engine)
+    public Vector3D SunAt(Instant time, Aberration aberration, IEphemeris engine)
     {
-        if (!_suns.TryGetValue((time.Days, aberration, engine), out Vector3D position))
+        if (!_suns.TryGetValue((time, aberration, engine), out Vector3D position))
         {
-            _suns.Add((time.Days, aberration, engine), position = engine.SunPositionBodyFixed(time, aberration));
+            _suns.Add((time, aberration, engine), position = engine.SunPositionBodyFixed(time, aberration));
         }
 
         return position;

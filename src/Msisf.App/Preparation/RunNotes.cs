@@ -40,8 +40,8 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
     private int _count;
     private double _widestCell;
     private int _widestStep;
-    private ModifiedJulianDate _first;
-    private ModifiedJulianDate _last;
+    private Instant _first;
+    private Instant _last;
 
     /// <summary>Name of the rig's camera, which the notes begin with; null without a rig.</summary>
     public string? Camera { get; init; }
@@ -71,8 +71,8 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
 
     public void Add(Frame frame, FramePreview view)
     {
-        _first = _count == 0 || frame.Time.Days < _first.Days ? frame.Time : _first;
-        _last = _count == 0 || frame.Time.Days > _last.Days ? frame.Time : _last;
+        _first = _count == 0 || frame.Time < _first ? frame.Time : _first;
+        _last = _count == 0 || frame.Time > _last ? frame.Time : _last;
         _count++;
         if (view.IsBesideMap)
         {
@@ -129,12 +129,15 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
         void Note(string text) => log.Note(Camera is null ? text : $"{Camera}: {text}");
     }
 
-    private string? EpochAway(ModifiedJulianDate epoch) =>
-        _first.Days - epoch.Days > FarEpoch ? $"{Duration(_first.Days - epoch.Days)} before the first frame"
-        : epoch.Days - _last.Days > FarEpoch ? $"{Duration(epoch.Days - _last.Days)} after the last frame"
-        : null;
+    private string? EpochAway(CalendarTime epoch)
+    {
+        (double before, double after) = ((_first.Utc - epoch) / Duration.Day, (epoch - _last.Utc) / Duration.Day);
+        return before > FarEpoch ? $"{Days(before)} before the first frame"
+            : after > FarEpoch ? $"{Days(after)} after the last frame"
+            : null;
+    }
 
-    private static string Duration(double days) => days < 2.0 * DaysPerYear
+    private static string Days(double days) => days < 2.0 * DaysPerYear
         ? Invariant($"{days:F0} days")
         : Invariant($"{days / DaysPerYear:F0} years");
 
@@ -165,7 +168,7 @@ internal static class OrbitNotes
     /// <param name="orbit">The orbit; its times are computed once each.</param>
     public static IEnumerable<string> Of(OrbitSettings orbit)
     {
-        double seconds = orbit.Times.Select(time => Math.Abs(time.SecondsSince(orbit.Epoch))).DefaultIfEmpty().Max();
+        double seconds = orbit.Times.Select(time => Math.Abs((time - orbit.Epoch).TotalSeconds)).DefaultIfEmpty().Max();
         if (orbit.Frame == OrbitFrame.MoonMe && !orbit.IsFrameGiven && seconds > 0.0)
         {
             yield return $"the orbit is propagated in Moon axes that turn with the Moon (the default, {CameraOptions.OrbitFrame.Name} "

@@ -9,7 +9,7 @@ namespace Msisf.App.Preparation;
 /// <summary>Says for each state of a run where the camera is at the times of all exposures of its image.</summary>
 internal static class ScanStates
 {
-    /// <summary>s: a time of a day is held to 0.6 microseconds, so that a scan up to the last sample may end so much behind it.</summary>
+    /// <summary>s: an MJD holds 0.6 microseconds, so that a scan up to the last sample may end so much behind it.</summary>
     private const double OfRounding = 2e-6;
 
     /// <summary>s: as long before and after a time the camera is looked at to know its motion, if its shutter is not open for
@@ -66,7 +66,7 @@ internal static class ScanStates
 
         for (int i = 1; i < samples.Count; i++)
         {
-            if (!(samples[i].Time.Days > samples[i - 1].Time.Days))
+            if (!(samples[i].Time > samples[i - 1].Time))
             {
                 throw new BadInputException($"{file}: state {i + 1} ({samples[i].Time.ToIsoUtc()}) is not later than the one before. "
                     + "Samples of a motion stand in the order of their times.");
@@ -94,10 +94,9 @@ internal static class ScanStates
     }
 
     /// <summary>The state of an image between samples.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="file">For messages.</param>
     /// <exception cref="BadInputException">The time is before the first sample or after the last.</exception>
-    public static SpacecraftState Between(SampledMotion motion, ModifiedJulianDate time, string file)
+    public static SpacecraftState Between(SampledMotion motion, Instant time, string file)
     {
         double start = time.SecondsSince(motion.Start);
         CameraState state = At(0.0);
@@ -119,7 +118,7 @@ internal static class ScanStates
     }
 
     /// <summary>The motion at a time.</summary>
-    public static CameraMotion MotionAbout(SampledMotion motion, ModifiedJulianDate time) =>
+    public static CameraMotion MotionAbout(SampledMotion motion, Instant time) =>
         motion.MotionAt(Math.Clamp(time.SecondsSince(motion.Start), 0.0, motion.End));
 
     private static ScanPath PathOf(SpacecraftState state, CameraMotion? motion, Scan? scan)

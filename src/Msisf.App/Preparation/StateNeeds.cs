@@ -114,8 +114,6 @@ internal static class StateMotions
     /// <summary>rad: how far the camera may turn in twice that time, so that the way it turns is known.</summary>
     private const double MaxTurn = Math.PI / 2.0;
 
-    private const double SecondsPerDay = 86400.0;
-
     /// <summary>The states with their motions; without any if no shutter needs them.</summary>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="UsageException">A motion is missing, or said twice.</exception>
@@ -151,7 +149,7 @@ internal static class StateMotions
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="BadInputException">The camera turns too fast for its shutter.</exception>
     public static CameraMotion? About(
-        ModifiedJulianDate time, Func<ModifiedJulianDate, SpacecraftState> stateAt, OrbitSettings orbit, string? cameraWithShutter)
+        Instant time, Func<Instant, SpacecraftState> stateAt, OrbitSettings orbit, string? cameraWithShutter)
     {
         double rate = orbit.Attitude?.AngularVelocityCamera.Length ?? 0.0;
         if (rate * 2.0 * HalfStep > MaxTurn)
@@ -161,8 +159,7 @@ internal static class StateMotions
                     + $"most. Check it, or remove 'shutter' from the camera file."));
         }
 
-        ModifiedJulianDate start = new(time.Days - (HalfStep / SecondsPerDay));
-        ModifiedJulianDate end = new(time.Days + (HalfStep / SecondsPerDay));
+        (Instant start, Instant end) = (time.After(-HalfStep), time.After(HalfStep));
         (SpacecraftState before, SpacecraftState after) = (stateAt(start), stateAt(end));
         CameraMotion motion = CameraMotion.Between(
             (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end.SecondsSince(start));
@@ -175,18 +172,19 @@ internal static class StateMotions
     /// The motion on a mission's path at a time: as its files state it, else from states about the time; at the ends of the cover from
     /// those of the inner side. Null where the files say the state at this time only, and no shutter needs more.
     /// </summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, inside the cover.</param>
+    /// <param name="time">Inside the cover.</param>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
     /// <exception cref="BadInputException">A shutter needs a motion that is not known.</exception>
-    public static CameraMotion? About(double tdbSeconds, SpacecraftPath path, string? cameraWithShutter)
+    public static CameraMotion? About(Instant time, SpacecraftPath path, string? cameraWithShutter)
     {
-        if (path.StatedMotionAt(tdbSeconds) is { } stated)
+        if (path.StatedMotionAt(time) is { } stated)
         {
             return stated;
         }
 
-        double start = path.Cover.Contains(tdbSeconds - HalfStep) ? tdbSeconds - HalfStep : tdbSeconds;
-        double end = path.Cover.Contains(tdbSeconds + HalfStep) ? tdbSeconds + HalfStep : tdbSeconds;
+        (Instant start, Instant end) = (time.After(-HalfStep), time.After(HalfStep));
+        start = path.Cover.Contains(start.Tdb) ? start : time;
+        end = path.Cover.Contains(end.Tdb) ? end : time;
         if (start == end)
         {
             return cameraWithShutter is null ? null : throw new BadInputException(
@@ -196,6 +194,6 @@ internal static class StateMotions
 
         (CameraState before, CameraState after) = (path.At(start), path.At(end));
         return CameraMotion.Between(
-            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end - start);
+            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end.SecondsSince(start));
     }
 }

@@ -52,7 +52,7 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
         ISceneGeometry scene = SceneWithSun.Of(geometry, trajectory.SunPositionBodyFixed);
         IReadOnlyList<SpacecraftState> states = trajectory switch
         {
-            FixedStateSettings fixedState => [fixedState.State],
+            FixedStateSettings place => [place.State with { Time = scene.TimeScale.InstantOf(place.Time) }],
             BatchFileSettings file => BatchFile(file, scene, cancellation),
             PlaceSettings place => AtPlace(place, scene, cancellation),
             OrbitSettings orbit => OnOrbit(orbit, cancellation),
@@ -66,6 +66,11 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             {
                 host.Log.Warning(mistake);
             }
+        }
+
+        if (states.Count > 0 && LeapSecondNote.Of(trajectory, states) is { } note)
+        {
+            host.Log.Note(note);
         }
 
         return states.Count > 0
@@ -166,7 +171,7 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             host.Log.Warning($"{PointingOptions.LookAt.Name}: the place {PointingText.Hidden}");
         }
 
-        return [.. settings.Times.Select(time =>
+        return [.. settings.Times.Select(scene.TimeScale.InstantOf).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
             return new SpacecraftState(time, position, settings.Pointing.MoonFromCamera(position, time, scene));
@@ -175,8 +180,9 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
 
     private SpacecraftState[] OnOrbit(OrbitSettings settings, CancellationToken cancellation)
     {
+        Instant epoch = geometry.TimeScale.InstantOf(settings.Epoch);
         OrbitPropagator orbit = new(
-            settings.Elements, settings.Epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : ephemeris());
+            settings.Elements, epoch, settings.Frame, settings.Frame == OrbitFrame.MoonMe ? null : ephemeris());
         if (orbit.PeriapsisRadius < MoonConstants.ReferenceRadius)
         {
             host.Log.Warning(Invariant(
@@ -192,25 +198,22 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
         AttitudeFrame frame = settings.AttitudeFrame ?? AttitudeFrame.MoonMe;
         FramedAttitude? attitude = settings.Attitude is { } transition
             ? new FramedAttitude(
-                transition, frame, settings.Epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : ephemeris())
+                transition, frame, epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : ephemeris())
             : null;
-        return [.. settings.Times.Select(time =>
+        return [.. settings.Times.Select(geometry.TimeScale.InstantOf).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time, seconds)) : null };
+            SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time.After(seconds))) : null };
             return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings, CameraWithShutter) } : state;
         })];
 
-        CameraState CameraAt(ModifiedJulianDate start, double seconds)
+        CameraState CameraAt(Instant time)
         {
-            ModifiedJulianDate time = start.After(seconds);
-            Vector3D position = orbit.PositionBodyFixed(start, seconds);
-            return new CameraState(
-                position,
-                attitude?.MoonFromCamera(time, position, orbit.NormalBodyFixed) ?? NadirPointing.MoonFromCamera(position));
+            SpacecraftState state = StateAt(time);
+            return new CameraState(state.PositionBodyFixed, state.MoonFromCamera);
         }
 
-        SpacecraftState StateAt(ModifiedJulianDate time)
+        SpacecraftState StateAt(Instant time)
         {
             Vector3D position = orbit.PositionBodyFixed(time);
             return new SpacecraftState(
@@ -222,7 +225,8 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
     {
         IReadOnlyList<SpacecraftState> samples = BatchFile(settings.Samples, scene, cancellation);
         SampledMotion motion = ScanStates.MotionOf(samples, settings);
-        return [.. (settings.Times ?? [motion.Start]).Select(time => ScanStates.Between(motion, time, settings.Samples.Path) with
+        IEnumerable<Instant> times = settings.Times?.Select(geometry.TimeScale.InstantOf) ?? [motion.Start];
+        return [.. times.Select(time => ScanStates.Between(motion, time, settings.Samples.Path) with
         {
             Motion = NeedsMotion ? ScanStates.MotionAbout(motion, time) : null,
         })];
@@ -240,14 +244,14 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
         return [.. mission.Times(settings).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            double start = mission.Scale.FromUtc(time);
-            SpacecraftState state = mission.Path.At(time) with
+            SpacecraftState state = mission.Path.StateAt(time) with
             {
                 Path = NeedsPath
-                    ? new ScanPath(seconds => mission.Path.At(start + seconds), seconds => mission.Path.StatedMotionAt(start + seconds))
+                    ? new ScanPath(
+                        seconds => mission.Path.At(time.After(seconds)), seconds => mission.Path.StatedMotionAt(time.After(seconds)))
                     : null,
             };
-            return NeedsMotion ? state with { Motion = StateMotions.About(start, mission.Path, CameraWithShutter) } : state;
+            return NeedsMotion ? state with { Motion = StateMotions.About(time, mission.Path, CameraWithShutter) } : state;
         })];
     }
 }

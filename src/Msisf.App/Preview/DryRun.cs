@@ -101,7 +101,7 @@ internal static class DryRun
 /// <param name="Time">Time, UTC.</param>
 /// <param name="HeightOverGround">Height of the camera over the terrain, m; over the reference sphere if there is no model.</param>
 /// <param name="PixelsPerCell">Width of a cell of the model in the middle of the image, px; null if that shows no ground.</param>
-internal sealed record PreviewRow(int Step, ModifiedJulianDate Time, double HeightOverGround, FramePreview View, double? PixelsPerCell)
+internal sealed record PreviewRow(int Step, Instant Time, double HeightOverGround, FramePreview View, double? PixelsPerCell)
 {
     /// <summary>Name of the rig's camera; null without a rig.</summary>
     public string? Camera { get; init; }

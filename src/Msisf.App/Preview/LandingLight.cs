@@ -19,13 +19,15 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
 
     private const int Chunks = 20;
 
+    private static readonly Duration Hour = Duration.OfSeconds(3600);
+
     /// <summary>Whether frames come down to the ground: the last one is the lowest, and less than half as high as the first.</summary>
     /// <param name="heights">m: heights of the cameras over the ground, in order.</param>
     public static bool IsLanding(IReadOnlyList<double> heights) =>
         heights.Count > 1 && heights[^1] < LowEnd && heights[^1] < 0.5 * heights[0] && heights[^1] <= heights.Min();
 
     /// <param name="positionBodyFixed">The last camera, m.</param>
-    public void Write(Vector3D positionBodyFixed, ModifiedJulianDate time, ILog log, CancellationToken cancellation)
+    public void Write(Vector3D positionBodyFixed, Instant time, ILog log, CancellationToken cancellation)
     {
         Vector3D direction = positionBodyFixed.Normalized();
         SelenographicPoint point = SelenographicPoint.Below(direction);
@@ -41,11 +43,11 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
             $"The target below the last frame, {double.RadiansToDegrees(point.Latitude):F5}, "
                 + $"{double.RadiansToDegrees(point.Longitude):F5},");
         bool? isLit = null;
-        ModifiedJulianDate last = time;
+        Instant last = time;
         for (int chunk = 0; chunk < Chunks; chunk++)
         {
             cancellation.ThrowIfCancellationRequested();
-            ModifiedJulianDate start = last;
+            Instant start = last;
             List<Vector3D> suns = SunsFrom(start);
             if (suns.Count < 2)
             {
@@ -58,39 +60,40 @@ internal sealed class LandingLight(ElevationModel model, IEphemeris engine, bool
             int change = Array.FindIndex(parts, part => part > 0.0f != isLit);
             if (change >= 0)
             {
-                ModifiedJulianDate exact = lights.ChangeBetween(
+                Instant exact = lights.ChangeBetween(
                     survey.RaysFrom(frame), survey.HorizonOf(horizons, 0),
-                    new(start.Days + ((change - 1) / 24.0)), new(start.Days + (change / 24.0)),
+                    start + ((change - 1) * Hour), start + (change * Hour),
                     !isLit.Value, at => engine.SunPositionBodyFixed(at));
-                log.Note(Text(site, isLit.Value, time, exact.ToNearestSecond()));
+                log.Note(Text(site, isLit.Value, time, exact));
                 return;
             }
 
-            last = new ModifiedJulianDate(start.Days + ((suns.Count - 1) / 24.0));
+            last = start + ((suns.Count - 1) * Hour);
         }
 
         log.Note(Invariant(
             $"{site} {(isLit == false ? "lies in shadow, and no Sun is seen there" : "is lit, and stays so")} for the "
-                + $"{last.Days - time.Days:F1} days that were looked at."));
+                + $"{(last - time) / Duration.Day:F1} days that were looked at."));
     }
 
-    private static string Text(string site, bool isLit, ModifiedJulianDate time, ModifiedJulianDate change)
+    private static string Text(string site, bool isLit, Instant time, Instant change)
     {
-        string hours = Invariant($"{24.0 * (change.Days - time.Days):F1} h");
+        string hours = Invariant($"{(change - time) / Hour:F1} h");
+        CalendarTime second = change.Utc.RoundedTo(Duration.OfSeconds(1));
         return isLit
-            ? $"{site} stays lit for {hours} after it: the Sun sets behind the models' horizon at {change.ToIsoUtc()}."
-            : $"{site} lies in shadow: the Sun rises over the models' horizon at {change.ToIsoUtc()}, {hours} after it.";
+            ? $"{site} stays lit for {hours} after it: the Sun sets behind the models' horizon at {second}Z."
+            : $"{site} lies in shadow: the Sun rises over the models' horizon at {second}Z, {hours} after it.";
     }
 
     /// <summary>The Sun hour by hour, as far as the kernels go.</summary>
-    private List<Vector3D> SunsFrom(ModifiedJulianDate start)
+    private List<Vector3D> SunsFrom(Instant start)
     {
         List<Vector3D> suns = [];
         try
         {
             for (int hour = 0; hour <= ChunkHours; hour++)
             {
-                suns.Add(engine.SunPositionBodyFixed(new ModifiedJulianDate(start.Days + (hour / 24.0))));
+                suns.Add(engine.SunPositionBodyFixed(start + (hour * Hour)));
             }
         }
         catch (SpiceException)

@@ -137,7 +137,7 @@ internal static class CameraOfMetaFile
     /// <param name="metadata">What the meta file was written from.</param>
     public static ExportedFrame Read(Stream stream, string name, Frame frame, FrameMetadata metadata, RenderSettings settings)
     {
-        ExportedFrame exported = MetaFileFrame.Read(stream, name, () => RowStates.Of(metadata));
+        ExportedFrame exported = MetaFileFrame.Read(stream, name, metadata.SimulationTime.Scale, () => RowStates.Of(metadata));
         return settings.Shutter is { IsRolling: true } shutter && frame is { Scan: null, Motion: { IsRest: false } motion }
             ? exported with
             {

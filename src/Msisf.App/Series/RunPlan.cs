@@ -1,9 +1,10 @@
-using System.Runtime.InteropServices;
-using System.Security.Cryptography;
-using System.Text;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Settings;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
+using System.Runtime.InteropServices;
+using System.Security.Cryptography;
+using System.Text;
 
 namespace Msisf.App.Series;
 
@@ -103,10 +104,13 @@ internal sealed record PlannedCamera(IReadOnlyList<SpacecraftState> States, IRea
         }
     }
 
+    private static byte[] BytesOf(Instant time, double[] numbers) =>
+        [.. Encoding.ASCII.GetBytes(time.Utc.ToExactText()), .. MemoryMarshal.AsBytes<double>(numbers.AsSpan(1))];
+
     private static byte[] BytesOf(in SpacecraftState state) =>
     [
-        .. MemoryMarshal.AsBytes<double>(state.ToNumbers()),
-        .. state.Flow is { } flow ? MemoryMarshal.AsBytes<double>(flow.ToNumbers()) : [],
+        .. BytesOf(state.Time, state.ToNumbers()),
+        .. state.Flow is { } flow ? BytesOf(flow.Time, flow.ToNumbers()) : [],
         .. state.ExposureFactor is { } factor ? MemoryMarshal.AsBytes<double>([factor]) : [],
         .. state.Path is { States.Count: > 1 } path ? Encoding.ASCII.GetBytes(path.Digest()) : [],
         .. state.Noise is { } noise ? MemoryMarshal.AsBytes<ulong>([noise.Number, noise.Step]) : [],

@@ -8,6 +8,7 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Serving;
 
@@ -57,7 +58,7 @@ internal sealed class RenderSession : IDisposable
     /// <exception cref="MsisfException">There is no such frame.</exception>
     public PreparedFrame Prepare(TrajectorySettings place, CancellationToken cancellation, SharedReadings? shared = null)
     {
-        RunGeometry geometry = new(() => Model, () => Engine, Settings.Aberration);
+        RunGeometry geometry = new(() => Model, () => Engine, () => _ephemeris.Of(Settings).TimeScale(), Settings.Aberration);
         StateNeeds needs = StateNeeds.Of(Settings);
         StateReader reader = new(() => Engine, geometry, _host)
         {

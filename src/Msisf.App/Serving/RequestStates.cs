@@ -1,9 +1,10 @@
-using System.Text.Json;
+using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
 using Msisf.Core.Time;
+using System.Text.Json;
 
 namespace Msisf.App.Serving;
 
@@ -17,7 +18,7 @@ internal static class RequestStates
     private static readonly string[] Names = ["MJD", "rx", "ry", "rz", "vx", "vy", "vz"];
 
     /// <summary>Reads states in the order of time.</summary>
-    /// <param name="rows">For each its time (UTC), position (m) and velocity (m/s).</param>
+    /// <param name="rows">For each its time (UTC; an MJD, or ISO 8601), position (m) and velocity (m/s).</param>
     /// <param name="frame">Their axes.</param>
     /// <exception cref="UsageException">The first thing that is wrong, by the number of the state.</exception>
     public static SampledPosition Read(JsonElement rows, OrbitFrame frame)
@@ -27,13 +28,13 @@ internal static class RequestStates
             throw CameraOptions.OrbitFrame.Wrong($"of '{Key}' is moon-me or j2000: states of many times have no one epoch.");
         }
 
-        List<(ModifiedJulianDate Time, StateVector State)> states = [];
+        List<(CalendarTime Time, StateVector State)> states = [];
         foreach (JsonElement row in rows.EnumerateArray())
         {
             string where = Invariant($"'{Key}', state {states.Count + 1}");
             double[] numbers = Numbers(row, where);
-            ModifiedJulianDate time = TimeOf(numbers[0], where);
-            if (states.Count > 0 && time.Days <= states[^1].Time.Days)
+            CalendarTime time = TimeOf(row[0], where);
+            if (states.Count > 0 && time <= states[^1].Time)
             {
                 throw new UsageException($"{where}: its time is not after that of the state before. Put them into the order of time.");
             }
@@ -46,12 +47,12 @@ internal static class RequestStates
             : throw new UsageException($"'{Key}' is empty. Give states, {string.Join(' ', Names)} each, or the name of a trajectory.");
     }
 
-    private static TrajectoryBlock Block(List<(ModifiedJulianDate Time, StateVector State)> states, OrbitFrame frame, TdbScale scale)
+    private static TrajectoryBlock Block(List<(CalendarTime Time, StateVector State)> states, OrbitFrame frame, TimeScale scale)
     {
         StateSamples samples = new();
-        foreach ((ModifiedJulianDate time, StateVector state) in states)
+        foreach ((CalendarTime time, StateVector state) in states)
         {
-            samples.Add(scale.FromUtc(time), state);
+            samples.Add(scale.InstantOf(time).Tdb, state);
         }
 
         if (!samples.HasVelocities)
@@ -66,18 +67,19 @@ internal static class RequestStates
     private static double[] Numbers(JsonElement row, string where)
     {
         double[] numbers = row.ValueKind == JsonValueKind.Array
-            ? [.. row.EnumerateArray().Select(value => value.ValueKind == JsonValueKind.Number ? value.GetDouble() : double.NaN)]
+            ? [.. row.EnumerateArray().Select((value, index) => value.ValueKind == JsonValueKind.Number ? value.GetDouble()
+                : index == 0 && value.ValueKind == JsonValueKind.String ? 0.0 : double.NaN)]
             : [];
         return numbers.Length == Names.Length && numbers.All(double.IsFinite)
             ? numbers
             : throw new UsageException($"{where}: a list of {Names.Length} finite numbers is needed: {string.Join(' ', Names)}.");
     }
 
-    private static ModifiedJulianDate TimeOf(double days, string where)
+    private static CalendarTime TimeOf(JsonElement time, string where)
     {
         try
         {
-            return new ModifiedJulianDate(days);
+            return time.ValueKind == JsonValueKind.String ? TimeText.Parse(time.GetString()) : CalendarTime.OfMjd(time.GetDouble());
         }
         catch (BadInputException wrong)
         {

@@ -11,12 +11,13 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Serving;
 
 /// <summary>The finished frames of an output folder. Read again when the folder's manifest has changed. Thread-safe.</summary>
 /// <param name="names">Maps that the server has; a frame's map of another name is left out of its options.</param>
-internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
+internal sealed class ServedFolder(string folder, ServedNames names, Func<TimeScale> scale, ILog log)
 {
     private static readonly (string Kind, string Ending)[] Kinds = [("image", ".png"), ("annotated", ".annotated.png"), ("meta", ".xml")];
 
@@ -65,7 +66,7 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
         }
 
         Dictionary<string, string> options = files.TryGetValue("meta", out string? meta) ? Options(MetaFileOrigin.Command(meta) ?? []) : [];
-        return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state) is { } known
+        return options.Remove(CameraOptions.FixedState.Key, out string? state) && StateOf(state, scale()) is { } known
             ? new ServedFrame(record.Step, known, options, files, CameraOf(options, cameras))
             : null;
     }
@@ -86,20 +87,18 @@ internal sealed class ServedFolder(string folder, ServedNames names, ILog log)
         return camera;
     }
 
-    private static SpacecraftState? StateOf(string text)
+    private static SpacecraftState? StateOf(string text, TimeScale scale)
     {
-        List<double> numbers = [];
-        foreach (string word in text.Trim('{', '}').Split(','))
+        try
         {
-            if (!NumberText.TryParse(word, out double number))
-            {
-                return null;
-            }
-
-            numbers.Add(number);
+            (CalendarTime time, double[] numbers) = StateText.ParseState(
+                CameraOptions.FixedState.Name, [text], SpacecraftState.NumberNames);
+            return SpacecraftState.FromNumbers(scale.InstantOf(time), numbers);
         }
-
-        return numbers.Count == SpacecraftState.NumberNames.Count ? SpacecraftState.FromNumbers(numbers.ToArray()) : null;
+        catch (BadInputException)
+        {
+            return null;
+        }
     }
 
     /// <summary>The options of a command line that a request may have.</summary>
@@ -142,7 +141,8 @@ internal static class ServedBatch
         string path, RequestedFrame requested, ServedEphemeris ephemeris, ProgramHost host, CancellationToken cancellation)
     {
         RunGeometry geometry = new(
-            () => requested.Model.Opened, () => ephemeris.Of(requested.Settings).Engine(), requested.Settings.Aberration);
+            () => requested.Model.Opened, () => ephemeris.Of(requested.Settings).Engine(),
+            () => ephemeris.Of(requested.Settings).TimeScale(), requested.Settings.Aberration);
         StateReader reader = new(() => ephemeris.Of(requested.Settings).Engine(), geometry, host)
         {
             Kernels = () => ephemeris.Of(requested.Settings).Kernels(),

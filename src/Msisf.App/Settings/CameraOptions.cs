@@ -2,6 +2,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
 

@@ -3,6 +3,7 @@ using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Metadata;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
 
@@ -46,12 +47,12 @@ internal static class FrameArguments
     {
         string[] words =
         [
-            CameraOptions.FixedState.Name, List((state with { Motion = null }).ToNumbers()),
+            CameraOptions.FixedState.Name, State(state.Time, (state with { Motion = null }).ToNumbers()),
             .. state.Motion is { } motion ? (string[])[CameraOptions.Motion.Name, List(motion.ToNumbers())] : [],
             .. state.SunPositionBodyFixed is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             .. state.Path is { States.Count: > 1 } path ? (string[])[ScanOptions.Trajectory.Name, $"#{path.Digest()}"] : [],
             settings,
-            .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, List(flow.ToNumbers())] : [],
+            .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, State(flow.Time, flow.ToNumbers())] : [],
             .. state.ExposureFactor is { } factor
                 ? (string[])[NativeOptions.ExposureFactor.Name, NumberSpec.TextOf(factor)]
                 : [],
@@ -61,6 +62,9 @@ internal static class FrameArguments
     }
 
     private static string List(double[] numbers) => $"'{{{string.Join(',', numbers.Select(NumberSpec.TextOf))}}}'";
+
+    private static string State(Instant time, double[] numbers) =>
+        $"'{{{string.Join(',', [TimeText.Of(time), .. numbers.Skip(1).Select(NumberSpec.TextOf)])}}}'";
 
     private static IEnumerable<string> Words(OptionSpec option, object value) => (option, value) switch
     {

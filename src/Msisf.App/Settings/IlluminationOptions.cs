@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Render.Options;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Settings;
 

@@ -8,7 +8,7 @@ namespace Msisf.App.Settings;
 /// <param name="readAttitude">Reads the quaternion; null if there is none.</param>
 /// <param name="readTimes">Reads the times that the user gives.</param>
 internal sealed class MissionSettingsReader(
-    OptionValues values, Func<AttitudeTransition?> readAttitude, Func<IEnumerable<ModifiedJulianDate>> readTimes)
+    OptionValues values, Func<AttitudeTransition?> readAttitude, Func<IEnumerable<CalendarTime>> readTimes)
 {
     private static readonly OptionSpec[] TimeOptions =
         [CameraOptions.Time, CameraOptions.Times, CameraOptions.TimeInterval, MissionOptions.Every];

@@ -28,8 +28,9 @@ internal abstract record TrajectorySettings
 }
 
 /// <summary>One image.</summary>
-/// <param name="State">Its time, position and orientation.</param>
-internal sealed record FixedStateSettings(SpacecraftState State) : TrajectorySettings;
+/// <param name="Time">UTC.</param>
+/// <param name="State">All but the time, of which the leap seconds of the kernels make a moment.</param>
+internal sealed record FixedStateSettings(CalendarTime Time, SpacecraftState State) : TrajectorySettings;
 
 /// <summary>An image for each line of a file.</summary>
 /// <param name="Path">The file; "-" for standard input.</param>
@@ -48,7 +49,7 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
 
 /// <summary>Images along a motion that states are samples of.</summary>
 /// <param name="Times">Times of the images, UTC; null for one at the first sample.</param>
-internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<ModifiedJulianDate>? Times) : TrajectorySettings
+internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<CalendarTime>? Times) : TrajectorySettings
 {
     /// <summary>How positions are found; null for Hermite where all samples have velocities, else Lagrange.</summary>
     public InterpolationMethod? Positions { get; init; }
@@ -66,15 +67,15 @@ internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<Mo
 /// <param name="AttitudeFrame">Frame of the attitude; null if the user did not choose it, which means MOON_ME.</param>
 /// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record OrbitSettings(
-    KeplerElements Elements, ModifiedJulianDate Epoch, OrbitFrame Frame, bool IsFrameGiven, AttitudeTransition? Attitude,
-    AttitudeFrame? AttitudeFrame, IEnumerable<ModifiedJulianDate> Times) : TrajectorySettings;
+    KeplerElements Elements, CalendarTime Epoch, OrbitFrame Frame, bool IsFrameGiven, AttitudeTransition? Attitude,
+    AttitudeFrame? AttitudeFrame, IEnumerable<CalendarTime> Times) : TrajectorySettings;
 
 /// <summary>Images from one place.</summary>
 /// <param name="Place">Position of the camera.</param>
 /// <param name="Pointing">How it points.</param>
 /// <param name="Times">Times of the images, UTC; may be empty.</param>
 internal sealed record PlaceSettings(
-    SurfacePlace Place, CameraPointing Pointing, IEnumerable<ModifiedJulianDate> Times) : TrajectorySettings;
+    SurfacePlace Place, CameraPointing Pointing, IEnumerable<CalendarTime> Times) : TrajectorySettings;
 
 /// <summary>Images along the trajectory that the files of a mission give.</summary>
 /// <param name="Position">Where the spacecraft is.</param>
@@ -82,7 +83,7 @@ internal sealed record PlaceSettings(
 /// <param name="Times">Times of the images, UTC; null for steps of the files' cover.</param>
 /// <param name="Every">s: step between images; null if <paramref name="Times"/> are given.</param>
 internal sealed record MissionSettings(
-    PositionSource Position, AttitudeChoice Attitude, IEnumerable<ModifiedJulianDate>? Times, double? Every) : TrajectorySettings
+    PositionSource Position, AttitudeChoice Attitude, IEnumerable<CalendarTime>? Times, double? Every) : TrajectorySettings
 {
     /// <summary>What the finite speed of light does to the ground that is seen.</summary>
     public Aberration OfGround { get; init; }
@@ -126,4 +127,4 @@ internal sealed record InstrumentChoice(string Instrument, InstrumentAxes? Axes)
 /// <summary>A quaternion.</summary>
 /// <param name="Attitude">From the epoch on.</param>
 /// <param name="Epoch">UTC; null where the attitude does not change in its frame.</param>
-internal sealed record QuaternionChoice(AttitudeTransition Attitude, AttitudeFrame Frame, ModifiedJulianDate? Epoch) : AttitudeChoice;
+internal sealed record QuaternionChoice(AttitudeTransition Attitude, AttitudeFrame Frame, CalendarTime? Epoch) : AttitudeChoice;

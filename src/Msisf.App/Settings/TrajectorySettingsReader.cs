@@ -148,7 +148,7 @@ internal sealed class TrajectorySettingsReader
             $"is not allowed with {way.Name}, which itself says time, position and orientation. Remove it.");
         return isBatch
             ? new BatchFileSettings(_batchFile.Read(_values), _batchFile) { Motion = motion, Conventions = BatchOptions.Read(_values) }
-            : new FixedStateSettings(FixedState()) { Motion = motion };
+            : FixedState() with { Motion = motion };
     }
 
     private SampledSettings Sampled()
@@ -177,11 +177,11 @@ internal sealed class TrajectorySettingsReader
             };
     }
 
-    private SpacecraftState FixedState()
+    private FixedStateSettings FixedState()
     {
-        double[] numbers = CameraOptions.FixedState.Read(_values)!;
-        return CameraOptions.FixedState.Named(
-            () => SpacecraftState.FromNumbers(numbers, isRounded: CameraOptions.Normalize.Read(_values)));
+        (CalendarTime time, double[] numbers) = CameraOptions.FixedState.ReadState(_values)!.Value;
+        return CameraOptions.FixedState.Named(() => new FixedStateSettings(
+            time, SpacecraftState.FromNumbers(default, numbers, isRounded: CameraOptions.Normalize.Read(_values))));
     }
 
     private CameraMotion? Motion() => CameraOptions.Motion.Read(_values) is { } numbers
@@ -257,15 +257,15 @@ internal sealed class TrajectorySettingsReader
             new Vector3D(rates[0], rates[1], rates[2])));
     }
 
-    private IEnumerable<ModifiedJulianDate> Times()
+    private IEnumerable<CalendarTime> Times()
     {
         if (_values.IsGiven(CameraOptions.Time))
         {
             return [CameraOptions.Time.Read(_values)];
         }
 
-        return CameraOptions.Times.Read(_values) is { } days
-            ? CameraOptions.Times.Named<ModifiedJulianDate[]>(() => [.. days.Select(mjd => new ModifiedJulianDate(mjd))])
+        return CameraOptions.Times.ReadTimes(_values) is { } times
+            ? times
             : CameraOptions.TimeInterval.Value(
                 () => StateText.ParseInterval(CameraOptions.TimeInterval.Name, _values.Words(CameraOptions.TimeInterval)!));
     }

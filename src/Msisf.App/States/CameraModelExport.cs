@@ -6,6 +6,7 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
+using Msisf.Core.Time;
 
 namespace Msisf.App.States;
 
@@ -23,11 +24,12 @@ internal static class CameraModelExport
             throw new UsageException("msis camera-model needs one meta file or more: name them (.xml).");
         }
 
+        TimeScale scale = EphemerisSource.ReadTimeScale(host, kernels);
         List<string> paths = [];
         using AtomicFileSet files = new();
         foreach (string metaFile in values.Arguments)
         {
-            ExportedFrame frame = MetaFileFrame.Read(metaFile);
+            ExportedFrame frame = MetaFileFrame.Read(metaFile, scale);
             CameraModel camera = frame.Camera.Model;
             Named(metaFile, () => CameraFormat.Require(formats, camera, frame.Scan?.Kind));
             if (frame is { IsMoving: true, Scan: null } && formats.Any(format => format.NeedsEphemeris))

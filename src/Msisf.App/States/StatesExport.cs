@@ -1,5 +1,5 @@
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
 using Msisf.Adapters.States;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -7,6 +7,7 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 
 namespace Msisf.App.States;
 
@@ -65,7 +66,7 @@ internal static class StatesExport
         CancellationToken cancellation)
     {
         using ModelOnDemand model = new(settings, host, cancellation);
-        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, settings.Aberration, settings.Body);
+        RunGeometry geometry = new(() => model.Opened, ephemeris.Engine, ephemeris.TimeScale, settings.Aberration, settings.Body);
         StateReader reader = new(ephemeris.Engine, geometry, host)
         {
             Body = settings.Body,

@@ -195,8 +195,8 @@ internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int s
     public double OfUtc(string name)
     {
         string text = label.Text(name);
-        return TimeText.TryParse(text.EndsWith('Z') ? text : text + "Z", out double mjd)
-            ? kernels.Engine.TimeScale.FromUtc(new ModifiedJulianDate(mjd))
+        return TimeText.TryParse(text.EndsWith('Z') ? text : text + "Z", out CalendarTime time)
+            ? kernels.Engine.TimeScale.InstantOf(time).Tdb.Seconds
             : throw new BadInputException(
                 text.Length == 0
                     ? $"{label.Path}: the label has no {name}: when the image was taken is not known."

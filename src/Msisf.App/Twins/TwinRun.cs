@@ -1,7 +1,6 @@
-using System.Runtime.InteropServices;
 using Msisf.Adapters.Ephemeris;
-using Msisf.Adapters.Input;
 using Msisf.Adapters.IO;
+using Msisf.Adapters.Input;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.RealImages;
 using Msisf.App.Host;
@@ -14,6 +13,8 @@ using Msisf.Core.Comparison;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Layers;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
+using System.Runtime.InteropServices;
 
 namespace Msisf.App.Twins;
 
@@ -159,7 +160,7 @@ internal sealed class TwinRun
     {
         List<(OptionSpec, string)> more =
         [
-            (CameraOptions.Time, NumberSpec.TextOf(kernels.Engine.TimeScale.ToUtc(plan.Start).Days)),
+            (CameraOptions.Time, TimeText.Of(kernels.Engine.TimeScale.InstantOf(plan.Start))),
             (MissionOptions.InstrumentAxes, camera.AxesText),
         ];
         if (camera.Known is null
@@ -186,7 +187,7 @@ internal sealed class TwinRun
         SpacecraftState StateAt(double seconds)
         {
             CameraState state = tables.At(seconds, camera.Axes);
-            return new SpacecraftState(kernels.Engine.TimeScale.ToUtc(seconds), state.PositionBodyFixed, state.MoonFromCamera);
+            return new SpacecraftState(kernels.Engine.TimeScale.InstantOf(seconds), state.PositionBodyFixed, state.MoonFromCamera);
         }
 
         SpacecraftState first = StateAt(plan.Start);
@@ -227,7 +228,7 @@ internal sealed class TwinRun
     }
 
     private static string StateText(SpacecraftState state) =>
-        $"{{{string.Join(',', state.ToNumbers().Select(NumberSpec.TextOf))}}}";
+        $"{{{string.Join(',', [TimeText.Of(state.Time), .. state.ToNumbers().Skip(1).Select(NumberSpec.TextOf)])}}}";
 
     private static float[] MeansOf(string path, ProductPixels pixels, double ofSky) =>
         FileErrors.ToExternalPart($"{path}: can't be read", () =>

@@ -2,6 +2,7 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.Cli.Output;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Cli.Commands;
 
@@ -19,14 +20,14 @@ internal static class KernelsCommand
         }
 
         bool asJson = KernelsOptions.Format.Read(call.Values);
-        (IReadOnlyList<KernelContent> contents, TdbScale scale) = KernelContent.Of(
+        (IReadOnlyList<KernelContent> contents, TimeScale scale) = KernelContent.Of(
             KernelList.Expand(call.Values.Arguments), KernelList.Expand([call.Host.Installation.MetaKernel]));
         TextTable.Print(call.Host.Results, asJson
             ? TextTable.Json(contents.Select(content => JsonOf(content, scale)))
             : TextTable.Columns([Columns, .. contents.Select(content => Row(content, scale))], isRight: false));
     }
 
-    private static string[] Row(KernelContent content, TdbScale scale)
+    private static string[] Row(KernelContent content, TimeScale scale)
     {
         IReadOnlyList<TdbInterval> intervals = content.Cover?.Intervals ?? [];
         string gaps = intervals.Count > 1 ? Invariant($"{intervals.Count} intervals") : string.Empty;
@@ -44,7 +45,7 @@ internal static class KernelsCommand
         : content.Name is { } name ? Invariant($"{name} ({body})")
         : body.ToString(CultureInfo.InvariantCulture);
 
-    private static object JsonOf(KernelContent content, TdbScale scale) => new
+    private static object JsonOf(KernelContent content, TimeScale scale) => new
     {
         content.File,
         content.Kind,
@@ -65,11 +66,11 @@ internal static class KernelsCommand
     };
 
     /// <summary>Long-term kernels go past the years that a calendar date can name; then it is the number of seconds.</summary>
-    private static string Utc(double tdbSeconds, TdbScale scale)
+    private static string Utc(double tdbSeconds, TimeScale scale)
     {
         try
         {
-            return scale.ToUtc(tdbSeconds).ToIsoUtc();
+            return scale.InstantOf(tdbSeconds).ToIsoUtc();
         }
         catch (BadInputException)
         {

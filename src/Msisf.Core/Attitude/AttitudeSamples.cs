@@ -1,10 +1,11 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;
 
 /// <summary>
-/// Attitudes of a spacecraft at rising times, and those between them: one block of a file, in its frame. It takes 40 bytes an attitude,
-/// 72 with rates.
+/// Attitudes of a spacecraft at rising times, and those between them: one block of a file, in its frame. It takes 48 bytes an attitude,
+/// 80 with rates.
 /// </summary>
 public sealed class AttitudeSamples : IAttitudeSamples
 {
@@ -21,23 +22,23 @@ public sealed class AttitudeSamples : IAttitudeSamples
     /// <summary>Number of samples.</summary>
     public int Count => _times.Count;
 
-    /// <summary>The times of the samples, TDB seconds past J2000.</summary>
+    /// <summary>The times of the samples.</summary>
     public SampleTimes Times => _times;
 
     /// <summary>When the block holds; there must be a sample.</summary>
     public TdbInterval Cover => Useable is { } useable
-        ? new TdbInterval(Math.Max(useable.Start, _times.First), Math.Min(useable.End, _times.Last))
-        : new TdbInterval(_times.First, _times.Last);
+        ? new TdbInterval(Math.Max(useable.Start, _times.First.Seconds), Math.Min(useable.End, _times.Last.Seconds))
+        : new TdbInterval(_times.First.Seconds, _times.Last.Seconds);
 
     /// <summary>Adds a sample. q and -q are one attitude: the one that is nearer to the last sample is kept.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, after that of the last sample.</param>
+    /// <param name="time">After that of the last sample.</param>
     /// <param name="frameFromBody">Turns the body's axes into those of the frame.</param>
     /// <param name="rateBody">rad/s about the body's axes; of all samples or of none, and of all for Hermite's interpolation.</param>
-    public void Add(double tdbSeconds, UnitQuaternion frameFromBody, Vector3D? rateBody = null)
+    public void Add(TdbTime time, UnitQuaternion frameFromBody, Vector3D? rateBody = null)
     {
         Components attitude = Components.Of(frameFromBody);
         bool isFar = Count > 0 && Components.Dot(_attitudes[Count - 1], attitude) < 0.0;
-        _times.Add(tdbSeconds);
+        _times.Add(time);
         _attitudes.Add(isFar ? -1.0 * attitude : attitude);
         if (rateBody is { } rate)
         {
@@ -46,11 +47,11 @@ public sealed class AttitudeSamples : IAttitudeSamples
     }
 
     /// <summary>The attitude at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <param name="time">Within the samples.</param>
     /// <returns>Turns the body's axes into those of the frame.</returns>
-    public UnitQuaternion At(double tdbSeconds)
+    public UnitQuaternion At(TdbTime time)
     {
-        (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
+        (int first, int count) = _times.Around(time, Interpolation.Samples);
         if (count == 1)
         {
             return _attitudes[first].Normalized();
@@ -58,21 +59,21 @@ public sealed class AttitudeSamples : IAttitudeSamples
 
         if (Interpolation.Method == InterpolationMethod.Linear)
         {
-            return AtConstantRate(first, tdbSeconds);
+            return AtConstantRate(first, time);
         }
 
-        return Polynomial(first, count, tdbSeconds).Value.Normalized();
+        return Polynomial(first, count, time).Value.Normalized();
     }
 
     /// <inheritdoc/>
-    public Vector3D? RateAt(double tdbSeconds)
+    public Vector3D? RateAt(TdbTime time)
     {
         if (_rates.Count == 0)
         {
             return null;
         }
 
-        (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
+        (int first, int count) = _times.Around(time, Interpolation.Samples);
         if (count == 1)
         {
             return RateOf(_attitudes[first], _rates[first]);
@@ -80,13 +81,13 @@ public sealed class AttitudeSamples : IAttitudeSamples
 
         if (Interpolation.Method == InterpolationMethod.Hermite)
         {
-            (Components value, Components rate) = Polynomial(first, count, tdbSeconds);
+            (Components value, Components rate) = Polynomial(first, count, time);
             return RateOf(value, rate);
         }
 
         // The rates that the samples state have a polynomial of their own, of the same degree.
         Span<double> times = stackalloc double[count];
-        _times.CopyTo(first, tdbSeconds, times);
+        _times.CopyTo(first, time, times);
         Span<double> weights = stackalloc double[count];
         SampleWeights.Lagrange(times, 0.0, weights, stackalloc double[count]);
         Vector3D sum = default;
@@ -99,10 +100,10 @@ public sealed class AttitudeSamples : IAttitudeSamples
     }
 
     /// <summary>The quaternion of the polynomial, of any length, and its derivative.</summary>
-    private (Components Value, Components Rate) Polynomial(int first, int count, double tdbSeconds)
+    private (Components Value, Components Rate) Polynomial(int first, int count, TdbTime time)
     {
         Span<double> times = stackalloc double[count];
-        _times.CopyTo(first, tdbSeconds, times);
+        _times.CopyTo(first, time, times);
         (Components value, Components rate) = (default, default);
         if (Interpolation.Method == InterpolationMethod.Hermite)
         {
@@ -137,7 +138,7 @@ public sealed class AttitudeSamples : IAttitudeSamples
         return 2.0 / Components.Dot(q, q) * ((q.W * dv) - (dq.W * v) - Vector3D.Cross(v, dv));
     }
 
-    private UnitQuaternion AtConstantRate(int first, double tdbSeconds)
+    private UnitQuaternion AtConstantRate(int first, TdbTime time)
     {
         UnitQuaternion before = _attitudes[first].Normalized();
         UnitQuaternion turn = before.Conjugate * _attitudes[first + 1].Normalized();
@@ -148,7 +149,7 @@ public sealed class AttitudeSamples : IAttitudeSamples
             return before;
         }
 
-        double part = (tdbSeconds - _times[first]) / (_times[first + 1] - _times[first]);
+        double part = (time - _times[first]) / (_times[first + 1] - _times[first]);
         return before * UnitQuaternion.FromAxisAngle(sine, part * 2.0 * Math.Atan2(length, turn.W));
     }
 
@@ -186,7 +187,7 @@ public sealed class AttitudeSamples : IAttitudeSamples
 /// <param name="source">The file's name, for messages.</param>
 /// <param name="scale">Turns TDB into UTC, for messages.</param>
 public sealed class SampledAttitude(
-    IReadOnlyList<AttitudeBlock> blocks, UnitQuaternion bodyFromCamera, string source, TdbScale scale) : IAttitudeSource
+    IReadOnlyList<AttitudeBlock> blocks, UnitQuaternion bodyFromCamera, string source, TimeScale scale) : IAttitudeSource
 {
     private readonly BlockTimes _times = new([.. blocks.Select(block => block.Samples.Cover)], source, scale);
 
@@ -196,16 +197,16 @@ public sealed class SampledAttitude(
     /// <inheritdoc/>
     public UnitQuaternion MoonFromCamera(in TrajectoryPoint point)
     {
-        AttitudeBlock block = blocks[_times.Find(point.TdbSeconds)];
+        AttitudeBlock block = blocks[_times.Find(point.Tdb)];
         RotationMatrix moonFromFrame = block.MoonMeFromFrame ?? point.BodyFromJ2000;
-        return UnitQuaternion.FromMatrix(moonFromFrame) * block.Samples.At(point.TdbSeconds) * bodyFromCamera;
+        return UnitQuaternion.FromMatrix(moonFromFrame) * block.Samples.At(point.Tdb) * bodyFromCamera;
     }
 
     /// <inheritdoc/>
     public TurnRate? RateOf(in TrajectoryPoint point)
     {
-        AttitudeBlock block = blocks[_times.Find(point.TdbSeconds)];
-        return block.Samples.RateAt(point.TdbSeconds) is { } rate
+        AttitudeBlock block = blocks[_times.Find(point.Tdb)];
+        return block.Samples.RateAt(point.Tdb) is { } rate
             ? new TurnRate(bodyFromCamera.Conjugate * rate, IsOverBody: block.MoonMeFromFrame is not null)
             : null;
     }
@@ -227,12 +228,12 @@ public interface IAttitudeSamples
     TdbInterval Cover { get; }
 
     /// <summary>The attitude at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <param name="time">Within the samples.</param>
     /// <returns>Turns the body's axes into those of the frame.</returns>
-    UnitQuaternion At(double tdbSeconds);
+    UnitQuaternion At(TdbTime time);
 
     /// <summary>How fast the body turns in the frame.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <param name="time">Within the samples.</param>
     /// <returns>rad/s about the body's axes; null if the samples do not say it.</returns>
-    Vector3D? RateAt(double tdbSeconds);
+    Vector3D? RateAt(TdbTime time);
 }

@@ -26,10 +26,9 @@ public sealed record CameraPointing
 
     /// <summary>The attitude of a camera that points so.</summary>
     /// <param name="positionBodyFixed">Camera, m, body-fixed.</param>
-    /// <param name="time">UTC.</param>
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="Errors.BadInputException">The camera is in the Moon's centre, or at the place that it looks at.</exception>
-    public UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed, ModifiedJulianDate time, ISceneGeometry scene)
+    public UnitQuaternion MoonFromCamera(Vector3D positionBodyFixed, Instant time, ISceneGeometry scene)
     {
         // Refuses the Moon's centre, where no direction below has a meaning.
         UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionBodyFixed);

@@ -1,5 +1,6 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Attitude;
 
@@ -34,37 +35,37 @@ public sealed class EulerAngleSamples(EulerSequence sequence, bool turnsToBody) 
     public TdbInterval Cover => _angles.Cover;
 
     /// <summary>Adds a sample. Angles count on past a full turn, as the derivatives say.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, after that of the last sample.</param>
+    /// <param name="time">After that of the last sample.</param>
     /// <param name="angles">rad, in the order of the turns.</param>
     /// <param name="rates">rad/s.</param>
-    public void Add(double tdbSeconds, Vector3D angles, Vector3D rates)
+    public void Add(TdbTime time, Vector3D angles, Vector3D rates)
     {
         if (_angles.Count > 0)
         {
             StateVector last = _angles[_angles.Count - 1];
-            Vector3D expected = last.Position + (0.5 * (tdbSeconds - Times.Last) * (last.Velocity + rates));
+            Vector3D expected = last.Position + (0.5 * (time - Times.Last) * (last.Velocity + rates));
             angles = new Vector3D(Near(expected.X, angles.X), Near(expected.Y, angles.Y), Near(expected.Z, angles.Z));
         }
 
-        _angles.Add(tdbSeconds, new StateVector(angles, rates));
+        _angles.Add(time, new StateVector(angles, rates));
 
         static double Near(double expected, double angle) => angle + (Math.Tau * Math.Round((expected - angle) / Math.Tau));
     }
 
     /// <inheritdoc/>
-    public UnitQuaternion At(double tdbSeconds)
+    public UnitQuaternion At(TdbTime time)
     {
-        Vector3D angles = _angles.At(tdbSeconds).Position;
+        Vector3D angles = _angles.At(time).Position;
         UnitQuaternion turned = sequence.FrameFromBody([angles.X, angles.Y, angles.Z]);
         return turnsToBody ? turned.Conjugate : turned;
     }
 
     /// <inheritdoc/>
-    public Vector3D? RateAt(double tdbSeconds)
+    public Vector3D? RateAt(TdbTime time)
     {
-        StateVector state = _angles.At(tdbSeconds);
+        StateVector state = _angles.At(time);
         (Vector3D angles, Vector3D rates) = (state.Position, state.Velocity);
         Vector3D rate = sequence.RateBody([angles.X, angles.Y, angles.Z], [rates.X, rates.Y, rates.Z]);
-        return turnsToBody ? -(At(tdbSeconds).Conjugate * rate) : rate;
+        return turnsToBody ? -(At(time).Conjugate * rate) : rate;
     }
 }

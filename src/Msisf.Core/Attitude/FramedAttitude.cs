@@ -8,19 +8,19 @@ public sealed class FramedAttitude : IAttitudeSource
 {
     private readonly AttitudeTransition _attitude;
     private readonly AttitudeFrame _frame;
-    private readonly ModifiedJulianDate _epoch;
+    private readonly Instant? _epoch;
     private readonly IEphemeris? _ephemeris;
     private readonly RotationMatrix _j2000FromFrame;
 
     /// <summary>Takes the attitude.</summary>
     /// <param name="attitude">Turns camera axes into those of <paramref name="frame"/>, from the epoch on.</param>
-    /// <param name="epoch">Epoch of the attitude, UTC.</param>
+    /// <param name="epoch">Epoch of the attitude; null where it does not change in its frame.</param>
     /// <param name="ephemeris">How the Moon turns; only the frames at rest need it.</param>
     /// <exception cref="ArgumentNullException">The frame is at rest, and there is no ephemeris.</exception>
     /// <exception cref="Errors.SpiceException">
     /// The epoch is outside the kernels' cover (<see cref="AttitudeFrame.MoonMeEpoch"/>).
     /// </exception>
-    public FramedAttitude(AttitudeTransition attitude, AttitudeFrame frame, ModifiedJulianDate epoch, IEphemeris? ephemeris)
+    public FramedAttitude(AttitudeTransition attitude, AttitudeFrame frame, Instant? epoch, IEphemeris? ephemeris)
     {
         if (frame is AttitudeFrame.MoonMeEpoch or AttitudeFrame.J2000)
         {
@@ -28,7 +28,9 @@ public sealed class FramedAttitude : IAttitudeSource
         }
 
         (_attitude, _frame, _epoch, _ephemeris) = (attitude, frame, epoch, ephemeris);
-        _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch ? ephemeris!.BodyFromJ2000(epoch).Transposed : RotationMatrix.Identity;
+        _j2000FromFrame = frame == AttitudeFrame.MoonMeEpoch
+            ? ephemeris!.BodyFromJ2000(epoch!.Value.Tdb).Transposed
+            : RotationMatrix.Identity;
     }
 
     /// <inheritdoc/>
@@ -44,7 +46,6 @@ public sealed class FramedAttitude : IAttitudeSource
         : new TurnRate(_attitude.AngularVelocityCamera, IsOverBody: _frame == AttitudeFrame.MoonMe);
 
     /// <summary>The attitude at a time.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="positionBodyFixed">Spacecraft, m, body-fixed; not the centre.</param>
     /// <param name="orbitNormalBodyFixed">
     /// Direction of the orbit's angular momentum at a time, body-fixed, any length; asked for <see cref="AttitudeFrame.Lvlh"/> only.
@@ -52,14 +53,14 @@ public sealed class FramedAttitude : IAttitudeSource
     /// <returns>Turns camera axes (looks along -x, y right, z up) into Moon axes.</returns>
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover (frames at rest).</exception>
     public UnitQuaternion MoonFromCamera(
-        ModifiedJulianDate time, Vector3D positionBodyFixed, Func<ModifiedJulianDate, Vector3D> orbitNormalBodyFixed)
+        Instant time, Vector3D positionBodyFixed, Func<Instant, Vector3D> orbitNormalBodyFixed)
     {
-        UnitQuaternion frameFromCamera = _attitude.At(time.SecondsSince(_epoch));
+        UnitQuaternion frameFromCamera = _attitude.At(_epoch is { } epoch ? time.SecondsSince(epoch) : 0.0);
         return _frame switch
         {
             AttitudeFrame.MoonMe => frameFromCamera,
             AttitudeFrame.Lvlh => UnitQuaternion.FromMatrix(MoonFromLvlh(positionBodyFixed, orbitNormalBodyFixed(time))) * frameFromCamera,
-            _ => UnitQuaternion.FromMatrix(_ephemeris!.BodyFromJ2000(time) * _j2000FromFrame) * frameFromCamera,
+            _ => UnitQuaternion.FromMatrix(_ephemeris!.BodyFromJ2000(time.Tdb) * _j2000FromFrame) * frameFromCamera,
         };
     }
 

@@ -26,12 +26,12 @@ public interface IAttitudeSource
 public readonly record struct TurnRate(Vector3D AboutCamera, bool IsOverBody);
 
 /// <summary>A spacecraft at one time of its trajectory; <c>default</c> is no point.</summary>
-/// <param name="TdbSeconds">TDB seconds past J2000.</param>
-/// <param name="Time">The same time, UTC; rounded to 0.6 microseconds.</param>
+/// <param name="Time">When.</param>
+/// <param name="Tdb">The same time, as kernels count it.</param>
 /// <param name="StateJ2000">Position (m) and velocity (m/s) relative to the body's centre, J2000.</param>
 /// <param name="BodyFromJ2000">How the body is turned at the time.</param>
 public readonly record struct TrajectoryPoint(
-    double TdbSeconds, ModifiedJulianDate Time, StateVector StateJ2000, RotationMatrix BodyFromJ2000)
+    Instant Time, TdbTime Tdb, StateVector StateJ2000, RotationMatrix BodyFromJ2000)
 {
     /// <summary>m, body-fixed.</summary>
     public Vector3D PositionBodyFixed => BodyFromJ2000 * StateJ2000.Position;

@@ -9,20 +9,21 @@ public interface ISceneGeometry
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     double ReferenceRadius => MoonConstants.ReferenceRadius;
 
+    /// <summary>Makes moments of dates.</summary>
+    TimeScale TimeScale { get; }
+
     /// <summary>Distance from the Moon's centre to the terrain.</summary>
     /// <param name="directionBodyFixed">MOON_ME, any length but 0.</param>
     /// <returns>m.</returns>
     double GroundRadius(Vector3D directionBodyFixed);
 
     /// <summary>Position of the Sun.</summary>
-    /// <param name="time">UTC.</param>
     /// <returns>m, body-fixed.</returns>
-    Vector3D SunPositionBodyFixed(ModifiedJulianDate time);
+    Vector3D SunPositionBodyFixed(Instant time);
 
     /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
-    /// <param name="time">UTC.</param>
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix BodyFromJ2000(ModifiedJulianDate time);
+    RotationMatrix BodyFromJ2000(Instant time);
 }
 
 /// <summary>A scene whose Sun is where the user says, so that what looks at the Sun looks at the one that gives the light.</summary>
@@ -34,13 +35,16 @@ public sealed class SceneWithSun(ISceneGeometry scene, Vector3D sunPositionBodyF
     public double ReferenceRadius => scene.ReferenceRadius;
 
     /// <inheritdoc/>
+    public TimeScale TimeScale => scene.TimeScale;
+
+    /// <inheritdoc/>
     public double GroundRadius(Vector3D directionBodyFixed) => scene.GroundRadius(directionBodyFixed);
 
     /// <inheritdoc/>
-    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time) => sunPositionBodyFixed;
+    public Vector3D SunPositionBodyFixed(Instant time) => sunPositionBodyFixed;
 
     /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => scene.BodyFromJ2000(time);
+    public RotationMatrix BodyFromJ2000(Instant time) => scene.BodyFromJ2000(time);
 
     /// <summary>The scene with this Sun; the scene itself if there is none.</summary>
     public static ISceneGeometry Of(ISceneGeometry scene, Vector3D? sunPositionBodyFixed) =>

@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Camera;
 
@@ -12,10 +13,9 @@ public interface ICameraPath
     TdbCover Cover { get; }
 
     /// <summary>The camera at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000; one step of a double is 6e-8 s.</param>
     /// <returns>Its place and orientation in MOON_ME of that time; its own seconds are 0.</returns>
     /// <exception cref="MsisfException">The time is outside the cover, which the message names, or the data are damaged.</exception>
-    CameraState At(double tdbSeconds);
+    CameraState At(Instant time);
 }
 
 /// <summary>Where a camera is while it sees some rows.</summary>

@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Camera;
 
 /// <summary>The axis of the camera about which it turns: x right, y down, z forward.</summary>
@@ -56,7 +58,7 @@ public sealed class Jitter
     /// <summary>s: from when to when it is known.</summary>
     public (double Start, double End) Cover => _samples.Length == 0
         ? (double.NegativeInfinity, double.PositiveInfinity)
-        : (_times.First, _times.Last);
+        : (_times.First.Seconds, _times.Last.Seconds);
 
     /// <summary>Roll, pitch and yaw, rad, as x, y and z.</summary>
     /// <param name="seconds">s, inside <see cref="Cover"/>.</param>
@@ -87,10 +89,10 @@ public sealed class Jitter
 
     private Vector3D Interpolated(double seconds)
     {
-        if (!(seconds >= _times.First && seconds <= _times.Last))
+        if (!(seconds >= _times.First.Seconds && seconds <= _times.Last.Seconds))
         {
             throw new BadInputException(FormattableString.Invariant(
-                $"the jitter is known from {_times.First:R} s to {_times.Last:R} s, and {seconds:R} s is needed."));
+                $"the jitter is known from {_times.First.Seconds:R} s to {_times.Last.Seconds:R} s, and {seconds:R} s is needed."));
         }
 
         (int first, int count) = _times.Around(seconds, SamplesOfPolynomial);

@@ -115,7 +115,7 @@ public sealed class CameraDetector
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Read(
-        DetectorImage image, ModifiedJulianDate time, ICamera camera, NoiseSeed? seed, int threads, CancellationToken cancellation)
+        DetectorImage image, Instant time, ICamera camera, NoiseSeed? seed, int threads, CancellationToken cancellation)
     {
         NoiseSource? noise = seed is { } own ? NoiseSource.OfFrame(own.Number, own.Step)
             : _settings.Seed is ulong number ? NoiseSource.OfFrame(number, FrameNumber.Of(time, camera))

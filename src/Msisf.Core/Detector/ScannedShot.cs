@@ -10,7 +10,7 @@ namespace Msisf.Core.Detector;
 /// <param name="Noise">The noise of the image, whatever time and camera are; null for that of the detector's seed.</param>
 /// <param name="HalfExposure">s: half of the time that the shutter is open; 0 for images without the camera's motion in it.</param>
 public sealed record ScannedShot(
-    Scan Scan, CameraModel Model, ScanPath Path, ICamera Camera, SceneLight Light, ModifiedJulianDate Time, NoiseSeed? Noise,
+    Scan Scan, CameraModel Model, ScanPath Path, ICamera Camera, SceneLight Light, Instant Time, NoiseSeed? Noise,
     double HalfExposure)
 {
     private const ulong GoldenRatio = 0x9E3779B97F4A7C15; // as SplitMix64 steps: exposures of one image have far apart numbers

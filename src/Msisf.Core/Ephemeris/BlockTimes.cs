@@ -6,45 +6,43 @@ namespace Msisf.Core.Ephemeris;
 /// <param name="blocks">When each block holds, in the order of the file; where two do, the later one is used, as in SPICE.</param>
 /// <param name="source">The file's name, for messages.</param>
 /// <param name="scale">Turns TDB into UTC, for messages.</param>
-public sealed class BlockTimes(IReadOnlyList<TdbInterval> blocks, string source, TdbScale scale)
+public sealed class BlockTimes(IReadOnlyList<TdbInterval> blocks, string source, TimeScale scale)
 {
-    /// <summary>s: times are rounded to steps of 0.6 microseconds, so the last time of a block may come back after its end.</summary>
+    /// <summary>s: an end that was printed as an MJD comes back up to 0.6 microseconds after it.</summary>
     private const double Rounding = 2e-6;
 
-    private const double MillisecondsPerDay = 86_400_000.0;
+    private static readonly Duration Millisecond = Duration.OfSeconds(0.001m);
 
     /// <summary>The times at which a block holds.</summary>
     public TdbCover Cover { get; } = TdbCover.Union(blocks);
 
     /// <summary>The block to use at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>Its place in the file, from 0.</returns>
     /// <exception cref="BadInputException">The time is in no block.</exception>
-    public int Find(double tdbSeconds)
+    public int Find(TdbTime time)
     {
         int widened = -1;
         for (int i = blocks.Count - 1; i >= 0; i--)
         {
-            if (blocks[i].Contains(tdbSeconds))
+            if (blocks[i].Contains(time))
             {
                 return i;
             }
 
-            if (tdbSeconds >= blocks[i].Start - Rounding && tdbSeconds <= blocks[i].End + Rounding)
+            if (time.Seconds >= blocks[i].Start - Rounding && time.Seconds <= blocks[i].End + Rounding)
             {
                 widened = i;
             }
         }
 
-        return widened >= 0 ? widened : throw Outside(tdbSeconds);
+        return widened >= 0 ? widened : throw Outside(time);
     }
 
-    private BadInputException Outside(double tdbSeconds)
+    private BadInputException Outside(TdbTime time)
     {
-        ModifiedJulianDate time = scale.ToUtc(tdbSeconds);
-        string asked = Invariant($"{source}: {Text(tdbSeconds)} (MJD {time.Days:R}) is");
+        string asked = Invariant($"{source}: {Text(time)} (MJD {scale.InstantOf(time).Mjd:R}) is");
         IReadOnlyList<TdbInterval> covered = Cover.Intervals;
-        int after = Enumerable.Range(0, covered.Count).FirstOrDefault(i => covered[i].Start > tdbSeconds, covered.Count);
+        int after = Enumerable.Range(0, covered.Count).FirstOrDefault(i => covered[i].Start > time.Seconds, covered.Count);
         return after > 0 && after < covered.Count
             ? new BadInputException(
                 $"{asked} between two blocks, of which one ends at {Text(covered[after - 1].End)} and the next begins at "
@@ -54,7 +52,6 @@ public sealed class BlockTimes(IReadOnlyList<TdbInterval> blocks, string source,
                     + $"{(covered.Count > 1 ? $" in {covered.Count} blocks" : string.Empty)}. Choose a time inside.");
     }
 
-    /// <summary>UTC to the millisecond: more digits are not those of the file, because a date holds 0.6 microseconds.</summary>
-    private string Text(double tdbSeconds) =>
-        new ModifiedJulianDate(Math.Round(scale.ToUtc(tdbSeconds).Days * MillisecondsPerDay) / MillisecondsPerDay).ToIsoUtc();
+    /// <summary>UTC to the millisecond.</summary>
+    private string Text(TdbTime time) => $"{scale.InstantOf(time).Utc.RoundedTo(Millisecond)}Z";
 }

@@ -9,7 +9,7 @@ namespace Msisf.Core.Ephemeris;
 /// <param name="orientation">Orientation of the body's frame: for the Moon that of MOON_ME.</param>
 /// <param name="body">The body; null for the Moon.</param>
 public sealed class BuiltInEphemeris(
-    TdbScale scale, SegmentTable positions, IFrameOrientation orientation, CelestialBody? body = null) : IEphemeris
+    TimeScale scale, SegmentTable positions, IFrameOrientation orientation, CelestialBody? body = null) : IEphemeris
 {
     private const int Sun = 10;
     private const double MetresPerKilometre = 1000.0;
@@ -21,7 +21,7 @@ public sealed class BuiltInEphemeris(
     public string EngineName => "built-in kernel reader";
 
     /// <inheritdoc/>
-    public TdbScale TimeScale => scale;
+    public TimeScale TimeScale => scale;
 
     /// <summary>Times at which the Sun, the body and the body's orientation are all known; computed anew at each call.</summary>
     public KernelCover Cover => new(
@@ -31,17 +31,17 @@ public sealed class BuiltInEphemeris(
     };
 
     /// <inheritdoc/>
-    public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None)
+    public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None)
     {
-        double tdbSeconds = scale.FromUtc(time);
-        Vector3D sunKm = PositionKm(Sun, tdbSeconds) ?? throw Cover.Outside(time);
-        Vector3D bodyKm = PositionKm(_body.NaifNumber, tdbSeconds) ?? throw Cover.Outside(time);
+        TdbTime tdb = time.Tdb;
+        Vector3D sunKm = PositionKm(Sun, tdb) ?? throw Cover.Outside(time);
+        Vector3D bodyKm = PositionKm(_body.NaifNumber, tdb) ?? throw Cover.Outside(time);
         Vector3D sunFromBodyKm = sunKm - bodyKm;
         if (aberration != Aberration.None)
         {
             // CSPICE's LT: one step only. More steps would move the Sun by 0.2 mm (tests/reference/sun_aberration.py).
             double lightSeconds = LightSpeed.TimeOver(sunFromBodyKm.Length);
-            sunFromBodyKm = (PositionKm(Sun, tdbSeconds - lightSeconds) ?? throw Cover.LightFromOutside(time)) - bodyKm;
+            sunFromBodyKm = (PositionKm(Sun, tdb + -lightSeconds) ?? throw Cover.LightFromOutside(time)) - bodyKm;
         }
 
         if (!(sunFromBodyKm.Length is > 0.0 and < double.PositiveInfinity))
@@ -52,48 +52,45 @@ public sealed class BuiltInEphemeris(
 
         if (aberration == Aberration.LightTimeAndStellar)
         {
-            sunFromBodyKm = LightSpeed.SeenFromMoving(sunFromBodyKm, BodyVelocity(tdbSeconds, time));
+            sunFromBodyKm = LightSpeed.SeenFromMoving(sunFromBodyKm, BodyVelocity(tdb, time));
         }
 
-        return MetresPerKilometre * (Rotation(tdbSeconds, time) * sunFromBodyKm);
+        return MetresPerKilometre * ((orientation.FrameFromJ2000(tdb) ?? throw Cover.Outside(time)) * sunFromBodyKm);
     }
 
     /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => Rotation(scale.FromUtc(time), time);
+    public RotationMatrix BodyFromJ2000(TdbTime time) =>
+        orientation.FrameFromJ2000(time) ?? throw Cover.Outside(scale.InstantOf(time));
 
     /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(double tdbSeconds) =>
-        orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(scale.ToUtc(tdbSeconds));
-
-    /// <inheritdoc/>
-    public StateVector StateOf(int naifNumber, double tdbSeconds)
+    public StateVector StateOf(int naifNumber, TdbTime time)
     {
         StateVector state = MetresPerKilometre
-            * (_chain.StateKm(naifNumber, _body.NaifNumber, tdbSeconds) ?? throw NoState(naifNumber, tdbSeconds));
+            * (_chain.StateKm(naifNumber, _body.NaifNumber, time) ?? throw NoState(naifNumber, time));
         return state.Position.IsFinite && state.Velocity.IsFinite
             ? state
             : throw new BadInputException(Invariant(
-                $"The kernels put body {naifNumber} out of all bounds at {scale.ToUtc(tdbSeconds).ToIsoUtc()}: they are damaged. "
+                $"The kernels put body {naifNumber} out of all bounds at {scale.InstantOf(time).ToIsoUtc()}: they are damaged. "
                     + $"Use other kernels."));
     }
 
-    private SpiceException NoState(int body, double tdbSeconds)
+    private SpiceException NoState(int body, TdbTime time)
     {
         TdbCover cover = positions.CoverOfChain(body);
         return new SpiceException(Invariant(
-            $"No kernel leads from body {body} to {_body.NameInText} at {scale.ToUtc(tdbSeconds).ToIsoUtc()}: the kernels have "
+            $"No kernel leads from body {body} to {_body.NameInText} at {scale.InstantOf(time).ToIsoUtc()}: the kernels have "
                 + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(scale, cover).Describe())}. "
                 + $"Choose a time inside, or other kernels."));
     }
 
     /// <summary>Position in km relative to the solar system's barycentre, J2000; null at a time that the kernels do not cover.</summary>
-    private Vector3D? PositionKm(int body, double tdbSeconds) => SumOfChain(body, tdbSeconds, segment => segment.ValueAt(tdbSeconds));
+    private Vector3D? PositionKm(int body, TdbTime time) => SumOfChain(body, time, segment => segment.ValueAt(time));
 
     /// <summary>Velocity of the body in km/s relative to the solar system's barycentre, J2000.</summary>
-    private Vector3D BodyVelocity(double tdbSeconds, ModifiedJulianDate time) =>
-        SumOfChain(_body.NaifNumber, tdbSeconds, segment => segment.RateAt(tdbSeconds)) ?? throw Cover.Outside(time);
+    private Vector3D BodyVelocity(TdbTime tdb, Instant time) =>
+        SumOfChain(_body.NaifNumber, tdb, segment => segment.RateAt(tdb)) ?? throw Cover.Outside(time);
 
-    private Vector3D? SumOfChain(int body, double tdbSeconds, Func<IEphemerisSegment, Vector3D> valueOf)
+    private Vector3D? SumOfChain(int body, TdbTime time, Func<IEphemerisSegment, Vector3D> valueOf)
     {
         Vector3D sum = default;
         int link = body;
@@ -106,7 +103,7 @@ public sealed class BuiltInEphemeris(
                         + $"{CenterChain.MaximumLinks} links did not reach the solar system's barycentre. Use other kernels.");
             }
 
-            if (positions.Find(link, tdbSeconds) is not IEphemerisSegment segment)
+            if (positions.Find(link, time) is not IEphemerisSegment segment)
             {
                 return null;
             }
@@ -117,9 +114,6 @@ public sealed class BuiltInEphemeris(
 
         return sum;
     }
-
-    private RotationMatrix Rotation(double tdbSeconds, ModifiedJulianDate time) =>
-        orientation.FrameFromJ2000(tdbSeconds) ?? throw Cover.Outside(time);
 }
 
 /// <summary>
@@ -136,13 +130,12 @@ internal sealed class CenterChain(SegmentTable segments)
     /// <summary>State of a body relative to another one, J2000; null if no kernel leads from one to the other at that time.</summary>
     /// <param name="target">NAIF's number.</param>
     /// <param name="observer">NAIF's number.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>km, km/s.</returns>
     /// <exception cref="SpiceException">The chain of centres is a ring, or a segment can't be read.</exception>
-    public StateVector? StateKm(int target, int observer, double tdbSeconds)
+    public StateVector? StateKm(int target, int observer, TdbTime time)
     {
         List<(int Body, StateVector FromTarget)> chain = [(target, default)];
-        while (chain[^1].Body != observer && Next(chain[^1], target, chain.Count, tdbSeconds) is { } link)
+        while (chain[^1].Body != observer && Next(chain[^1], target, chain.Count, time) is { } link)
         {
             chain.Add(link);
         }
@@ -156,7 +149,7 @@ internal sealed class CenterChain(SegmentTable segments)
                 return end.FromTarget - chain[common].FromTarget;
             }
 
-            if (Next(end, observer, count, tdbSeconds) is not { } link)
+            if (Next(end, observer, count, time) is not { } link)
             {
                 return null;
             }
@@ -167,15 +160,15 @@ internal sealed class CenterChain(SegmentTable segments)
 
     /// <summary>The next centre, with its state relative to the chain's first body, negative; null where the chain ends.</summary>
     private (int Body, StateVector FromTarget)? Next(
-        (int Body, StateVector FromTarget) link, int first, int count, double tdbSeconds)
+        (int Body, StateVector FromTarget) link, int first, int count, TdbTime time)
     {
-        if (link.Body == SegmentTable.SolarSystemBarycenter || segments.Find(link.Body, tdbSeconds) is not { } segment)
+        if (link.Body == SegmentTable.SolarSystemBarycenter || segments.Find(link.Body, time) is not { } segment)
         {
             return null;
         }
 
         return count <= MaximumLinks
-            ? (segment.Center, link.FromTarget - segment.StateAt(tdbSeconds))
+            ? (segment.Center, link.FromTarget - segment.StateAt(time))
             : throw new SpiceException(Invariant(
                 $"The kernels' centres lead from body {first} nowhere: {MaximumLinks} links end at none that is known. "
                     + $"Use other kernels."));

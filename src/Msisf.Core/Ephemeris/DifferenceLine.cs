@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>Evaluates a record of modified divided differences, as JPL's integrators write them (SPK types 1 and 21).</summary>
@@ -13,12 +15,11 @@ public static class DifferenceLine
 
     /// <summary>The state at a time.</summary>
     /// <param name="terms">Number of terms of each table.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>km, km/s.</returns>
     /// <exception cref="BadInputException">The record contradicts itself.</exception>
-    public static StateVector Evaluate(ReadOnlySpan<double> record, int terms, double tdbSeconds)
+    public static StateVector Evaluate(ReadOnlySpan<double> record, int terms, TdbTime time)
     {
-        double delta = tdbSeconds - record[0];
+        double delta = time - record[0];
         ReadOnlySpan<double> steps = record.Slice(1, terms);
         ReadOnlySpan<double> reference = record.Slice(1 + terms, 6); // x, x', y, y', z, z'
         ReadOnlySpan<double> tables = record.Slice(7 + terms, 3 * terms);

@@ -12,33 +12,26 @@ public interface IEphemeris
     string EngineName { get; }
 
     /// <summary>Position of the Sun relative to the Moon's centre.</summary>
-    /// <param name="time">UTC, when the light arrives at the Moon.</param>
+    /// <param name="time">When the light arrives at the Moon.</param>
     /// <param name="aberration">Which effects of light's finite speed are included.</param>
     /// <returns>m, in MOON_ME at <paramref name="time"/>, with or without light time.</returns>
     /// <exception cref="SpiceException">
     /// The time, or with light time the time when the light left the Sun, is outside the kernels' cover, which the message names.
     /// </exception>
-    Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None);
+    Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None);
+
+    /// <summary>The scale of the kernels' leap seconds, which makes moments of dates.</summary>
+    TimeScale TimeScale { get; }
 
     /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
-    /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix BodyFromJ2000(ModifiedJulianDate time);
-
-    /// <summary>Turns UTC into TDB, the time that kernels and trajectories count.</summary>
-    TdbScale TimeScale { get; }
-
-    /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
-    RotationMatrix BodyFromJ2000(double tdbSeconds);
+    RotationMatrix BodyFromJ2000(TdbTime time);
 
     /// <summary>Where another body is, light time left out.</summary>
     /// <param name="naifNumber">NAIF's number of the body, e.g. 399 for the Earth.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <returns>Position (m) and velocity (m/s) relative to the Moon's centre, J2000.</returns>
     /// <exception cref="SpiceException">No kernel has that body at that time.</exception>
-    StateVector StateOf(int naifNumber, double tdbSeconds);
+    StateVector StateOf(int naifNumber, TdbTime time);
 }
 
 /// <summary>Which effects of light's finite speed the Sun's position includes; the values are those of SPICE.</summary>
@@ -79,7 +72,6 @@ public interface ISpaceFrames
 {
     /// <summary>The rotation that turns J2000 components into those of a frame.</summary>
     /// <param name="frame">Name of the frame, e.g. "LRO_LROCNACL".</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="MsisfException">The frame is not known, or not at that time.</exception>
-    RotationMatrix FrameFromJ2000(string frame, double tdbSeconds);
+    RotationMatrix FrameFromJ2000(string frame, TdbTime time);
 }

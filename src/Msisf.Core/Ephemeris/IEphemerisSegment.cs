@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The data of one body for one stretch of time, from one kernel. Safe for several threads.</summary>
@@ -16,16 +18,16 @@ public interface IEphemerisSegment
     /// The position relative to <see cref="Center"/> in km, J2000; or the three angles in rad that turn J2000 into the body-fixed frame
     /// (axes 3, 1, 3).
     /// </summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
+    /// <param name="time">Inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
-    Vector3D ValueAt(double tdbSeconds);
+    Vector3D ValueAt(TdbTime time);
 
     /// <summary>Rate of change of <see cref="ValueAt"/>: km/s, or rad/s.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, inside <see cref="Interval"/>.</param>
+    /// <param name="time">Inside <see cref="Interval"/>.</param>
     /// <exception cref="SpiceException">The kernel is damaged, or holds the data in a form that can't be read.</exception>
-    Vector3D RateAt(double tdbSeconds);
+    Vector3D RateAt(TdbTime time);
 
     /// <summary>Both at once, as a state in km and km/s.</summary>
     /// <inheritdoc cref="ValueAt"/>
-    StateVector StateAt(double tdbSeconds) => new(ValueAt(tdbSeconds), RateAt(tdbSeconds));
+    StateVector StateAt(TdbTime time) => new(ValueAt(time), RateAt(time));
 }

@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The orientation of a body-fixed frame in space. Safe for several threads.</summary>
@@ -7,8 +9,7 @@ public interface IFrameOrientation
     TdbCover Cover { get; }
 
     /// <summary>The rotation that turns J2000 components into those of the frame; null at a time that is not covered.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    RotationMatrix? FrameFromJ2000(double tdbSeconds);
+    RotationMatrix? FrameFromJ2000(TdbTime time);
 }
 
 /// <summary>A frame that is turned by a constant rotation from one whose orientation a binary PCK gives.</summary>
@@ -22,28 +23,27 @@ public sealed class KernelOrientation(SegmentTable segments, BodyFixedFrame fram
     public TdbCover Cover => segments.CoverOf(frame.OrientationBody);
 
     /// <inheritdoc/>
-    public RotationMatrix? FrameFromJ2000(double tdbSeconds)
+    public RotationMatrix? FrameFromJ2000(TdbTime time)
     {
-        if (segments.Find(frame.OrientationBody, tdbSeconds) is not { } segment)
+        if (segments.Find(frame.OrientationBody, time) is not { } segment)
         {
             return null;
         }
 
-        Vector3D angles = segment.ValueAt(tdbSeconds);
+        Vector3D angles = segment.ValueAt(time);
         return frame.FrameFromOrientation * EulerAngles.ToRotation(angles.X, angles.Y, angles.Z);
     }
 
     /// <summary>How fast the frame turns: rad/s relative to J2000, along its axes; null at a time that is not covered.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <remarks>The kernel's angles turn about the axes 3, 1 and 3; each rate is about its axis as the turns before it leave it.</remarks>
-    public Vector3D? RateJ2000(double tdbSeconds)
+    public Vector3D? RateJ2000(TdbTime time)
     {
-        if (segments.Find(frame.OrientationBody, tdbSeconds) is not { } segment)
+        if (segments.Find(frame.OrientationBody, time) is not { } segment)
         {
             return null;
         }
 
-        (Vector3D angles, Vector3D rates) = (segment.ValueAt(tdbSeconds), segment.RateAt(tdbSeconds));
+        (Vector3D angles, Vector3D rates) = (segment.ValueAt(time), segment.RateAt(time));
         RotationMatrix afterFirst = RotationMatrix.FrameAboutZ(angles.X);
         RotationMatrix afterSecond = RotationMatrix.FrameAboutX(angles.Y) * afterFirst;
         return (rates.X * Vector3D.UnitZ) + (rates.Y * (afterFirst.Transposed * Vector3D.UnitX))

@@ -5,34 +5,31 @@ namespace Msisf.Core.Ephemeris;
 /// <summary>The times that the loaded kernels cover; the message for a time outside the cover is made from it.</summary>
 /// <param name="Scale">Turns the cover's TDB into UTC.</param>
 /// <param name="Times">Times at which the Sun, the body and the body's orientation are all known.</param>
-public sealed record KernelCover(TdbScale Scale, TdbCover Times)
+public sealed record KernelCover(TimeScale Scale, TdbCover Times)
 {
     /// <summary>Intervals that a text names.</summary>
     private const int MaxIntervals = 6;
 
-    private const double Microseconds = 1e6; // a second
-
-    private static readonly DateTime J2000Utc = new(2000, 1, 1, 12, 0, 0, DateTimeKind.Utc);
+    private static readonly Duration Second = Duration.OfSeconds(1);
+    private static readonly Duration Microsecond = Duration.OfSeconds(0.000_001m);
 
     /// <summary>The body.</summary>
     public CelestialBody Body { get; init; } = CelestialBody.Moon;
 
     /// <summary>Whether the kernels cover a time.</summary>
-    /// <param name="time">UTC.</param>
-    public bool Contains(ModifiedJulianDate time) => Times.Contains(Scale.FromUtc(time));
+    public bool Contains(Instant time) => Times.Contains(time.Tdb);
 
     /// <summary>The failure for a time inside the cover whose sunlight left the Sun before the cover begins.</summary>
-    /// <param name="time">UTC, when the light arrives.</param>
-    public SpiceException LightFromOutside(ModifiedJulianDate time) => new(Invariant(
-        $"The sunlight of {time.ToIsoUtc()} (MJD {time.Days:R}) left the Sun some 500 s earlier, outside the kernels' cover: "
+    /// <param name="time">When the light arrives.</param>
+    public SpiceException LightFromOutside(Instant time) => new(Invariant(
+        $"The sunlight of {time.ToIsoUtc()} (MJD {time.Mjd:R}) left the Sun some 500 s earlier, outside the kernels' cover: "
             + $"the kernels cover {Describe()}. Choose a later time, other kernels, or --aberration none."));
 
     /// <summary>The failure for a time outside the cover.</summary>
-    /// <param name="time">UTC.</param>
     /// <param name="inner">The engine's exception, if there is one.</param>
-    public SpiceException Outside(ModifiedJulianDate time, Exception? inner = null) => new(
+    public SpiceException Outside(Instant time, Exception? inner = null) => new(
         Invariant(
-            $"{time.ToIsoUtc()} (MJD {time.Days:R}) is outside the kernels' cover: the kernels cover {Describe()}. "
+            $"{time.ToIsoUtc()} (MJD {time.Mjd:R}) is outside the kernels' cover: the kernels cover {Describe()}. "
                 + $"Choose a time inside, or other kernels."),
         inner);
 
@@ -59,20 +56,24 @@ public sealed record KernelCover(TdbScale Scale, TdbCover Times)
 
     private string Text(TdbInterval interval)
     {
-        (double start, double end) = (Scale.ToUtcSeconds(interval.Start), Scale.ToUtcSeconds(interval.End));
-        return Math.Ceiling(start) < Math.Floor(end) ? $"{Text(Math.Ceiling(start))} to {Text(Math.Floor(end))}"
-            : Math.Ceiling(start * Microseconds) < Math.Floor(end * Microseconds)
-                ? $"{Text(Math.Ceiling(start * Microseconds) / Microseconds)} to {Text(Math.Floor(end * Microseconds) / Microseconds)}"
-            : Text(0.5 * (start + end));
+        (CalendarTime start, CalendarTime end) = (UtcOf(interval.Start), UtcOf(interval.End));
+        foreach (Duration unit in (Duration[])[Second, Microsecond])
+        {
+            (CalendarTime first, CalendarTime last) = (start.RoundedTo(unit), end.RoundedTo(unit));
+            first = first < start ? first + unit : first;
+            last = last > end ? last + -unit : last;
+            if (first < last)
+            {
+                return $"{first}Z to {last}Z";
+            }
+        }
+
+        return $"{UtcOf(0.5 * (interval.Start + interval.End)).RoundedTo(Microsecond)}Z";
     }
 
-    private static string Text(double utcSeconds)
-    {
-        // Long-term kernels go past the years that a calendar date can name.
-        double earliest = (DateTime.MinValue - J2000Utc).TotalSeconds;
-        double latest = (new DateTime(9999, 12, 31, 23, 59, 59, DateTimeKind.Utc) - J2000Utc).TotalSeconds;
-        double microseconds = Math.Round(Math.Clamp(utcSeconds, earliest, latest) * Microseconds);
-        return J2000Utc.AddTicks((long)microseconds * TimeSpan.TicksPerMicrosecond).ToString(
-            "yyyy-MM-dd'T'HH:mm:ss.FFFFFF'Z'", CultureInfo.InvariantCulture);
-    }
+    /// <summary>Long-term kernels go past the years that a calendar date can name.</summary>
+    private CalendarTime UtcOf(double tdbSeconds) =>
+        tdbSeconds <= Scale.InstantOf(CalendarTime.First).Tdb.Seconds ? CalendarTime.First
+        : tdbSeconds >= Scale.InstantOf(CalendarTime.LastSecond).Tdb.Seconds ? CalendarTime.LastSecond
+        : Scale.InstantOf(tdbSeconds).Utc;
 }

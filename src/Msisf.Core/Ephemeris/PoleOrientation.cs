@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>
@@ -29,9 +31,9 @@ public sealed class PoleOrientation : IFrameOrientation
     public TdbCover Cover => TdbCover.Everything;
 
     /// <inheritdoc/>
-    public RotationMatrix? FrameFromJ2000(double tdbSeconds)
+    public RotationMatrix? FrameFromJ2000(TdbTime time)
     {
-        double days = tdbSeconds / SecondsPerDay;
+        double days = time.Seconds / SecondsPerDay;
         double centuries = days / DaysPerCentury;
         double[] angles = [.. Angles.Select(angle => double.DegreesToRadians(PoleSeries.Polynomial(angle, centuries)))];
         double rightAscension = RightAscension.At(centuries, angles, Math.Sin);

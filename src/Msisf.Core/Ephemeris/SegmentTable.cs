@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>Segments of loaded kernels. Where several cover the same body and time, the one loaded last is used, as in SPICE.</summary>
@@ -26,14 +28,13 @@ public sealed class SegmentTable
 
     /// <summary>The segment to use, or null if no kernel covers that body at that time.</summary>
     /// <param name="body">NAIF's number.</param>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    public IEphemerisSegment? Find(int body, double tdbSeconds)
+    public IEphemerisSegment? Find(int body, TdbTime time)
     {
         if (_inLoadOrder.TryGetValue(body, out List<IEphemerisSegment>? segments))
         {
             for (int i = segments.Count - 1; i >= 0; i--)
             {
-                if (segments[i].Interval.Contains(tdbSeconds))
+                if (segments[i].Interval.Contains(time))
                 {
                     return segments[i];
                 }

@@ -1,3 +1,5 @@
+using Msisf.Core.Time;
+
 namespace Msisf.Core.Ephemeris;
 
 /// <summary>The times for which data exist: disjoint intervals in rising order.</summary>
@@ -46,8 +48,7 @@ public sealed class TdbCover
         select both);
 
     /// <summary>Whether data exist at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    public bool Contains(double tdbSeconds) => Intervals.Any(interval => interval.Contains(tdbSeconds));
+    public bool Contains(TdbTime time) => Intervals.Any(interval => interval.Contains(time));
 
     /// <summary>The single instant with data that is meant by a time; null if there is none, or the time is inside an interval.</summary>
     /// <param name="tdbSeconds">TDB seconds past J2000, at most <see cref="InstantTolerance"/> from the instant.</param>
@@ -73,7 +74,6 @@ public readonly record struct TdbInterval(double Start, double End)
     /// <summary>Whether it is a single instant.</summary>
     public bool IsInstant => Start == End;
 
-    /// <summary>Whether a time is in the interval; both ends belong to it.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
-    public bool Contains(double tdbSeconds) => tdbSeconds >= Start && tdbSeconds <= End;
+    /// <summary>Whether a time, rounded to a double as the ends are, is in the interval; both ends belong to it.</summary>
+    public bool Contains(TdbTime time) => time.Seconds >= Start && time.Seconds <= End;
 }

@@ -71,18 +71,18 @@ public sealed class LightSurvey
     /// <param name="after">A time after.</param>
     /// <param name="isRise">Whether it begins.</param>
     /// <param name="sunAt">The Sun at a time, m, body-fixed.</param>
-    public ModifiedJulianDate ChangeBetween(
-        PlaceRays rays, float[] horizon, ModifiedJulianDate before, ModifiedJulianDate after, bool isRise,
-        Func<ModifiedJulianDate, Vector3D> sunAt)
+    public Instant ChangeBetween(
+        PlaceRays rays, float[] horizon, Instant before, Instant after, bool isRise,
+        Func<Instant, Vector3D> sunAt)
     {
-        (double low, double high) = (before.Days, after.Days);
-        while (high - low > 0.5 / 86400.0)
+        (double low, double high) = (0.0, after.SecondsSince(before));
+        while (high - low > 0.5)
         {
-            ModifiedJulianDate middle = new(0.5 * (low + high));
-            (low, high) = _exact.IsVisible(rays, horizon, sunAt(middle)) == isRise ? (low, middle.Days) : (middle.Days, high);
+            double middle = 0.5 * (low + high);
+            (low, high) = _exact.IsVisible(rays, horizon, sunAt(before.After(middle))) == isRise ? (low, middle) : (middle, high);
         }
 
-        return new ModifiedJulianDate(0.5 * (low + high));
+        return before.After(0.5 * (low + high));
     }
 
     private LightFinder NewFinder(float[]? parts) => new(

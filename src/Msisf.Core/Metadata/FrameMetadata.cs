@@ -19,7 +19,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="Renderer">The renderer that made the image.</param>
 /// <param name="Inputs">The files that the frame was made from.</param>
 public sealed record FrameMetadata(
-    ModifiedJulianDate SimulationTime,
+    Instant SimulationTime,
     ICamera Camera,
     double FieldOfViewDegrees,
     Vector3D SunPositionBodyFixed,

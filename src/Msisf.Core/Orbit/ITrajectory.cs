@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Orbit;
 
@@ -9,7 +10,6 @@ public interface ITrajectory
     TdbCover Cover { get; }
 
     /// <summary>Position (m) and velocity (m/s) relative to the body's centre, along J2000's axes, which do not turn.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000.</param>
     /// <exception cref="MsisfException">The time is outside the cover, which the message names, or the data are damaged.</exception>
-    StateVector StateJ2000(double tdbSeconds);
+    StateVector StateJ2000(TdbTime time);
 }

@@ -7,18 +7,18 @@ namespace Msisf.Core.Orbit;
 public sealed class OrbitPropagator
 {
     private readonly KeplerOrbit _orbit;
-    private readonly ModifiedJulianDate _epoch;
+    private readonly Instant _epoch;
     private readonly OrbitFrame _frame;
     private readonly IEphemeris? _ephemeris;
     private readonly RotationMatrix _j2000FromOrbit;
 
     /// <summary>Takes the orbit. State vectors come in through <see cref="StateConversion.ToElements"/>, which keeps the frame.</summary>
     /// <param name="elements">The orbit at the epoch, in <paramref name="frame"/>.</param>
-    /// <param name="epoch">When the mean anomaly is M0, UTC.</param>
+    /// <param name="epoch">When the mean anomaly is M0.</param>
     /// <param name="ephemeris">How the Moon turns; <see cref="OrbitFrame.MoonMe"/> needs none.</param>
     /// <exception cref="ArgumentException">The elements are <c>default</c>, or the frame turns and there is no ephemeris.</exception>
     /// <exception cref="SpiceException">The epoch is outside the kernels' cover (<see cref="OrbitFrame.MoonMeEpoch"/>).</exception>
-    public OrbitPropagator(KeplerElements elements, ModifiedJulianDate epoch, OrbitFrame frame, IEphemeris? ephemeris)
+    public OrbitPropagator(KeplerElements elements, Instant epoch, OrbitFrame frame, IEphemeris? ephemeris)
     {
         if (frame != OrbitFrame.MoonMe)
         {
@@ -30,7 +30,7 @@ public sealed class OrbitPropagator
         _frame = frame;
         _ephemeris = ephemeris;
         _j2000FromOrbit = frame == OrbitFrame.MoonMeEpoch
-            ? ephemeris!.BodyFromJ2000(epoch).Transposed
+            ? ephemeris!.BodyFromJ2000(epoch.Tdb).Transposed
             : RotationMatrix.Identity;
     }
 
@@ -41,24 +41,17 @@ public sealed class OrbitPropagator
     public double PeriapsisRadius => _orbit.Elements.PeriapsisRadius;
 
     /// <summary>Position in m, MOON_ME of the time.</summary>
-    /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
     /// <exception cref="BadInputException">The orbit is so small that it can't be followed up to the time.</exception>
-    public Vector3D PositionBodyFixed(ModifiedJulianDate time) => ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
-
-    /// <summary>Position some seconds after a time, which a date alone holds to 0.6 microseconds only: 1 mm of a low orbit.</summary>
-    /// <inheritdoc cref="PositionBodyFixed(ModifiedJulianDate)"/>
-    public Vector3D PositionBodyFixed(ModifiedJulianDate time, double seconds) =>
-        ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch) + seconds), time.After(seconds));
+    public Vector3D PositionBodyFixed(Instant time) => ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
 
     /// <summary>Direction of the orbit's angular momentum, length 1, MOON_ME of the time.</summary>
-    /// <param name="time">UTC.</param>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
-    public Vector3D NormalBodyFixed(ModifiedJulianDate time) => ToBodyFixed(_orbit.Normal, time);
+    public Vector3D NormalBodyFixed(Instant time) => ToBodyFixed(_orbit.Normal, time);
 
-    private Vector3D ToBodyFixed(Vector3D vectorOrbit, ModifiedJulianDate time) => _frame == OrbitFrame.MoonMe
+    private Vector3D ToBodyFixed(Vector3D vectorOrbit, Instant time) => _frame == OrbitFrame.MoonMe
         ? vectorOrbit
-        : _ephemeris!.BodyFromJ2000(time) * (_j2000FromOrbit * vectorOrbit);
+        : _ephemeris!.BodyFromJ2000(time.Tdb) * (_j2000FromOrbit * vectorOrbit);
 }
 
 /// <summary>

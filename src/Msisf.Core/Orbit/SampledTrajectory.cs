@@ -1,4 +1,5 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Orbit;
 
@@ -23,13 +24,13 @@ public sealed class SampledTrajectory : ITrajectory
     public TdbCover Cover => _times.Cover;
 
     /// <inheritdoc/>
-    public StateVector StateJ2000(double tdbSeconds)
+    public StateVector StateJ2000(TdbTime time)
     {
-        TrajectoryBlock block = _blocks[_times.Find(tdbSeconds)];
-        StateVector state = block.Samples.At(tdbSeconds);
+        TrajectoryBlock block = _blocks[_times.Find(time)];
+        StateVector state = block.Samples.At(time);
         if (block.MoonMeFromFrame is { } moonMeFromFrame)
         {
-            state = TurningMoon.ToJ2000(state, moonMeFromFrame, tdbSeconds, _ephemeris);
+            state = TurningMoon.ToJ2000(state, moonMeFromFrame, time, _ephemeris);
         }
 
         if (block.Center == CelestialBody.Moon.NaifNumber)
@@ -37,7 +38,7 @@ public sealed class SampledTrajectory : ITrajectory
             return state;
         }
 
-        StateVector center = _ephemeris.StateOf(block.Center, tdbSeconds);
+        StateVector center = _ephemeris.StateOf(block.Center, time);
         return new StateVector(center.Position + state.Position, center.Velocity + state.Velocity);
     }
 }

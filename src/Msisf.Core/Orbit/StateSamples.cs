@@ -1,10 +1,11 @@
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Orbit;
 
 /// <summary>
 /// States of a spacecraft at rising times, and those between them: one block of a file, in its frame and about its centre. It takes
-/// 56 bytes a state.
+/// 64 bytes a state.
 /// </summary>
 public sealed class StateSamples
 {
@@ -21,7 +22,7 @@ public sealed class StateSamples
     /// <summary>Number of samples.</summary>
     public int Count => _times.Count;
 
-    /// <summary>The times of the samples, TDB seconds past J2000.</summary>
+    /// <summary>The times of the samples.</summary>
     public SampleTimes Times => _times;
 
     /// <summary>Whether velocities are given: writers without any write zeros.</summary>
@@ -29,15 +30,15 @@ public sealed class StateSamples
 
     /// <summary>When the block holds; there must be a sample.</summary>
     public TdbInterval Cover => Useable is { } useable
-        ? new TdbInterval(Math.Max(useable.Start, _times.First), Math.Min(useable.End, _times.Last))
-        : new TdbInterval(_times.First, _times.Last);
+        ? new TdbInterval(Math.Max(useable.Start, _times.First.Seconds), Math.Min(useable.End, _times.Last.Seconds))
+        : new TdbInterval(_times.First.Seconds, _times.Last.Seconds);
 
     /// <summary>Adds a sample.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, after that of the last sample.</param>
+    /// <param name="time">After that of the last sample.</param>
     /// <param name="state">Position (m) and velocity (m/s).</param>
-    public void Add(double tdbSeconds, StateVector state)
+    public void Add(TdbTime time, StateVector state)
     {
-        _times.Add(tdbSeconds);
+        _times.Add(time);
         _positions.Add(state.Position);
         _velocities.Add(state.Velocity);
         HasVelocities |= state.Velocity != default;
@@ -48,16 +49,16 @@ public sealed class StateSamples
     public StateVector this[int index] => new(_positions[index], _velocities[index]);
 
     /// <summary>The state at a time.</summary>
-    /// <param name="tdbSeconds">TDB seconds past J2000, within the samples.</param>
+    /// <param name="time">Within the samples.</param>
     /// <returns>
     /// Position (m) and velocity (m/s): the derivative of Hermite's polynomial; else of the samples' own velocities by the same weights, as
     /// SPICE does it, or where there are none the derivative.
     /// </returns>
-    public StateVector At(double tdbSeconds)
+    public StateVector At(TdbTime time)
     {
-        (int first, int count) = _times.Around(tdbSeconds, Interpolation.Samples);
+        (int first, int count) = _times.Around(time, Interpolation.Samples);
         Span<double> times = stackalloc double[count];
-        _times.CopyTo(first, tdbSeconds, times);
+        _times.CopyTo(first, time, times);
 
         // Sums of differences from one of the positions keep the digits that a change of 1e-10 of the distance needs.
         Vector3D origin = _positions[first];

@@ -3,12 +3,12 @@ using Msisf.Core.Time;
 namespace Msisf.Core.Scene;
 
 /// <summary>The state of the other frame of a flow.</summary>
-/// <param name="Time">UTC.</param>
+/// <param name="Time">When.</param>
 /// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="MoonFromCamera">Turns camera axes into Moon axes.</param>
 /// <param name="SunPositionBodyFixed">m, body-fixed; null for that of the ephemeris.</param>
 public sealed record FlowState(
-    ModifiedJulianDate Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera, Vector3D? SunPositionBodyFixed = null)
+    Instant Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera, Vector3D? SunPositionBodyFixed = null)
 {
     /// <summary>The numbers of a Sun, in their order.</summary>
     public static IReadOnlyList<string> NumberNamesOfSun { get; } = ["sx", "sy", "sz"];
@@ -20,12 +20,14 @@ public sealed record FlowState(
     public static FlowState Of(SpacecraftState state) =>
         new(state.Time, state.PositionBodyFixed, state.MoonFromCamera, state.SunPositionBodyFixed);
 
-    /// <summary>Takes the numbers of <see cref="SpacecraftState.NumberNames"/>, or of <see cref="NumberNamesWithSun"/>.</summary>
+    /// <summary>
+    /// Takes the numbers behind the time of <see cref="SpacecraftState.NumberNames"/>, or of <see cref="NumberNamesWithSun"/>.
+    /// </summary>
     /// <exception cref="BadInputException">A number is out of its range.</exception>
-    public static FlowState FromNumbers(ReadOnlySpan<double> numbers)
+    public static FlowState FromNumbers(Instant time, ReadOnlySpan<double> numbers)
     {
-        int count = SpacecraftState.NumberNames.Count;
-        FlowState state = Of(SpacecraftState.FromNumbers(numbers[..count]));
+        int count = SpacecraftState.NumberNames.Count - 1;
+        FlowState state = Of(SpacecraftState.FromNumbers(time, numbers[..count]));
         return numbers.Length == count
             ? state
             : state with
@@ -35,7 +37,7 @@ public sealed record FlowState(
             };
     }
 
-    /// <summary>The numbers; <see cref="FromNumbers"/> makes the same state of them.</summary>
+    /// <summary>The numbers; <see cref="FromNumbers"/> makes the same state of the time and those behind it.</summary>
     public double[] ToNumbers() =>
     [
         .. new SpacecraftState(Time, PositionBodyFixed, MoonFromCamera).ToNumbers(),

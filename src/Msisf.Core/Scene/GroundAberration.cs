@@ -33,9 +33,9 @@ public static class GroundAberration
 
         double seconds = LightSpeed.TimeOver(
             Distance(point.PositionBodyFixed, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
-        StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds);
-        Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.TdbSeconds - seconds).Position - center.Position;
-        RotationMatrix moonThen = ephemeris.BodyFromJ2000(point.TdbSeconds - seconds);
+        StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.Tdb);
+        Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.Tdb + -seconds).Position - center.Position;
+        RotationMatrix moonThen = ephemeris.BodyFromJ2000(point.Tdb + -seconds);
         UnitQuaternion j2000FromCamera = UnitQuaternion.FromMatrix(point.BodyFromJ2000.Transposed) * moonFromCamera;
         if (aberration == Aberration.LightTimeAndStellar)
         {

@@ -39,10 +39,10 @@ public sealed class SampledMotion
     }
 
     /// <summary>Time of the first sample.</summary>
-    public ModifiedJulianDate Start { get; }
+    public Instant Start { get; }
 
     /// <summary>s after <see cref="Start"/>: time of the last sample.</summary>
-    public double End => _positions.Times.Last;
+    public double End => _positions.Times.Last.Seconds;
 
     /// <summary>The camera at a time.</summary>
     /// <param name="seconds">s after <see cref="Start"/>, from 0 to <see cref="End"/>.</param>

@@ -6,10 +6,10 @@ namespace Msisf.Core.Scene;
 /// <summary>
 /// All that one frame needs to know of the spacecraft: the thesis's fixed state. <c>default</c> has no attitude and is not a state.
 /// </summary>
-/// <param name="Time">UTC.</param>
+/// <param name="Time">When.</param>
 /// <param name="PositionBodyFixed">m, body-fixed.</param>
 /// <param name="MoonFromCamera">Turns camera axes (looks along -x, y right, z up) into Moon axes.</param>
-public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera)
+public readonly record struct SpacecraftState(Instant Time, Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera)
 {
     /// <summary>
     /// The eight numbers of a fixed state in the thesis's order (section 6.3.2): MJD (days, UTC), position (m), quaternion.
@@ -47,12 +47,12 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
 
     /// <summary>
     /// The eight numbers in the order of <see cref="NumberNames"/>, and the six of <see cref="Motion"/> if there is one;
-    /// <see cref="FromNumbers"/> makes the same state of them, to the last bit, but for <see cref="Noise"/>,
+    /// <see cref="FromNumbers"/> makes the same state of the time and those behind it, to the last bit, but for <see cref="Noise"/>,
     /// <see cref="ExposureFactor"/>, <see cref="SunPositionBodyFixed"/> and <see cref="Flow"/>.
     /// </summary>
     public double[] ToNumbers() =>
     [
-        Time.Days, PositionBodyFixed.X, PositionBodyFixed.Y, PositionBodyFixed.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
+        Time.Mjd, PositionBodyFixed.X, PositionBodyFixed.Y, PositionBodyFixed.Z, MoonFromCamera.X, MoonFromCamera.Y, MoonFromCamera.Z,
         MoonFromCamera.W, .. Motion?.ToNumbers() ?? [],
     ];
 
@@ -72,25 +72,25 @@ public readonly record struct SpacecraftState(ModifiedJulianDate Time, Vector3D 
         : throw new BadInputException(Invariant(
             $"the exposure factor is {factor:R}; {LeastExposure:R} to {GreatestExposure:R} is possible."));
 
-    /// <summary>Checks and takes the eight numbers, or these and the six of a motion.</summary>
+    /// <summary>Checks and takes the seven numbers behind the time, or these and the six of a motion.</summary>
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>
     /// <param name="isRounded">Whether the quaternion may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">
-    /// The MJD is no date, the position or the motion is not finite, or the quaternion is no rotation.
+    /// The position or the motion is not finite, or the quaternion is no rotation.
     /// </exception>
-    /// <exception cref="ArgumentException">Neither eight nor fourteen numbers.</exception>
-    public static SpacecraftState FromNumbers(ReadOnlySpan<double> numbers, bool isRounded = false)
+    /// <exception cref="ArgumentException">Neither seven nor thirteen numbers.</exception>
+    public static SpacecraftState FromNumbers(Instant time, ReadOnlySpan<double> numbers, bool isRounded = false)
     {
-        int count = NumberNames.Count;
+        int count = NumberNames.Count - 1;
         if (numbers.Length != count && numbers.Length != count + CameraMotion.NumberNames.Count)
         {
             throw new ArgumentException($"{numbers.Length} numbers for a state of {count}.", nameof(numbers));
         }
 
         return new SpacecraftState(
-            new ModifiedJulianDate(numbers[0]),
-            new Vector3D(Guard.Finite(numbers[1], "rx (m)"), Guard.Finite(numbers[2], "ry (m)"), Guard.Finite(numbers[3], "rz (m)")),
-            UnitQuaternion.FromComponents(numbers[4], numbers[5], numbers[6], numbers[7], isRounded))
+            time,
+            new Vector3D(Guard.Finite(numbers[0], "rx (m)"), Guard.Finite(numbers[1], "ry (m)"), Guard.Finite(numbers[2], "rz (m)")),
+            UnitQuaternion.FromComponents(numbers[3], numbers[4], numbers[5], numbers[6], isRounded))
         {
             Motion = numbers.Length == count ? null : CameraMotion.FromNumbers(numbers[count..]),
         };

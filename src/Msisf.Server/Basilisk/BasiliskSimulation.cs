@@ -1,11 +1,12 @@
-using System.Text.Json;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
+using Msisf.App.Preparation;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
+using System.Text.Json;
 
 namespace Msisf.Server.Basilisk;
 
@@ -78,7 +79,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
             SpacecraftState state = StateOf(message, camera);
             RequestedFrame requested = RequestedOf(camera);
             using Answer answer = frames.Answers.InMemory();
-            FixedStateSettings place = new(state) { Noise = requested.Noise };
+            FixedStateSettings place = new(state.Time.Utc, state) { Noise = requested.Noise };
             IReadOnlyList<string> warnings = frames.CollectWarnings();
             await frames.DrawAsync(requested, place, AnswerForm.Of(AnswerForm.Png), answer, cancellation).ConfigureAwait(false);
             settings.Record?.Add(camera.Id, () => ArgumentsOf(requested), state); // what was refused can't be drawn again
@@ -121,11 +122,12 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         }
 
         VizSpacecraft craft = CraftOf(message, camera);
-        ModifiedJulianDate time = TimeOf(message);
+        EphemerisSource ephemeris = frames.Sessions.Ephemeris.Of(RequestedOf(camera).Settings);
+        Instant time = TimeOf(message, ephemeris.TimeScale());
         UnitQuaternion moonFromInertial = VizGeometry.MoonFromInertial(moon);
         if (settings.MoonAttitude == MoonAttitude.Spice)
         {
-            RotationMatrix spice = frames.Sessions.Ephemeris.Of(RequestedOf(camera).Settings).Engine().BodyFromJ2000(time);
+            RotationMatrix spice = ephemeris.Engine().BodyFromJ2000(time.Tdb);
             moonFromInertial = VizGeometry.Checked(moonFromInertial, UnitQuaternion.FromMatrix(spice), time);
         }
         else if (moonFromInertial == UnitQuaternion.Identity)
@@ -141,7 +143,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         return VizGeometry.StateOf(camera, craft, moon, sun, moonFromInertial, time);
     }
 
-    private ModifiedJulianDate TimeOf(VizMessage message)
+    private Instant TimeOf(VizMessage message, TimeScale scale)
     {
         if (_epoch is null)
         {
@@ -151,12 +153,12 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
 
         try
         {
-            double seconds = (3600.0 * _epoch.Hours) + (60.0 * _epoch.Minutes) + _epoch.Seconds + message.SimulationSeconds;
-            return Math.Abs(seconds) < LongestSimulation
-                ? new ModifiedJulianDate(
-                    ModifiedJulianDate.DaysOf(new DateOnly(_epoch.Year, _epoch.Month, _epoch.Day), (decimal)seconds))
+            double seconds = (3600.0 * _epoch.Hours) + (60.0 * _epoch.Minutes) + _epoch.Seconds;
+            DateOnly day = new(_epoch.Year, _epoch.Month, _epoch.Day);
+            return Math.Abs(seconds) + Math.Abs(message.SimulationSeconds) < LongestSimulation
+                ? scale.InstantOf(CalendarTime.Of(day, (decimal)seconds)).After(message.SimulationSeconds)
                 : throw new BadInputException(Invariant(
-                    $"the time of the message is {seconds:R} s after the epoch's day; that is no time."));
+                    $"the time of the message is {seconds + message.SimulationSeconds:R} s after the epoch's day; that is no time."));
         }
         catch (ArgumentOutOfRangeException exception)
         {

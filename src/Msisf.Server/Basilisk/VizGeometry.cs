@@ -38,7 +38,7 @@ internal static class VizGeometry
     /// <summary>The rotation in place of the message's, where both are nearly the same.</summary>
     /// <param name="spice">By the kernels, at the time of the message.</param>
     /// <exception cref="BadInputException">They differ by more than 0.01 degrees.</exception>
-    public static UnitQuaternion Checked(UnitQuaternion message, UnitQuaternion spice, ModifiedJulianDate time)
+    public static UnitQuaternion Checked(UnitQuaternion message, UnitQuaternion spice, Instant time)
     {
         UnitQuaternion turn = spice * message.Conjugate;
         double angle = 2.0 * Math.Atan2(new Vector3D(turn.X, turn.Y, turn.Z).Length, Math.Abs(turn.W));
@@ -53,7 +53,7 @@ internal static class VizGeometry
     /// <param name="time">UTC.</param>
     /// <exception cref="BadInputException">A number is not finite, or the Sun too near.</exception>
     public static SpacecraftState StateOf(
-        VizCamera camera, VizSpacecraft craft, VizBody moon, VizBody sun, UnitQuaternion moonFromInertial, ModifiedJulianDate time)
+        VizCamera camera, VizSpacecraft craft, VizBody moon, VizBody sun, UnitQuaternion moonFromInertial, Instant time)
     {
         UnitQuaternion inertialFromCraft = FromRodrigues(craft.Attitude, $"the attitude of '{craft.Name}'");
         UnitQuaternion craftFromCamera = FromRodrigues(camera.Direction, "cameraDir_B");

@@ -1,11 +1,12 @@
-using System.Text;
 using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
+using System.Text;
 
 namespace Msisf.Adapters.Tests.Ccsds;
 
@@ -61,14 +62,14 @@ internal static class CcsdsTexts
 
         """;
 
-    private static readonly Lazy<TdbScale> ReadScale = new(
+    private static readonly Lazy<TimeScale> ReadScale = new(
         () => LeapSecondsKernel.ReadScale(KernelPool.Of([Path.Combine(TestParts.Kernels, "naif0012.tls")])));
 
     /// <summary>The time scale of the project's leap seconds kernel.</summary>
-    public static TdbScale Scale => ReadScale.Value;
+    public static TimeScale Scale => ReadScale.Value;
 
     /// <summary>Noon of 2024-01-19 UTC, TDB seconds past J2000.</summary>
-    public static double Noon => Scale.FromUtc(new Core.Time.ModifiedJulianDate(60328.5));
+    public static double Noon => Scale.InstantOfMjd(60328.5).Tdb.Seconds;
 
     /// <summary>Reads a trajectory.</summary>
     public static IReadOnlyList<TrajectoryBlock> ReadOem(string text, List<string>? notes = null) =>

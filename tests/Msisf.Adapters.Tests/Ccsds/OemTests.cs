@@ -1,8 +1,9 @@
-using System.IO.Compression;
-using System.Text;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
+using System.IO.Compression;
+using System.Text;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Ccsds;
@@ -41,7 +42,7 @@ public sealed class OemTests
             .Replace("\n2024-01-19T12:00:00.000", $"\n2024-01-19T{time}", StringComparison.Ordinal)
             .Replace("12:01:00.000", "12:01:30", StringComparison.Ordinal);
 
-        double first = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Times.First;
+        double first = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Times.First.Seconds;
 
         Assert.Equal(CcsdsTexts.Noon, first, limit);
     }
@@ -55,9 +56,9 @@ public sealed class OemTests
         SampleTimes times = Assert.Single(CcsdsTexts.ReadOem(text)).Samples.Times;
 
         // s: 30 microseconds, as above, and half of the last digit.
-        Assert.Equal(-31579137.316114, times[0], 5e-5);
-        Assert.Equal(-31579136.316114, times[1], 5e-5);
-        Assert.Equal(-31579135.816114, times[2], 5e-5);
+        Assert.Equal(-31579137.316114, times[0].Seconds, 5e-5);
+        Assert.Equal(-31579136.316114, times[1].Seconds, 5e-5);
+        Assert.Equal(-31579135.816114, times[2].Seconds, 5e-5);
     }
 
     [Theory]
@@ -243,8 +244,8 @@ public sealed class OemTests
 
         TrajectoryBlock block = Assert.Single(CcsdsTexts.ReadOem(text, notes));
 
-        // m: thousands of ulps
-        Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-6);
+        // m: noon is here the nearest double, whose step of 1.2e-7 s is 0.1 mm
+        Assert.InRange((block.Samples.At(CcsdsTexts.Noon + 90.0).Position - new Vector3D(2_090_000.0, 2250.0, 0.0)).Length, 0.0, 1e-4);
         Assert.Contains("LAGRANGE of that degree is used", notes[0]);
     }
 
@@ -262,9 +263,9 @@ public sealed class OemTests
         Assert.Contains(expected, Assert.Single(notes));
     }
 
-    /// <summary>Time, position and velocity are 56 bytes; nothing else is allocated for a line, so ten million need 560 MB.</summary>
+    /// <summary>Time, position and velocity are 64 bytes; nothing else is allocated for a line, so ten million need 640 MB.</summary>
     [Fact]
-    public void ReadOem_ManyStates_Takes56BytesEach()
+    public void ReadOem_ManyStates_Takes64BytesEach()
     {
         const int Count = 160_000;
         StringBuilder text = new(CcsdsTexts.Oem[..CcsdsTexts.Oem.IndexOf("2024-01-19T12:00:00.000 2000", StringComparison.Ordinal)]);
@@ -282,7 +283,7 @@ public sealed class OemTests
         long used = GC.GetAllocatedBytesForCurrentThread() - before;
 
         Assert.Equal(Count, blocks[0].Samples.Count);
-        Assert.InRange((double)used / Count, 50.0, 64.0);
+        Assert.InRange((double)used / Count, 58.0, 72.0);
     }
 
     private static string WithTimes(params string[] times)

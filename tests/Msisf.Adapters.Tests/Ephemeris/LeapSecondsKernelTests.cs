@@ -1,6 +1,7 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Ephemeris;
@@ -16,7 +17,7 @@ public class LeapSecondsKernelTests
         var scale = LeapSecondsKernel.ReadScale(SamplePool.Of(Constants + "DELTET/DELTA_AT = ( 10, @1972-JAN-1 11, @1972-JUL-1 )"));
 
         // tests/reference/ephemeris.py, CSPICE N0067: 1972-07-01, at the second entry.
-        Assert.Equal(-867931156.8159056, scale.FromUtc(new ModifiedJulianDate(41499.0)), 3e-7);
+        Assert.Equal(-867931156.8159056, scale.InstantOfMjd(41499.0).Tdb.Seconds, 3e-7);
     }
 
     [Theory]

@@ -20,7 +20,7 @@ public class BatchColumnsTests
     [Fact]
     public void Read_EightColumns_IsTheStateOfTheThesis()
     {
-        SpacecraftState expected = SpacecraftState.FromNumbers([60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703]);
+        SpacecraftState expected = Moments.StateOf([60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703]);
 
         Assert.Equal([expected], Read($"time,x,y,z,qx,qy,qz,qw\n2024-01-19T12:00:00Z,2E6,1,-3,{Quaternion}"));
         Assert.Equal([expected], Read($"MJD,rx,ry,rz,qx,qy,qz,q0\n60328.5,2E6,1,-3,{Quaternion}"));
@@ -41,7 +41,7 @@ public class BatchColumnsTests
             [new NoiseSeed(ulong.MaxValue, 1), new NoiseSeed(7, 2), new NoiseSeed(7, 40)], states.Select(state => state.Noise!.Value));
         foreach (double[] motion in (double[][])[[], [1.0, 2.0, 3.0, 0.1, 0.2, 0.3]])
         {
-            SpacecraftState[] written = [.. states.Select(state => SpacecraftState.FromNumbers([.. state.ToNumbers(), .. motion]) with
+            SpacecraftState[] written = [.. states.Select(state => Moments.StateOf([.. state.ToNumbers(), .. motion]) with
             {
                 Noise = state.Noise,
             })];
@@ -87,7 +87,7 @@ public class BatchColumnsTests
     public void Read_Motion_IsThatOfTheState()
     {
         double[] numbers = [60328.5, 2e6, 1.0, -3.0, 0.1, 0.2, 0.3, 0.9273618495495703, 1500.0, -2.0, 3.5, 1e-3, 0.0, -2e-4];
-        SpacecraftState expected = SpacecraftState.FromNumbers(numbers);
+        SpacecraftState expected = Moments.StateOf(numbers);
         Assert.Equal(1500.0, expected.Motion!.Value.VelocityBodyFixed.X);
         Assert.Equal(-2e-4, expected.Motion.Value.AngularVelocityCamera.Z);
         Assert.Equal(numbers, expected.ToNumbers());

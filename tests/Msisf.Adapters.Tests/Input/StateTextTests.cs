@@ -74,7 +74,7 @@ public class StateTextTests
     public void ParseInterval_StartStepEnd_MatlabsColon(params string[] words)
     {
         TimeInterval interval = StateText.ParseInterval("--time-interval", words);
-        Assert.Equal([55289.0, 55289.25, 55289.5, 55289.75, 55290.0], interval.Select(time => time.Days));
+        Assert.Equal([55289.0, 55289.25, 55289.5, 55289.75, 55290.0], interval.Select(time => time.Mjd));
     }
 
     [Theory]
@@ -83,7 +83,7 @@ public class StateTextTests
     [InlineData("[55289:6h:55290]")]
     [InlineData("55289:0.25 d:55290")]
     public void ParseInterval_StepWithUnit_IsInDays(string text) => Assert.Equal(
-        [55289.0, 55289.25, 55289.5, 55289.75, 55290.0], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Days));
+        [55289.0, 55289.25, 55289.5, 55289.75, 55290.0], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Mjd));
 
     // 2024-01-19T12:00:00Z is MJD 60328.5 (TimeTextTests).
     [Theory]
@@ -93,17 +93,19 @@ public class StateTextTests
     [InlineData("[ 2024-01-19T14:00+02:00 : 0.5 : 2024-020T12:00Z ]")]
     [InlineData("[2024-01-19T14:00:00+0200:0.5:2024-01-20T12:00Z]")]
     public void ParseInterval_CalendarTimes_AreThoseOfTheirMjd(string text) => Assert.Equal(
-        [60328.5, 60329.0, 60329.5], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Days));
+        [60328.5, 60329.0, 60329.5], StateText.ParseInterval("--time-interval", [text]).Select(time => time.Mjd));
 
     [Fact]
-    public void ParseNumbers_FieldMjd_TakesCalendarTimes()
+    public void ParseState_Time_TakesCalendarTimes()
     {
-        Assert.Equal([60328.5, 7.0], StateText.ParseNumbers("--state", ["{2024-01-19T12:00:00Z,7}"], ["MJD", "rx"]));
-        Assert.Equal([60328.5, 55289.0], StateText.ParseList("--times", ["2024-01-19T12:00:00Z", "55289"], "MJD"));
+        (CalendarTime time, double[] numbers) = StateText.ParseState("--state", ["{2024-01-19T12:00:00Z,7}"], ["MJD", "rx"]);
+        Assert.Equal(60328.5, time.Mjd);
+        Assert.Equal([7.0], numbers);
+        Assert.Equal([60328.5, 55289.0], StateText.ParseTimes("--times", ["2024-01-19T12:00:00Z", "55289"]).Select(each => each.Mjd));
         Assert.StartsWith(
             "--state, number 2 (rx): '2024-01-19T12:00:00Z' is not a number",
             Assert.Throws<BadInputException>(
-                () => StateText.ParseNumbers("--state", ["{1,2024-01-19T12:00:00Z}"], ["MJD", "rx"])).Message,
+                () => StateText.ParseState("--state", ["{1,2024-01-19T12:00:00Z}"], ["MJD", "rx"])).Message,
             StringComparison.Ordinal);
     }
 
@@ -112,7 +114,7 @@ public class StateTextTests
     [InlineData("--time-interval, number 2 (step): '2024-01-19T12:00:00Z' is not a number", "[1:2024-01-19T12:00:00Z:2]")]
     [InlineData("--time-interval, number 3 (end): '2460329' looks like a Julian Date; its MJD is 60328.5", "[60328:1:2460329]")]
     [InlineData(
-        "--time-interval, number 1 (start): '2016-12-31T23:59:60Z': MJD, in which times", "[2016-12-31T23:59:60Z:1:2460329]")]
+        "--time-interval: The time interval begins in a leap second", "[2016-12-31T23:59:60Z:1:60329]")]
     public void ParseInterval_WrongCalendarTimes_SaysWhatToWrite(string message, string text) => Assert.StartsWith(
         message,
         Assert.Throws<BadInputException>(() => StateText.ParseInterval("--time-interval", [text])).Message,
@@ -129,7 +131,7 @@ public class StateTextTests
     [InlineData("--time-interval, number 2 (step): '10m' is not a number", "[55289:10m:55290]")]
     [InlineData("--time-interval: '[55289:1:55290' has unbalanced '[' and ']'", "[55289:1:55290")]
     [InlineData("--time-interval: The step of the time interval is 0 days", "[55289:0:55290]")]
-    [InlineData("--time-interval: The MJD 5528900 is not a date", "[5528900:1:55290]")]
+    [InlineData("--time-interval, number 1 (start): The MJD 5528900 is not a date", "[5528900:1:55290]")]
     public void ParseInterval_Wrong_NamesOptionAndPlace(string message, params string[] words) =>
         Assert.StartsWith(
             message,

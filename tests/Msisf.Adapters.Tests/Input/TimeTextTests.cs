@@ -1,4 +1,6 @@
 using Msisf.Adapters.Input;
+using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Input;
@@ -28,14 +30,38 @@ public class TimeTextTests
     [InlineData("2016-12-31T23:59:59.999Z", 57753.999999988424)]
     public void TryParse_TimeOfEitherForm_IsTheMjd(string text, double mjd)
     {
-        Assert.True(TimeText.TryParse(text, out double found));
-        Assert.Equal(mjd, found);
-        Assert.Equal(mjd, TimeText.Parse(text).Days);
+        Assert.True(TimeText.TryParse(text, out CalendarTime found));
+        Assert.Equal(mjd, found.Mjd);
+        Assert.Equal(mjd, TimeText.Parse(text).Mjd);
     }
 
     [Theory]
-    [InlineData("2016-12-31T23:59:60Z", "'2016-12-31T23:59:60Z': MJD, in which times are counted, has no leap second")]
-    [InlineData("2017-01-01T00:59:60.5+01:00", "'2017-01-01T00:59:60.5+01:00': MJD, in which times are counted, has no leap second")]
+    [InlineData("2016-12-31T23:59:60Z", "2016-12-31T23:59:60")]
+    [InlineData("2017-01-01T00:59:60.5+01:00", "2016-12-31T23:59:60.5")]
+    [InlineData("2016-12-31T23:59:60.123456789012345678Z", "2016-12-31T23:59:60.123456789012345678")]
+    public void Parse_LeapSecond_IsExact(string text, string expected)
+    {
+        Assert.Equal(expected, TimeText.Parse(text).ToExactText());
+        Assert.True(TimeText.Parse(text).IsLeapSecond);
+    }
+
+    /// <summary>What names a frame is read back as the same moment.</summary>
+    [Theory]
+    [InlineData("57753.1", "57753.1")]
+    [InlineData("2016-12-31T02:24:00Z", "57753.1")]
+    [InlineData("2016-12-31T02:24:01.25Z", "2016-12-31T02:24:01.25Z")]
+    [InlineData("2016-12-31T23:59:60Z", "2016-12-31T23:59:60Z")]
+    public void Of_Moment_IsItsMjdWhereThatNamesIt(string text, string expected)
+    {
+        string written = TimeText.Of(Moments.Naif0012.InstantOf(TimeText.Parse(text)));
+
+        Assert.Equal(expected, written);
+        Assert.Equal(TimeText.Parse(text), TimeText.Parse(written));
+    }
+
+    [Theory]
+    [InlineData("2016-12-31T12:59:60Z", "'2016-12-31T12:59:60Z': hours are 00 to 23, minutes and seconds 00 to 59, but for a leap second")]
+    [InlineData("2017-01-01T00:58:60.5+01:00", "'2017-01-01T00:58:60.5+01:00': hours are 00 to 23, minutes and seconds 00 to 59, but")]
     [InlineData("2460329", "'2460329' looks like a Julian Date; its MJD is 60328.5 (MJD = JD - 2400000.5)")]
     [InlineData("2455289.25", "'2455289.25' looks like a Julian Date; its MJD is 55288.75 ")]
     [InlineData("2024-01-19", "'2024-01-19' has no time of day; write e.g. 2024-01-19T00:00:00Z")]

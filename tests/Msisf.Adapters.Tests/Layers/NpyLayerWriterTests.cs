@@ -98,7 +98,7 @@ public sealed class NpyLayerWriterTests : IDisposable
     {
         PinholeCamera camera = new(position, UnitQuaternion.Identity, 1.0, 3, 3);
         FrameMetadata frame = new(
-            new ModifiedJulianDate(55289.25),
+            Moments.OfMjd(55289.25),
             camera,
             57.0,
             Sun,

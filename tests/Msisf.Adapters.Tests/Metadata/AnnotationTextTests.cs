@@ -4,6 +4,7 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Numerics;
 using Msisf.Core.Render;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Adapters.Tests.Metadata;
@@ -31,7 +32,7 @@ public class AnnotationTextTests
             "Flight altitude:    62850 m (61234 m over the terrain)", AnnotationText.Lines(Frame(new("LDEM_4", false, 4, 4, 4))));
 
     private static FrameMetadata Frame(DrawnElevation elevation) => new(
-        new ModifiedJulianDate(55289.0),
+        Moments.OfMjd(55289.0),
         new PinholeCamera(new Vector3D(1.8e6, 0.0, 0.0), UnitQuaternion.Identity, 0.7, 64, 64),
         40.0,
         new Vector3D(1.5e11, 0.0, 0.0),

@@ -253,7 +253,7 @@ public class MetadataXmlWriterTests
         UnitQuaternion orientation = UnitQuaternion.FromComponents(
             -2.391176183943345e-001, +9.904576054128762e-002, +3.696438106143861e-001, +8.923991008325228e-001);
         return new FrameMetadata(
-            new ModifiedJulianDate(55289.0),
+            Moments.OfMjd(55289.0),
             new PinholeCamera(new Vector3D(2e6, 2e6, -0.0), orientation, double.DegreesToRadians(40.0), 1024, 1024),
             40.0,
             new Vector3D(+1.074955473280880E+011, -1.042430734878980E+011, +4.036164305561260E+009),

@@ -143,7 +143,7 @@ public sealed class CocoWriterTests
         using MemoryStream stream = new();
         CocoWriter.Write(
             stream, craters, camera, new CocoSource("A test", "1.0", ["CC0"]),
-            new CocoImage(3, "a.png", new ModifiedJulianDate(55289.5)), 1_737_400.0);
+            new CocoImage(3, "a.png", Moments.OfMjd(55289.5)), 1_737_400.0);
         return stream.ToArray();
     }
 

@@ -60,7 +60,7 @@ public sealed class TrajectoryFileTests
         Assert.Equal(301, block.Center);
         Assert.Null(block.MoonMeFromFrame);
         Assert.Equal(4, block.Samples.Count);
-        Assert.Equal(CcsdsTexts.Noon, block.Samples.Times.First, OfTime);
+        Assert.Equal(CcsdsTexts.Noon, block.Samples.Times.First.Seconds, OfTime);
         Assert.Equal(180.0, block.Samples.Times.Last - block.Samples.Times.First, OfTime);
         Assert.Equal(new Interpolation(InterpolationMethod.Lagrange, 3), block.Samples.Interpolation);
 
@@ -182,7 +182,7 @@ public sealed class TrajectoryFileTests
         Assert.Equal(new StateVector(new Vector3D(1e6, 2e6, 3e6), new Vector3D(100.0, 200.0, 300.0)), block.Samples[1]);
 
         // 2026-01-01T00:00 TDB is 9496.5 days past J2000 (JD 2461041.5).
-        Assert.Equal(9496.5 * 86400.0, block.Samples.Times.First, 1e-6);
+        Assert.Equal(9496.5 * 86400.0, block.Samples.Times.First.Seconds, 1e-6);
         Assert.Equal(60.0, block.Samples.Times.Last - block.Samples.Times.First, 1e-6); // not the 59.9999616 of the rounded Julian date
     }
 

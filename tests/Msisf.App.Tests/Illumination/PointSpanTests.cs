@@ -1,22 +1,29 @@
 using Msisf.App.Illumination;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.Illumination;
 
 public sealed class PointSpanTests
 {
-    private static readonly (bool IsRise, ModifiedJulianDate Time)[] SetAndRise =
-        [(false, new ModifiedJulianDate(60000.5)), (true, new ModifiedJulianDate(60003.0))];
+    private static readonly (bool IsRise, Instant Time)[] SetAndRise =
+        [(false, Moments.OfMjd(60000.5)), (true, Moments.OfMjd(60003.0))];
 
     [Fact]
     public void Of_SunsetAndSunrise_AreThreeSpansInTurn() => Assert.Equal(
-        [new PointSpan(true, 60000.0, 60000.5), new PointSpan(false, 60000.5, 60003.0), new PointSpan(true, 60003.0, 60004.0)],
+        [
+            new PointSpan(true, Moments.OfMjd(60000.0), Moments.OfMjd(60000.5)),
+            new PointSpan(false, Moments.OfMjd(60000.5), Moments.OfMjd(60003.0)),
+            new PointSpan(true, Moments.OfMjd(60003.0), Moments.OfMjd(60004.0)),
+        ],
         PointSpan.Of(Days(60000.0, 60004.0), isLit: true, SetAndRise));
 
     [Fact]
     public void Of_NoEvent_IsOneSpan() =>
-        Assert.Equal([new PointSpan(false, 60000.0, 60001.0)], PointSpan.Of(Days(60000.0, 60001.0), isLit: false, []));
+        Assert.Equal(
+            [new PointSpan(false, Moments.OfMjd(60000.0), Moments.OfMjd(60001.0))],
+            PointSpan.Of(Days(60000.0, 60001.0), isLit: false, []));
 
     [Fact]
     public void LongestOf_EachKind_IsInHours()
@@ -28,6 +35,5 @@ public sealed class PointSpanTests
         Assert.Null(PointSpan.LongestOf(spans[..1], isLit: false));
     }
 
-    private static TimeInterval Days(double start, double end) =>
-        new(new ModifiedJulianDate(start), stepDays: 0.25, new ModifiedJulianDate(end));
+    private static Instant[] Days(double start, double end) => [Moments.OfMjd(start), Moments.OfMjd(end)];
 }

@@ -2,13 +2,14 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.Preparation;
 
 public sealed class FrameNamingTests
 {
-    private static readonly ModifiedJulianDate Time = new(55289.25);
+    private static readonly Instant Time = Moments.OfMjd(55289.25);
 
     [Theory]
     [InlineData(OutputOptions.DefaultName, 7, "MoonSurfIllumSim_step_00007")]
@@ -18,7 +19,7 @@ public sealed class FrameNamingTests
     [InlineData("t{mjd:0.000}_{step:000}", 7, "t55289.250_007")]
     [InlineData("plain", 7, "plain")]
     public void NameOf_Pattern_FillsTheFields(string pattern, int step, string expected) =>
-        Assert.Equal(expected, new FrameNaming(pattern).NameOf(step, Time));
+        Assert.Equal(expected, new FrameNaming(pattern).NameOf(step, Time.Mjd));
 
     [Theory]
     [InlineData("")]

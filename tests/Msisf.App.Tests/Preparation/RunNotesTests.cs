@@ -9,6 +9,7 @@ using Msisf.Core.Preview;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.Preparation;
@@ -40,7 +41,7 @@ public sealed class RunNotesTests
         notes.Add(ByDay(2), View(LookingAway(2)) with { IsBesideMap = true });
         ListLog log = new();
 
-        notes.Write(new FixedStateSettings(default), log);
+        notes.Write(new FixedStateSettings(default, default), log);
 
         Assert.StartsWith(
             "1 of 2 frames shows nothing of the elevation model (step 2), a map of a part of the Moon. Add a model",
@@ -93,7 +94,7 @@ public sealed class RunNotesTests
         TrajectorySettings orbit = TrajectorySettingsReader.Read(
             Given.Options($"--kepler-set {{2E6,0,0,0,0,0}} --epoch {epoch} --time {time}"));
         RunNotes notes = new(64, hasSeveral: false, isRefined: false);
-        notes.Add(Of(1, Day, NadirPointing.MoonFromCamera(Day)) with { Time = new ModifiedJulianDate(time) }, View(ByDay(1)));
+        notes.Add(Of(1, Day, NadirPointing.MoonFromCamera(Day)) with { Time = Moments.OfMjd(time) }, View(ByDay(1)));
         ListLog log = new();
 
         notes.Write(orbit, log);
@@ -109,7 +110,7 @@ public sealed class RunNotesTests
     private static Frame LookingAway(int step) => Of(step, Day, Outward);
 
     private static Frame Of(int step, Vector3D position, UnitQuaternion moonFromCamera) => new(
-        step, $"frame{step}", new ModifiedJulianDate(55289.0), new PinholeCamera(position, moonFromCamera, Fov, 100, 100), Sun);
+        step, $"frame{step}", Moments.OfMjd(55289.0), new PinholeCamera(position, moonFromCamera, Fov, 100, 100), Sun);
 
     private static FramePreview View(Frame frame) => FramePreview.Of(frame.Camera, frame.Light, terrain: null);
 
@@ -124,7 +125,7 @@ public sealed class RunNotesTests
         }
 
         ListLog log = new();
-        notes.Write(new FixedStateSettings(default), log);
+        notes.Write(new FixedStateSettings(default, default), log);
         return [.. log.Lines];
     }
 }

@@ -43,8 +43,9 @@ public sealed class StateReaderTests
             StandardInput = () => TextReader.Null,
         };
         RunGeometry scene = new(
-            () => throw new InvalidOperationException("terrain"), () => throw new InvalidOperationException("ephemeris"), default);
-        PlaceSettings place = new(new SurfacePlace(12.0, 34.0, 1e5, isOverTerrain: false), pointing, [new ModifiedJulianDate(60328.5)])
+            () => throw new InvalidOperationException("terrain"), () => throw new InvalidOperationException("ephemeris"),
+            () => Moments.Naif0012, default);
+        PlaceSettings place = new(new SurfacePlace(12.0, 34.0, 1e5, isOverTerrain: false), pointing, [CalendarTime.OfMjd(60328.5)])
         {
             SunPositionBodyFixed = Sun,
         };

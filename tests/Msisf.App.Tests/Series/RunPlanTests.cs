@@ -3,6 +3,7 @@ using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Series;
 using Msisf.Core.Metadata;
 using Msisf.Core.Scene;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.App.Tests.Series;
@@ -10,9 +11,9 @@ namespace Msisf.App.Tests.Series;
 /// <summary>Keys of runs and frames: the same for the same work, another for each thing that changes it.</summary>
 public sealed class RunPlanTests
 {
-    private static readonly SpacecraftState First = SpacecraftState.FromNumbers([55289, 2e6, 0, 0, 0, 0, 0, 1]);
+    private static readonly SpacecraftState First = Moments.StateOf([55289, 2e6, 0, 0, 0, 0, 0, 1]);
 
-    private static readonly SpacecraftState Second = SpacecraftState.FromNumbers([55289.5, 2e6, 0, 0, 0, 0, 0, 1]);
+    private static readonly SpacecraftState Second = Moments.StateOf([55289.5, 2e6, 0, 0, 0, 0, 0, 1]);
 
     private static readonly RunPlan Plan = Of([First, Second], ["a", "b"], Identity());
 
@@ -53,7 +54,7 @@ public sealed class RunPlanTests
     [Fact]
     public void Keys_NeighbouringDouble_IsAnotherState()
     {
-        SpacecraftState near = SpacecraftState.FromNumbers([55289, Math.BitIncrement(2e6), 0, 0, 0, 0, 0, 1]);
+        SpacecraftState near = Moments.StateOf([55289, Math.BitIncrement(2e6), 0, 0, 0, 0, 0, 1]);
 
         Assert.NotEqual(Plan.FrameKey(1), Of([near], ["a"], Identity()).FrameKey(1));
     }

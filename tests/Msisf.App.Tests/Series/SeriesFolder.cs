@@ -31,7 +31,7 @@ internal sealed class SeriesFolder : IDisposable
 
     /// <summary>A run whose frames have these names, and times that differ.</summary>
     public static RunPlan Plan(string arguments, params string[] names) => new([new PlannedCamera(
-        [.. names.Select((_, index) => SpacecraftState.FromNumbers([55289.0 + index, 2e6, 0, 0, 0, 0, 0, 1]))],
+        [.. names.Select((_, index) => Moments.StateOf([55289.0 + index, 2e6, 0, 0, 0, 0, 0, 1]))],
         names,
         RunIdentity.Of("2.0", arguments, new LdemFingerprint("LDEM_4", 1, "aa"), null, [], null, []))]);
 

@@ -3,6 +3,7 @@ using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 
 namespace Msisf.Benchmarks.Definitions;
 
@@ -53,7 +54,7 @@ internal static class Places
     public static SpacecraftState Landing(double altitude) => Tilted(Nadir(LowSun, Above(10.0, 20.0, altitude)), LandingTilt);
 
     private static SpacecraftState Nadir(double mjd, Vector3D positionBodyFixed) =>
-        new(new ModifiedJulianDate(mjd), positionBodyFixed, NadirPointing.MoonFromCamera(positionBodyFixed));
+        new(Moments.OfMjd(mjd), positionBodyFixed, NadirPointing.MoonFromCamera(positionBodyFixed));
 
     /// <summary>Turned about the image's right, so that what lies above its middle comes into it.</summary>
     private static SpacecraftState Tilted(SpacecraftState state, double degrees) => state with

@@ -59,7 +59,7 @@ internal sealed record Scene
             Vector3D r = State.PositionBodyFixed;
             UnitQuaternion q = State.MoonFromCamera;
             return string.Create(
-                CultureInfo.InvariantCulture, $"{{{State.Time.Days:R},{r.X:R},{r.Y:R},{r.Z:R},{q.X:R},{q.Y:R},{q.Z:R},{q.W:R}}}");
+                CultureInfo.InvariantCulture, $"{{{State.Time.Mjd:R},{r.X:R},{r.Y:R},{r.Z:R},{q.X:R},{q.Y:R},{q.Z:R},{q.W:R}}}");
         }
     }
 }

@@ -19,7 +19,7 @@ public class CameraPointingTests
     /// <summary>1: the components of a unit vector after some rotations.</summary>
     private const double UnitVector = 2e-15;
 
-    private static readonly ModifiedJulianDate Time = new(55289.0);
+    private static readonly Instant Time = Moments.OfMjd(55289.0);
     private static readonly SphereScene Scene = new();
 
     private static Gen<SurfacePlace> Places(int lowest, int highest) =>

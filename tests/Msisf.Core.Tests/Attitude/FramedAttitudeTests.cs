@@ -12,7 +12,7 @@ public class FramedAttitudeTests
     /// <summary>1: the components of a unit vector after some rotations.</summary>
     private const double UnitVector = 2e-15;
 
-    private static readonly ModifiedJulianDate Epoch = new(55289.0);
+    private static readonly Instant Epoch = Moments.OfMjd(55289.0);
     private static readonly Vector3D Position = new(0.0, 1.9e6, 0.0);
     private static readonly QuarterTurnMoon Moon = new();
 
@@ -26,7 +26,7 @@ public class FramedAttitudeTests
     {
         FramedAttitude attitude = new(new AttitudeTransition(UnitQuaternion.Identity, default), frame, Epoch, Moon);
 
-        UnitQuaternion found = attitude.MoonFromCamera(new ModifiedJulianDate(55290.0), Position, _ => 5.0 * Vector3D.UnitZ);
+        UnitQuaternion found = attitude.MoonFromCamera(Moments.OfMjd(55290.0), Position, _ => 5.0 * Vector3D.UnitZ);
 
         AssertClose(Parse(forward), found * -Vector3D.UnitX);
         AssertClose(Parse(up), found * Vector3D.UnitZ);
@@ -53,7 +53,7 @@ public class FramedAttitudeTests
             UnitQuaternion.FromComponents(0.1, 0.2, 0.3, 0.9273618495495703), new Vector3D(1e-3, 2e-3, 0.0));
         FramedAttitude attitude = new(transition, AttitudeFrame.MoonMe, Epoch, ephemeris: null);
 
-        Assert.Equal(transition.At(43200.0), attitude.MoonFromCamera(new ModifiedJulianDate(55289.5), Position, _ => Vector3D.UnitZ));
+        Assert.Equal(transition.At(43200.0), attitude.MoonFromCamera(Moments.OfMjd(55289.5), Position, _ => Vector3D.UnitZ));
     }
 
     [Fact]
@@ -61,9 +61,9 @@ public class FramedAttitudeTests
     {
         // A quarter turn about the camera's own x in 10 s: its right (against the angular momentum) becomes its up.
         AttitudeTransition transition = new(UnitQuaternion.Identity, new Vector3D(Math.PI / 20.0, 0.0, 0.0));
-        FramedAttitude attitude = new(transition, AttitudeFrame.Lvlh, new ModifiedJulianDate(0.0), ephemeris: null);
+        FramedAttitude attitude = new(transition, AttitudeFrame.Lvlh, Moments.OfMjd(0.0), ephemeris: null);
 
-        UnitQuaternion found = attitude.MoonFromCamera(new ModifiedJulianDate(10.0 / 86400.0), Position, _ => Vector3D.UnitZ);
+        UnitQuaternion found = attitude.MoonFromCamera(Moments.OfMjd(10.0 / 86400.0), Position, _ => Vector3D.UnitZ);
 
         AssertClose(Vector3D.UnitX, found * -Vector3D.UnitX);
         Assert.InRange(((found * Vector3D.UnitY) - new Vector3D(0.0, -1.0, 0.0)).Length, 0.0, Rounding.OfChains);
@@ -89,16 +89,14 @@ public class FramedAttitudeTests
     {
         public string EngineName => "quarter turn Moon";
 
-        public TdbScale TimeScale => throw new NotSupportedException();
+        public TimeScale TimeScale => throw new NotSupportedException();
 
-        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) =>
-            RotationMatrix.FrameAboutZ(Math.PI / 2.0 * (1.0 + time.Days - 55289.0));
+        public RotationMatrix BodyFromJ2000(TdbTime time) =>
+            RotationMatrix.FrameAboutZ(Math.PI / 2.0 * (1.0 + Moments.OfTdb(time).Mjd - 55289.0));
 
-        public RotationMatrix BodyFromJ2000(double tdbSeconds) => throw new NotSupportedException();
-
-        public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
+        public StateVector StateOf(int naifNumber, TdbTime time) => throw new NotSupportedException();
     }
 }

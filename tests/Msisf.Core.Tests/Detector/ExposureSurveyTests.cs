@@ -1,10 +1,11 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Detector.Noise;
 using Msisf.Core.Numerics;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
+using System.Globalization;
 using Xunit;
 
 namespace Msisf.Core.Tests.Detector;
@@ -176,7 +177,7 @@ public sealed class ExposureSurveyTests
     {
         DetectorImage image = Image(_ => electrons);
         new CameraDetector(settings, camera, threads: 2)
-            .Read(image, new ModifiedJulianDate(55289.0), camera, noise, threads: 2, CancellationToken.None);
+            .Read(image, Moments.OfMjd(55289.0), camera, noise, threads: 2, CancellationToken.None);
         return image.Numbers;
     }
 

@@ -23,7 +23,7 @@ public sealed class ScanReadoutTests
     /// <summary>1: sums of the same electrons in another order.</summary>
     private const double Rounding = 1e-13;
 
-    private static readonly ModifiedJulianDate Time = new(55289.0);
+    private static readonly Instant Time = Moments.OfMjd(55289.0);
     private static readonly SceneLight Sun = new(new Vector3D(1.1e11, 0.9e11, 2e10), IsSun: true);
     private static readonly CameraMotion Motion = new(new Vector3D(100.0, 3000.0, 2500.0), new Vector3D(0.03, -0.02, 0.05));
     private static readonly NativeRenderer Renderer = new(FunctionGrid.Rugged(2));

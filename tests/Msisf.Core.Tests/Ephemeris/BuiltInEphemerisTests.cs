@@ -10,10 +10,10 @@ namespace Msisf.Core.Tests.Ephemeris;
 public class BuiltInEphemerisTests
 {
     private static readonly TdbInterval Always = new(-1e10, 1e10);
-    private static readonly ModifiedJulianDate Time = new(55289.0);
+    private static readonly Instant Time = Moments.OfMjd(55289.0);
 
     /// <summary>To 1 ms: TDB - UTC is 64.184 s in 2000.</summary>
-    private static readonly ModifiedJulianDate AtTdbZero = new(51544.5 - (64.184 / 86400.0));
+    private static readonly Instant AtTdbZero = Moments.OfMjd(51544.5 - (64.184 / 86400.0));
 
     [Fact]
     public void SunPositionMoonMe_ChainOverEarthMoonBarycentre_IsSunMinusMoonInMetres()
@@ -39,7 +39,7 @@ public class BuiltInEphemerisTests
     public void BodyFromJ2000_QuarterTurnAboutZ_TakesXToMinusY()
     {
         // Frame axes turned by +90 degrees about z: the source's x axis is the target's -y.
-        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, Math.PI / 2.0)).BodyFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, Math.PI / 2.0)).BodyFromJ2000(Time.Tdb);
 
         Assert.Equal(0.0, ((rotation * Vector3D.UnitX) + Vector3D.UnitY).Length, Rounding.OfUnits);
     }
@@ -48,7 +48,7 @@ public class BuiltInEphemerisTests
     public void BodyFromJ2000_ThreeAngles_FirstIsAppliedFirst()
     {
         // Node 90 degrees, inclination 90 degrees, no spin: z of J2000 is +y of the frame, x of J2000 is +z.
-        RotationMatrix rotation = Make([], angles: new(Math.PI / 2.0, Math.PI / 2.0, 0.0)).BodyFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(Math.PI / 2.0, Math.PI / 2.0, 0.0)).BodyFromJ2000(Time.Tdb);
 
         Assert.Equal(0.0, ((rotation * Vector3D.UnitZ) - Vector3D.UnitY).Length, Rounding.OfUnits);
         Assert.Equal(0.0, ((rotation * Vector3D.UnitX) - Vector3D.UnitZ).Length, Rounding.OfUnits);
@@ -57,7 +57,7 @@ public class BuiltInEphemerisTests
     [Fact]
     public void BodyFromJ2000_ManyTurns_IsTheTurnsRest()
     {
-        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, (200.0 * Math.PI) + 1.0)).BodyFromJ2000(Time);
+        RotationMatrix rotation = Make([], angles: new(0.0, 0.0, (200.0 * Math.PI) + 1.0)).BodyFromJ2000(Time.Tdb);
 
         Assert.Equal(Math.Cos(1.0), rotation.Row0.X, 2e-13); // the angle is of 1e3 rad and has that ulp
         Assert.Equal(Math.Sin(1.0), rotation.Row0.Y, 2e-13); // the same
@@ -142,7 +142,7 @@ public class BuiltInEphemerisTests
     private static FixedSegment Position(int body, int center, Vector3D km) => new(body, center, Always, km);
 
     private static BuiltInEphemeris Make(IEnumerable<IEphemerisSegment> positions, Vector3D angles) => new(
-        SampleScale.Naif0012,
+        Moments.Naif0012,
         new SegmentTable(positions),
         new KernelOrientation(
             new SegmentTable([new FixedSegment(31006, 0, Always, angles)]), new BodyFixedFrame(31006, RotationMatrix.Identity)));
@@ -154,8 +154,8 @@ public class BuiltInEphemerisTests
 
         public TdbInterval Interval => Always;
 
-        public Vector3D ValueAt(double tdbSeconds) => Start + (tdbSeconds * Rate);
+        public Vector3D ValueAt(TdbTime time) => Start + (time.Seconds * Rate);
 
-        public Vector3D RateAt(double tdbSeconds) => Rate;
+        public Vector3D RateAt(TdbTime time) => Rate;
     }
 }

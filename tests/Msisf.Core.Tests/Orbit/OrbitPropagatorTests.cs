@@ -12,8 +12,8 @@ public class OrbitPropagatorTests
     /// <summary>m: some 16 ulps at 2e6 m; two rotations.</summary>
     private const double RotatedPosition = 4e-9;
 
-    private static readonly ModifiedJulianDate Epoch = new(55289.0);
-    private static readonly ModifiedJulianDate TwoHoursLater = new(55289.0 + (2.0 / 24.0));
+    private static readonly Instant Epoch = Moments.OfMjd(55289.0);
+    private static readonly Instant TwoHoursLater = Moments.OfMjd(55289.0 + (2.0 / 24.0));
     private static readonly KeplerElements Elements = new(1.9e6, 0.05, 0.7, 1.1, 0.9, 2.0);
 
     [Fact]
@@ -83,17 +83,15 @@ public class OrbitPropagatorTests
     {
         public string EngineName => "turning Moon";
 
-        public static double AngleAt(ModifiedJulianDate time) => 0.4 + (13.18 * Math.PI / 180.0 * (time.Days - 55280.0));
+        public static double AngleAt(Instant time) => 0.4 + (13.18 * Math.PI / 180.0 * (time.Mjd - 55280.0));
 
-        public TdbScale TimeScale => throw new NotSupportedException();
+        public TimeScale TimeScale => throw new NotSupportedException();
 
-        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => RotationMatrix.FrameAboutZ(AngleAt(time));
+        public RotationMatrix BodyFromJ2000(TdbTime time) => RotationMatrix.FrameAboutZ(AngleAt(Moments.OfTdb(time)));
 
-        public RotationMatrix BodyFromJ2000(double tdbSeconds) => throw new NotSupportedException();
-
-        public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
+        public StateVector StateOf(int naifNumber, TdbTime time) => throw new NotSupportedException();
     }
 }

@@ -180,17 +180,15 @@ public sealed class SampledTrajectoryTests
     {
         public string EngineName => "turning";
 
-        public TdbScale TimeScale => SampleScale.Naif0012;
+        public TimeScale TimeScale => Moments.Naif0012;
 
-        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(TdbTime time) => RotationMatrix.FrameAboutZ(1e-5 * time.Seconds);
 
-        public RotationMatrix BodyFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(1e-5 * tdbSeconds);
-
-        public StateVector StateOf(int naifNumber, double tdbSeconds) => naifNumber == 399
-            ? new StateVector(new Vector3D(4e8, tdbSeconds, 0.0), new Vector3D(0.0, 1.0, 0.0))
+        public StateVector StateOf(int naifNumber, TdbTime time) => naifNumber == 399
+            ? new StateVector(new Vector3D(4e8, time.Seconds, 0.0), new Vector3D(0.0, 1.0, 0.0))
             : throw new NotSupportedException();
     }
 }

@@ -112,7 +112,7 @@ public sealed class SampledMotionTests
     }
 
     private static SpacecraftState State(double seconds) =>
-        new(new ModifiedJulianDate(55289.0 + (seconds / 86400.0)), Position(seconds), Attitude(seconds))
+        new(Moments.OfMjd(55289.0).After(seconds), Position(seconds), Attitude(seconds))
         {
             Motion = new CameraMotion(Velocity(seconds), default),
         };

@@ -13,7 +13,7 @@ namespace Msisf.Core.Tests.Scene;
 
 public sealed class SpacecraftPathTests
 {
-    private static readonly TdbScale Scale = SampleScale.Naif0012;
+    private static readonly TimeScale Scale = Moments.Naif0012;
 
     /// <summary>After 1000 s the Moon has turned by 90 degrees, so that a camera on the y axis of J2000 is over longitude 0.</summary>
     [Fact]
@@ -21,7 +21,7 @@ public sealed class SpacecraftPathTests
     {
         SpacecraftPath path = new(new AlongY(), new LooksAtCenter(), new Turning());
 
-        CameraState camera = path.At(1000.0);
+        CameraState camera = path.At(Moments.OfTdb(1000.0));
 
         Assert.InRange((camera.PositionBodyFixed - new Vector3D(2e6 + 1000.0, 0.0, 0.0)).Length, 0.0, Rounding.OfConvertedPlaces);
         Assert.InRange(((camera.MoonFromCamera * -Vector3D.UnitX) - -Vector3D.UnitX).Length, 0.0, Rounding.OfUnits);
@@ -31,9 +31,9 @@ public sealed class SpacecraftPathTests
     public void At_TimeInUtc_IsTheSameAsInTdb()
     {
         SpacecraftPath path = new(new AlongY(), new LooksAtCenter(), new Turning());
-        ModifiedJulianDate time = new(51544.5);
+        Instant time = Moments.OfMjd(51544.5);
 
-        SpacecraftState state = path.At(time);
+        SpacecraftState state = path.StateAt(time);
 
         // TAI - UTC is 32 s in January 2000, TT - TAI 32.184 s; TDB is TT within 2 ms.
         Assert.Equal(2e6 + 64.184, state.PositionBodyFixed.Length, 0.002);
@@ -46,7 +46,7 @@ public sealed class SpacecraftPathTests
     {
         SpacecraftPath path = new(new AlongY(), new SaysItsRate(), new Turning());
 
-        CameraMotion motion = path.StatedMotionAt(1000.0)!.Value;
+        CameraMotion motion = path.StatedMotionAt(Moments.OfTdb(1000.0))!.Value;
 
         double ofMoon = Math.PI / 2.0 / 1000.0; // rad/s about z
         Assert.InRange((motion.VelocityBodyFixed - new Vector3D(1.0, -ofMoon * 2_001_000.0, 0.0)).Length, 0.0, 1e-2); // m/s: 3e-6 of it
@@ -57,7 +57,7 @@ public sealed class SpacecraftPathTests
     [Fact]
     public void StatedMotionAt_AttitudeWithoutRate_TurnsAsItsAttitudesDo()
     {
-        CameraMotion motion = new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).StatedMotionAt(1000.0)!.Value;
+        CameraMotion motion = new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).StatedMotionAt(Moments.OfTdb(1000.0))!.Value;
 
         Assert.InRange(motion.AngularVelocityCamera.Length, 0.0, 2e-3); // at most as fast as the Moon turns below it
         Assert.Equal(Math.PI / 2.0 / 1000.0, motion.AngularVelocityCamera.Length, 1e-8);
@@ -72,7 +72,7 @@ public sealed class SpacecraftPathTests
     {
         public TdbCover Cover { get; } = TdbCover.Union([new TdbInterval(0.0, 1500.0)]);
 
-        public StateVector StateJ2000(double tdbSeconds) => new(new Vector3D(0.0, 2e6 + tdbSeconds, 0.0), Vector3D.UnitY);
+        public StateVector StateJ2000(TdbTime time) => new(new Vector3D(0.0, 2e6 + time.Seconds, 0.0), Vector3D.UnitY);
     }
 
     private sealed class LooksAtCenter : IAttitudeSource
@@ -94,15 +94,13 @@ public sealed class SpacecraftPathTests
     {
         public string EngineName => "Moon that turns by 90 degrees in 1000 s";
 
-        public TdbScale TimeScale => Scale;
+        public TimeScale TimeScale => Scale;
 
-        public Vector3D SunPositionBodyFixed(ModifiedJulianDate time, Aberration aberration = Aberration.None) =>
+        public Vector3D SunPositionBodyFixed(Instant time, Aberration aberration = Aberration.None) =>
             throw new NotSupportedException();
 
-        public RotationMatrix BodyFromJ2000(ModifiedJulianDate time) => throw new NotSupportedException();
+        public RotationMatrix BodyFromJ2000(TdbTime time) => RotationMatrix.FrameAboutZ(Math.PI / 2.0 * time.Seconds / 1000.0);
 
-        public RotationMatrix BodyFromJ2000(double tdbSeconds) => RotationMatrix.FrameAboutZ(Math.PI / 2.0 * tdbSeconds / 1000.0);
-
-        public StateVector StateOf(int naifNumber, double tdbSeconds) => throw new NotSupportedException();
+        public StateVector StateOf(int naifNumber, TdbTime time) => throw new NotSupportedException();
     }
 }

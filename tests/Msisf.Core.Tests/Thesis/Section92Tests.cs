@@ -58,7 +58,7 @@ public class Section92Tests
     {
         DrawnElevation model = new("LDEM_64", IsSynthetic: false, 64, 64, 64);
         FrameMetadata frame = new(
-            new ModifiedJulianDate(55289.0), Camera, 40.0, Sun, model, 0.0, "1.0.0", string.Empty, RendererKind.Native, []);
+            Moments.OfMjd(55289.0), Camera, 40.0, Sun, model, 0.0, "1.0.0", string.Empty, RendererKind.Native, []);
 
         // sqrt(8e12) - 1737150 with 50 digits: 1091277.1247461900976; a double near 2.8e6 is 4.7e-10 wide.
         Assert.InRange(frame.FlightAltitude, 1091277.124746190 - 5e-10, 1091277.124746190 + 5e-10);

@@ -1,5 +1,6 @@
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
+using Msisf.TestSupport;
 using Xunit;
 
 namespace Msisf.Core.Tests.Time;
@@ -23,7 +24,6 @@ public class TimeIntervalTests
     [Theory]
     [InlineData(55290.0, 0.1, 55289.0)]
     [InlineData(55289.0, -0.1, 55290.0)]
-    [InlineData(55290.0, 1e300, 55289.0)]
     public void Count_StepLeadsAway_Empty(double start, double step, double end)
     {
         TimeInterval interval = Interval(start, step, end);
@@ -36,28 +36,43 @@ public class TimeIntervalTests
         // Adding up 0.1 a million times would be 1.3e-6 days off; 55289 + 100000 is exact.
         TimeInterval interval = Interval(55289.0, 0.1, 155289.0);
         Assert.Equal(1_000_001, interval.Count);
-        Assert.Equal(155289.0, interval[^1].Days);
-        Assert.Equal(55289.3, interval.Skip(3).First().Days);
+        Assert.Equal(155289.0, interval[^1].Mjd);
+        Assert.Equal(55289.3, interval.Skip(3).First().Mjd);
     }
 
     [Fact]
     public void GetEnumerator_CountingDown_Falls() =>
-        Assert.Equal([3.0, 2.5, 2.0], Interval(3.0, -0.5, 2.0).Select(time => time.Days));
+        Assert.Equal([3.0, 2.5, 2.0], Interval(3.0, -0.5, 2.0).Select(time => time.Mjd));
 
     [Fact]
-    public void Indexer_StepOfOneMjdSpacing_NoTwoTimesAreTheSame()
+    public void Indexer_StepsBelowWhatAnMjdHolds_AreExact()
     {
-        double spacing = Math.BitIncrement(55289.0) - 55289.0;
-        TimeInterval interval = Interval(55289.0, 1.3 * spacing, 55289.0 + (1000.0 * spacing));
-        Assert.Equal(interval.Count, interval.Distinct().Count());
+        CalendarTime start = CalendarTime.OfMjd(55289.0);
+        TimeInterval interval = new(start, Duration.OfSeconds(1e-9m), start + Duration.OfSeconds(1e-6m));
+
+        Assert.Equal(1001, interval.Count);
+        Assert.Equal("2010-04-03T00:00:00.000000999", interval[999].ToString());
     }
+
+    // A clock's day has 86 400 s; the last one of 2016 had one more.
+    [Fact]
+    public void Indexer_DaysOverALeapSecond_AreThoseOfTheClock() => Assert.Equal(
+        ["2016-12-31T12:00:00", "2017-01-01T12:00:00", "2017-01-02T12:00:00"],
+        Interval(57753.5, 1.0, 57755.5).Select(time => time.ToString()));
+
+    [Fact]
+    public void Constructor_StartInALeapSecond_Refused() => Assert.Contains(
+        "begins in a leap second",
+        Assert.Throws<BadInputException>(() => new TimeInterval(
+            CalendarTime.InLeapSecond(57753, Duration.OfSeconds(0.5)), Duration.Day, CalendarTime.OfMjd(57755.0))).Message,
+        StringComparison.Ordinal);
 
     [Theory]
     [InlineData(0.0, "step of the time interval is 0")]
-    [InlineData(double.NaN, "The step of the time interval (days) is NaN")]
-    [InlineData(double.PositiveInfinity, "The step of the time interval (days) is Infinity")]
-    [InlineData(1e-12, "below what an MJD of 55290 can hold")]
-    [InlineData(5e-324, "below what an MJD of 55290 can hold")]
+    [InlineData(double.NaN, "NaN s is no length of time")]
+    [InlineData(double.PositiveInfinity, "Infinity s is no length of time")]
+    [InlineData(1e300, "is no length of time")]
+    [InlineData(5e-324, "step of the time interval is 0")]
     [InlineData(1e-8, "has 100000001 times, at most 10000000")]
     public void Constructor_WrongStep_RefusedWithTheReason(double step, string reason) =>
         Assert.Contains(reason, Assert.Throws<BadInputException>(() => Interval(55289.0, step, 55290.0)).Message, StringComparison.Ordinal);
@@ -69,5 +84,5 @@ public class TimeIntervalTests
         Assert.Throws<ArgumentOutOfRangeException>(() => Interval(55289.0, 0.1, 55290.0)[index]);
 
     private static TimeInterval Interval(double start, double step, double end) =>
-        new(new ModifiedJulianDate(start), step, new ModifiedJulianDate(end));
+        new(CalendarTime.OfMjd(start), Duration.OfDecimal(step, 86_400m), CalendarTime.OfMjd(end));
 }

@@ -3,6 +3,7 @@ using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Numerics;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -154,13 +155,13 @@ public sealed class CkTypesTests : IDisposable
                 SpiceItself.sct2e_c(TestClock.Clock, tick, out double time);
                 foreach (double asked in (double[])[time, time + 4e-4, time - 9e-4])
                 {
-                    TrajectoryPoint point = new(asked, engine.Engine.TimeScale.ToUtc(asked), default, RotationMatrix.Identity);
+                    TrajectoryPoint point = new(engine.Engine.TimeScale.InstantOf(asked), asked, default, RotationMatrix.Identity);
                     Vector3D sight = attitude.MoonFromCamera(point) * -Vector3D.UnitX;
                     Assert.InRange((sight - expected.Row2).Length, 0.0, AtTicks);
                     Assert.Equal(builtIn.Catalogue.Frames.RateJ2000("TEST_SC", asked) is null, attitude.RateOf(point) is null);
                 }
 
-                TrajectoryPoint between = new(time + 2.0, engine.Engine.TimeScale.ToUtc(time + 2.0), default, RotationMatrix.Identity);
+                TrajectoryPoint between = new(engine.Engine.TimeScale.InstantOf(time + 2.0), time + 2.0, default, RotationMatrix.Identity);
                 string message = Assert.Throws<BadInputException>(() => attitude.MoonFromCamera(between)).Message;
                 Assert.Contains("is outside what the CKs have of frame TEST_SC: ", message, StringComparison.Ordinal);
                 Assert.Contains(" more and ", message, StringComparison.Ordinal);

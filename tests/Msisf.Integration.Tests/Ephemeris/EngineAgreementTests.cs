@@ -64,8 +64,8 @@ public sealed class EngineAgreementTests
 
             // A second and a day's last 0.6 microseconds pass between the two: the Sun turns by 2.66e-6 of its distance (2.4e-6 to 2.7e-6
             // at its declination).
-            Vector3D sunBefore = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(before));
-            Vector3D sunAfter = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(day));
+            Vector3D sunBefore = cspice.Engine.SunPositionBodyFixed(Moments.OfMjd(before));
+            Vector3D sunAfter = cspice.Engine.SunPositionBodyFixed(Moments.OfMjd(day));
             double turned = Vector3D.AngleBetween(sunBefore, sunAfter);
             Assert.InRange(turned, 2.4e-6, 2.8e-6);
         }
@@ -102,13 +102,13 @@ public sealed class EngineAgreementTests
 
     private static void AssertAgree(IEphemeris cspice, IEphemeris builtIn, double mjd)
     {
-        ModifiedJulianDate time = new(mjd);
+        Instant time = Moments.OfMjd(mjd);
         foreach (Aberration aberration in Enum.GetValues<Aberration>())
         {
             Vector3D sun = cspice.SunPositionBodyFixed(time, aberration);
             Assert.InRange((builtIn.SunPositionBodyFixed(time, aberration) - sun).Length / sun.Length, 0.0, Agreement);
         }
 
-        AssertClose(cspice.BodyFromJ2000(time), builtIn.BodyFromJ2000(time));
+        AssertClose(cspice.BodyFromJ2000(time.Tdb), builtIn.BodyFromJ2000(time.Tdb));
     }
 }

@@ -5,6 +5,7 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Orbit;
 using Msisf.Core.Scene;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -31,7 +32,7 @@ public sealed class GroundAberrationTests
         using OpenedEphemeris opened = Engines.BuiltIn();
         Straight trajectory = new(height);
         SpacecraftPath path = new(trajectory, new Slanting(), opened.Engine) { OfGround = aberration };
-        CameraState camera = path.At(3.02e8);
+        CameraState camera = path.At(opened.Engine.TimeScale.InstantOf(3.02e8));
         Vector3D expected = Seen(opened.Engine, trajectory, aberration);
 
         Vector3D forward = camera.MoonFromCamera * -Vector3D.UnitX;
@@ -50,7 +51,7 @@ public sealed class GroundAberrationTests
         StateVector state = trajectory.StateJ2000(Time);
         StateVector center = engine.StateOf(0, Time);
         RotationMatrix moonMe = engine.BodyFromJ2000(Time);
-        TrajectoryPoint point = new(Time, engine.TimeScale.ToUtc(Time), state, moonMe);
+        TrajectoryPoint point = new(engine.TimeScale.InstantOf(Time), Time, state, moonMe);
         Vector3D apparent = moonMe.Transposed * (new Slanting().MoonFromCamera(point) * -Vector3D.UnitX);
         Vector3D velocity = (state.Velocity - center.Velocity) / C;
         Vector3D direction = aberration == Aberration.LightTimeAndStellar ? AtRest(apparent, velocity) : apparent;
@@ -81,7 +82,7 @@ public sealed class GroundAberrationTests
     {
         public TdbCover Cover => TdbCover.Everything;
 
-        public StateVector StateJ2000(double tdbSeconds) =>
+        public StateVector StateJ2000(TdbTime time) =>
             new(new Vector3D(0.6, -0.64, 0.48) * (Radius + height), new Vector3D(900.0, 1100.0, 400.0));
     }
 

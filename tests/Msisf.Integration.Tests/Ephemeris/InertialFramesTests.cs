@@ -2,6 +2,7 @@ using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -79,7 +80,8 @@ public sealed class InertialFramesTests : IDisposable
             {
                 KernelAttitude attitude = new(engine, frame, InstrumentAxes.Parse("+x,+y"));
                 RotationMatrix moon = engine.Engine.BodyFromJ2000(time);
-                UnitQuaternion q = attitude.MoonFromCamera(new TrajectoryPoint(time, engine.Engine.TimeScale.ToUtc(time), default, moon));
+                UnitQuaternion q = attitude.MoonFromCamera(
+                    new TrajectoryPoint(engine.Engine.TimeScale.InstantOf(time), time, default, moon));
                 Vector3D sight = moon.Transposed * (q * -Vector3D.UnitX);
                 RotationMatrix expected = frame == "TEST_SC" ? camera : turned;
                 Assert.InRange((sight - expected.Row2).Length, 0.0, Attitude);

@@ -71,8 +71,8 @@ public sealed class LroNacImageTests
         JsonElement sun = Isd.Value.GetProperty("sun_position");
         foreach ((double time, int index) in Numbers(sun.GetProperty("ephemeris_times")).Select((time, index) => (time, index)))
         {
-            ModifiedJulianDate utc = opened.Engine.TimeScale.ToUtc(time);
-            Vector3D actual = opened.Engine.BodyFromJ2000(utc).Transposed
+            Instant utc = opened.Engine.TimeScale.InstantOf(time);
+            Vector3D actual = opened.Engine.BodyFromJ2000(utc.Tdb).Transposed
                 * opened.Engine.SunPositionBodyFixed(utc, Aberration.LightTimeAndStellar);
             AssertClose(1000.0 * Vector(sun.GetProperty("positions")[index]), actual);
         }
@@ -104,7 +104,7 @@ public sealed class LroNacImageTests
         {
             RotationMatrix moonFromJ2000 = opened.Engine.BodyFromJ2000(times[line]);
             StateVector state = trajectory.StateJ2000(times[line]);
-            TrajectoryPoint point = new(times[line], opened.Engine.TimeScale.ToUtc(times[line]), state, moonFromJ2000);
+            TrajectoryPoint point = new(opened.Engine.TimeScale.InstantOf(times[line]), times[line], state, moonFromJ2000);
             FrameCamera camera = model.At(new CameraState(point.PositionBodyFixed, attitude.MoonFromCamera(point)));
             double[] q = Numbers(pointing.GetProperty("quaternions")[line]);
             UnitQuaternion j2000FromSensor = UnitQuaternion.FromComponents(-q[1], -q[2], -q[3], q[0], isRounded: true);

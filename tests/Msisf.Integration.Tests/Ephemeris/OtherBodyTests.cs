@@ -28,7 +28,7 @@ public sealed class OtherBodyTests
         using OpenedEphemeris ephemeris = Open(choice, Mercury, Bodies);
         Vector3D expected = new(x, y, z);
 
-        Vector3D found = ephemeris.Engine.SunPositionBodyFixed(TimeText.Parse(time));
+        Vector3D found = ephemeris.Engine.SunPositionBodyFixed(ephemeris.Engine.TimeScale.InstantOf(TimeText.Parse(time)));
 
         Assert.Equal(0.0, (found - expected).Length / expected.Length, Agreement);
     }
@@ -43,11 +43,11 @@ public sealed class OtherBodyTests
         using OpenedEphemeris builtIn = Open(EphemerisChoice.BuiltIn, Mercury, Bodies);
         for (double mjd = 48000.0; mjd < 66000.0; mjd += 333.3)
         {
-            Vector3D expected = cspice.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd), aberration);
-            Vector3D found = builtIn.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd), aberration);
+            Vector3D expected = cspice.Engine.SunPositionBodyFixed(Moments.OfMjd(mjd), aberration);
+            Vector3D found = builtIn.Engine.SunPositionBodyFixed(Moments.OfMjd(mjd), aberration);
             Assert.Equal(0.0, (found - expected).Length / expected.Length, Agreement);
-            RotationMatrix turned = cspice.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd));
-            Assert.Equal(0.0, (turned.Row0 - builtIn.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd)).Row0).Length, Agreement);
+            RotationMatrix turned = cspice.Engine.BodyFromJ2000(Moments.OfMjd(mjd).Tdb);
+            Assert.Equal(0.0, (turned.Row0 - builtIn.Engine.BodyFromJ2000(Moments.OfMjd(mjd).Tdb).Row0).Length, Agreement);
         }
     }
 
@@ -75,7 +75,7 @@ public sealed class OtherBodyTests
         using OpenedEphemeris ephemeris = Open(choice, Mercury, Bodies);
 
         string message = Assert.Throws<SpiceException>(
-            () => ephemeris.Engine.SunPositionBodyFixed(new ModifiedJulianDate(90000.0))).Message;
+            () => ephemeris.Engine.SunPositionBodyFixed(Moments.OfMjd(90000.0))).Message;
 
         Assert.Contains("is outside the kernels' cover: the kernels cover 1899-07-28", message, StringComparison.Ordinal);
     }

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -44,7 +45,7 @@ public sealed class SpacecraftClockTests : IDisposable
     {
         using OpenedEphemeris cspice = Engines.CSpice(Engines.MetaKernel, clock);
         KernelPool pool = KernelPool.Of([Path.Combine(TestParts.Kernels, "naif0012.tls"), clock]);
-        TdbScale scale = LeapSecondsKernel.ReadScale(pool);
+        TimeScale scale = LeapSecondsKernel.ReadScale(pool);
         SpacecraftClock own = SpacecraftClock.Read(pool, number, scale);
         Random random = new(5);
         for (int i = 0; i < TestLength.Of(1000, 100_000); i++)

@@ -19,7 +19,7 @@ public sealed class SpiceEphemerisTests : IDisposable
     {
         using OpenedEphemeris opened = Engines.CSpice();
 
-        Vector3D sun = opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0));
+        Vector3D sun = opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0));
 
         // Thesis section 9.2: printed with 15 digits and a zero.
         Assert.Equal("1.07495547328088E+011", sun.X.ToString("E14", CultureInfo.InvariantCulture)); // m: the number has 15 digits
@@ -41,8 +41,8 @@ public sealed class SpiceEphemerisTests : IDisposable
     public void SunPositionMoonMe_PartOfASecondLater_IsNotCutOff()
     {
         using OpenedEphemeris opened = Engines.CSpice();
-        Vector3D whole = opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0));
-        Vector3D later = opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0 + (0.999 / 86400.0)));
+        Vector3D whole = opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0));
+        Vector3D later = opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0 + (0.999 / 86400.0)));
 
         // tests/reference/ephemeris.py, CSPICE N0067, utc2et_c with .999: 367 708 m and 0.140647 mdeg. A microsecond is 0.4 m.
         Assert.Equal(367_708.0, (later - whole).Length, 1.0);
@@ -56,8 +56,8 @@ public sealed class SpiceEphemerisTests : IDisposable
     {
         using OpenedEphemeris opened = Engines.CSpice();
 
-        SpiceException sun = Assert.Throws<SpiceException>(() => opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd)));
-        SpiceException frame = Assert.Throws<SpiceException>(() => opened.Engine.BodyFromJ2000(new ModifiedJulianDate(mjd)));
+        SpiceException sun = Assert.Throws<SpiceException>(() => opened.Engine.SunPositionBodyFixed(Moments.OfMjd(mjd)));
+        SpiceException frame = Assert.Throws<SpiceException>(() => opened.Engine.BodyFromJ2000(Moments.OfMjd(mjd).Tdb));
 
         Assert.All([sun, frame], failure =>
         {
@@ -65,7 +65,7 @@ public sealed class SpiceEphemerisTests : IDisposable
             Assert.Contains("the kernels cover 1899-12-31T23:59:19Z to 2050-12-31T23:58:50Z", failure.Message, StringComparison.Ordinal);
             Assert.Contains("SPICE(", failure.InnerException!.Message, StringComparison.Ordinal);
         });
-        Assert.True(opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0)).IsFinite);
+        Assert.True(opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0)).IsFinite);
     }
 
     [RequiresFact(Part.CSpice)]
@@ -73,7 +73,7 @@ public sealed class SpiceEphemerisTests : IDisposable
     {
         using OpenedEphemeris opened = Engines.CSpice(Path.Combine(TestParts.Kernels, "naif0012.tls"));
 
-        SpiceException failure = Assert.Throws<SpiceException>(() => opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0)));
+        SpiceException failure = Assert.Throws<SpiceException>(() => opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0)));
 
         Assert.StartsWith("CSPICE failed in spkpos_c (2010-04-03T00:00:00Z, MJD 55289): SPICE(", failure.Message, StringComparison.Ordinal);
     }
@@ -88,7 +88,7 @@ public sealed class SpiceEphemerisTests : IDisposable
 
         Assert.StartsWith($"CSPICE failed in furnsh_c ({damaged}): SPICE(", failure.Message, StringComparison.Ordinal);
         using OpenedEphemeris opened = Engines.CSpice();
-        Assert.True(opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0)).IsFinite);
+        Assert.True(opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0)).IsFinite);
     }
 
     [RequiresTheory(Part.CSpice)]
@@ -120,7 +120,7 @@ public sealed class SpiceEphemerisTests : IDisposable
         File.WriteAllText(later, "KPL/LSK\n\\begindata\nDELTET/DELTA_AT = ( 35, @2010-JAN-1 )\n\\begintext\n");
         using OpenedEphemeris first = Engines.CSpice();
         using OpenedEphemeris second = Engines.CSpice(Engines.MetaKernel, later);
-        ModifiedJulianDate time = new(55289.0);
+        Instant time = Moments.OfMjd(55289.0);
 
         Vector3D before = first.Engine.SunPositionBodyFixed(time);
         Vector3D other = second.Engine.SunPositionBodyFixed(time);
@@ -143,7 +143,7 @@ public sealed class SpiceEphemerisTests : IDisposable
         using OpenedEphemeris opened = Engines.CSpice(meta);
 
         // m: the number has 15 digits
-        Assert.Equal(1.07495547328088E+011, opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(55289.0)).X, 1e-3);
+        Assert.Equal(1.07495547328088E+011, opened.Engine.SunPositionBodyFixed(Moments.OfMjd(55289.0)).X, 1e-3);
     }
 
     [RequiresFact(Part.CSpice)]
@@ -151,11 +151,11 @@ public sealed class SpiceEphemerisTests : IDisposable
     {
         using OpenedEphemeris opened = Engines.CSpice();
         double[] times = [.. Enumerable.Range(0, 1000).Select(i => 15021.0 + (i * 55.0))];
-        Vector3D[] expected = [.. times.Select(time => opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(time)))];
+        Vector3D[] expected = [.. times.Select(time => opened.Engine.SunPositionBodyFixed(Moments.OfMjd(time)))];
         Vector3D[] found = new Vector3D[times.Length];
 
         Parallel.For(0, times.Length, new ParallelOptions { MaxDegreeOfParallelism = 8 }, i =>
-            found[i] = opened.Engine.SunPositionBodyFixed(new ModifiedJulianDate(times[i])));
+            found[i] = opened.Engine.SunPositionBodyFixed(Moments.OfMjd(times[i])));
 
         Assert.Equal(expected, found);
     }

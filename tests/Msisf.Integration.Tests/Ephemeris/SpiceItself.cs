@@ -196,5 +196,14 @@ public sealed class SpiceItself
     internal static extern void sct2e_c(int clock, double ticks, out double tdbSeconds);
 
     [DllImport(Library)]
+    internal static extern void str2et_c(byte[] text, out double tdbSeconds);
+
+    [DllImport(Library)]
+    internal static extern double unitim_c(double seconds, byte[] from, byte[] to);
+
+    [DllImport(Library)]
+    internal static extern void spkgeo_c(int target, double tdbSeconds, byte[] frame, int observer, double[] state, out double lightTime);
+
+    [DllImport(Library)]
     internal static extern void bods2c_c(byte[] name, out int number, out int isFound);
 }

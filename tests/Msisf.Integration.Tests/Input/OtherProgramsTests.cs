@@ -102,7 +102,9 @@ public sealed partial class OtherProgramsTests : IDisposable
     private IReadOnlyList<SpacecraftState> Read(string name, BatchConventions? conventions = null)
     {
         using OpenedEphemeris engine = Engines.BuiltIn();
-        RunGeometry scene = new(() => throw new InvalidOperationException("no terrain is needed"), () => engine.Engine, Aberration.None);
+        RunGeometry scene = new(
+            () => throw new InvalidOperationException("no terrain is needed"), () => engine.Engine, () => engine.Engine.TimeScale,
+            Aberration.None);
         using StreamReader reader = new(_folder[name]);
         return BatchFileReader.Read(reader, name, scene, conventions);
     }
@@ -116,7 +118,7 @@ public sealed partial class OtherProgramsTests : IDisposable
         Assert.Equal(lines.Length, found.Count);
         foreach ((double[] n, SpacecraftState state) in lines.Zip(found))
         {
-            Assert.InRange(Math.Abs(state.Time.SecondsSince(new ModifiedJulianDate(n[0]))), 0.0, seconds);
+            Assert.InRange(Math.Abs(state.Time.SecondsSince(Moments.OfMjd(n[0]))), 0.0, seconds);
             Assert.InRange((state.PositionBodyFixed - new Vector3D(n[1], n[2], n[3])).Length, 0.0, metres);
             Vector3D[] axes = [Vector3D.UnitX, Vector3D.UnitY, Vector3D.UnitZ];
             Assert.All(Enumerable.Range(0, 3), i => Assert.InRange(

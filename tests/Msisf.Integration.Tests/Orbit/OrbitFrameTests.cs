@@ -14,7 +14,7 @@ public sealed class OrbitFrameTests
     private const double PositionTolerance = 1e-5;
 
     private static readonly KeplerElements Elements = new(1.9e6, 0.05, 0.7, 1.1, 0.9, 2.0);
-    private static readonly ModifiedJulianDate Epoch = new(55289.0);
+    private static readonly Instant Epoch = Moments.OfMjd(55289.0);
 
     /// <summary>tests/reference/orbit_frames.py, CSPICE N0067; times that an MJD holds exactly.</summary>
     [Theory]
@@ -30,7 +30,7 @@ public sealed class OrbitFrameTests
             EphemerisChoice.BuiltIn, [Path.Combine(TestParts.Kernels, "msisf.tm")], TestParts.RepositoryRoot, CSpicePath: null));
         OrbitPropagator orbit = new(Elements, Epoch, frame, ephemeris.Engine);
 
-        Vector3D position = orbit.PositionBodyFixed(new ModifiedJulianDate(55289.0 + (seconds / 86400.0)));
+        Vector3D position = orbit.PositionBodyFixed(Moments.OfMjd(55289.0 + (seconds / 86400.0)));
 
         Assert.InRange((position - new Vector3D(x, y, z)).Length, 0.0, PositionTolerance);
     }

@@ -2,6 +2,7 @@ using Msisf.Adapters.Ccsds;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
+using Msisf.Core.Time;
 using Msisf.Integration.Tests.Ephemeris;
 using Msisf.TestSupport;
 using Xunit;
@@ -59,7 +60,7 @@ public sealed class ArtemisTests
         using OpenedEphemeris engine = Engines.BuiltIn();
         using FileStream stream = File.OpenRead(TestParts.ArtemisOem!);
         SampledTrajectory trajectory = new(new CcsdsFile(engine, _ => { }).ReadOem(stream, "orion"), "orion", engine.Engine);
-        double time = engine.Engine.TimeScale.FromUtc(new Core.Time.ModifiedJulianDate(mjd));
+        double time = engine.Engine.TimeScale.InstantOfMjd(mjd).Tdb.Seconds;
 
         double least = Enumerable.Range(-300, 601).Min(second => trajectory.StateJ2000(time + second).Position.Length);
 

@@ -1,10 +1,11 @@
-using System.Globalization;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
+using System.Globalization;
 using Xunit;
 
 namespace Msisf.Integration.Tests.Run;
@@ -63,7 +64,7 @@ public sealed class StatesTests : IDisposable
         using OpenedEphemeris opened = Ephemeris.Engines.Open(
             engine, [Ephemeris.Engines.MetaKernel, .. Directory.GetFiles(_folder["kernels"]).Order(StringComparer.Ordinal)]);
         KernelTrajectory trajectory = new(opened, "-999");
-        double start = opened.Engine.TimeScale.FromUtc(new Core.Time.ModifiedJulianDate(55289.0));
+        double start = opened.Engine.TimeScale.InstantOfMjd(55289.0).Tdb.Seconds;
         TdbInterval cover = Assert.Single(trajectory.Cover.Intervals);
         Assert.Equal(start - 1.0, cover.Start, 1e-6);
         TdbInterval turning = Assert.Single(opened.Catalogue.Attitudes.CoverOf(-999001).Intervals);

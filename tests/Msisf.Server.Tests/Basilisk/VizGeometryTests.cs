@@ -16,7 +16,7 @@ public sealed class VizGeometryTests
 
     private static readonly VizBody Moon = new("moon", new Vector3D(1e8, 0.0, 0.0), [0, 1, 0, -1, 0, 0, 0, 0, 1]);
     private static readonly VizBody Sun = new("sun_planet_data", new Vector3D(1e8, 1.5e11, 0.0), [1, 0, 0, 0, 1, 0, 0, 0, 1]);
-    private static readonly ModifiedJulianDate Time = new(60000.0);
+    private static readonly Instant Time = Moments.OfMjd(60000.0);
 
     /// <summary>
     /// The Moon's x axis lies along y of N. The craft is 2,000 km from it along x of N, which is -y of the Moon's axes. It is turned by 90

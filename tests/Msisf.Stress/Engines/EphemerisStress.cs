@@ -41,13 +41,13 @@ public sealed class EphemerisStress : IStressTest
         CaseRandom random = new(seed, part: 0);
         for (int i = 0; i < cases; i++)
         {
-            ModifiedJulianDate time = times.Draw(random);
-            string Input() => MjdText.Of(time.Days);
+            Instant time = times.Draw(random);
+            string Input() => MjdText.Of(time.Mjd);
             for (int k = 0; k < suns.Length; k++)
             {
                 double error = SunDifference(cspice.Engine, builtIn.Ephemeris, time, aberrations[k]);
                 suns[k].Note(error, Input);
-                overYears.Add(time.Days, error);
+                overYears.Add(time.Mjd, error);
             }
 
             frame.Note(FrameDifference(cspice.Engine, builtIn.Ephemeris, time), Input);
@@ -71,16 +71,16 @@ public sealed class EphemerisStress : IStressTest
         _ => "lt+s",
     };
 
-    private static double SunDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time, Aberration aberration)
+    private static double SunDifference(IEphemeris cspice, BuiltInEphemeris builtIn, Instant time, Aberration aberration)
     {
         Vector3D sun = cspice.SunPositionBodyFixed(time, aberration);
         return (builtIn.SunPositionBodyFixed(time, aberration) - sun).Length / sun.Length;
     }
 
-    private static double FrameDifference(IEphemeris cspice, BuiltInEphemeris builtIn, ModifiedJulianDate time)
+    private static double FrameDifference(IEphemeris cspice, BuiltInEphemeris builtIn, Instant time)
     {
-        RotationMatrix expected = cspice.BodyFromJ2000(time);
-        RotationMatrix found = builtIn.BodyFromJ2000(time);
+        RotationMatrix expected = cspice.BodyFromJ2000(time.Tdb);
+        RotationMatrix found = builtIn.BodyFromJ2000(time.Tdb);
         return Math.Max(
             (found.Row0 - expected.Row0).Length,
             Math.Max((found.Row1 - expected.Row1).Length, (found.Row2 - expected.Row2).Length));

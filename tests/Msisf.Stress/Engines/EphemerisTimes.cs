@@ -1,6 +1,7 @@
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Time;
 using Msisf.Stress.Reference;
+using Msisf.Stress.Time;
 
 namespace Msisf.Stress.Engines;
 
@@ -11,9 +12,6 @@ internal sealed class EphemerisTimes
     private const double RecordDays = 4.0;
 
     private const double SecondsPerDay = 86400.0;
-
-    /// <summary>MJD of 2000-01-01T12:00:00.</summary>
-    private const double J2000 = 51544.5;
 
     /// <summary>First days of a new count of leap seconds, MJD.</summary>
     private static readonly double[] LeapDays = [.. StressTable.Rows("leap_seconds.csv").Select(row => row[0]).Where(double.IsInteger)];
@@ -36,7 +34,7 @@ internal sealed class EphemerisTimes
     public double Last => _last;
 
     /// <summary>Half anywhere in the cover, the rest close by leap seconds, borders of records, and the cover's ends.</summary>
-    public ModifiedJulianDate Draw(CaseRandom random)
+    public Instant Draw(CaseRandom random)
     {
         while (true)
         {
@@ -47,7 +45,7 @@ internal sealed class EphemerisTimes
                 2 => Beside(random.Below(2) == 0 ? _first : _last, random),
                 _ => random.Between(_first, _last),
             };
-            ModifiedJulianDate time = new(mjd);
+            Instant time = ProjectKernels.OfMjd(mjd);
             if (_cover.Contains(time))
             {
                 return time;
@@ -66,5 +64,5 @@ internal sealed class EphemerisTimes
         return MjdOf(interval.Start + (record * Math.Floor(random.Between(0.0, (interval.End - interval.Start) / record))));
     }
 
-    private double MjdOf(double tdbSeconds) => J2000 + (_cover.Scale.ToUtcSeconds(tdbSeconds) / SecondsPerDay);
+    private double MjdOf(double tdbSeconds) => _cover.Scale.InstantOf(tdbSeconds).Mjd;
 }

@@ -1,11 +1,12 @@
-using System.Globalization;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Time;
+using Msisf.Stress.Time;
 using Msisf.TestSupport;
+using System.Globalization;
 
 namespace Msisf.Stress.Engines;
 
@@ -54,7 +55,7 @@ internal sealed class RendererScenes(TemporaryFolder folder, IGlobalGrid grid, I
         while (true)
         {
             double mjd = random.Between(FirstTime, LastTime);
-            Vector3D sun = ephemeris.SunPositionBodyFixed(new ModifiedJulianDate(mjd));
+            Vector3D sun = ephemeris.SunPositionBodyFixed(ProjectKernels.OfMjd(mjd));
             if (Vector3D.Dot(sun.Normalized(), position.Normalized()) >= MinSunCosine)
             {
                 return mjd;

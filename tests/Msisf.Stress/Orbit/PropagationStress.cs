@@ -1,6 +1,7 @@
 using Msisf.Core.Orbit;
 using Msisf.Core.Time;
 using Msisf.Stress.Reference;
+using Msisf.Stress.Time;
 
 namespace Msisf.Stress.Orbit;
 
@@ -79,7 +80,7 @@ public sealed class PropagationStress : IStressTest
                 random.Between(0.0, Math.PI),
                 random.Between(-Math.PI, Math.PI));
             double orbits = random.Sign() * random.Logarithmic(1.0, MaxOrbits);
-            Note(elements, orbits, new ModifiedJulianDate(random.Between(41000.0, 62000.0)));
+            Note(elements, orbits, ProjectKernels.OfMjd(random.Between(41000.0, 62000.0)));
         }
 
         public void Add(Found other)
@@ -96,17 +97,17 @@ public sealed class PropagationStress : IStressTest
         private static double Allowed(PreciseOrbit orbit, PreciseVector position, PreciseVector velocity) =>
             (PropagationStress.Phase / orbit.MeanMotion.High * velocity.Length.High) + (PropagationStress.Position * position.Length.High);
 
-        private void Note(KeplerElements elements, double orbits, ModifiedJulianDate epoch)
+        private void Note(KeplerElements elements, double orbits, Instant epoch)
         {
             PreciseOrbit orbit = new(elements);
             double motion = orbit.MeanMotion.High;
             double seconds = orbits * 2.0 * Math.PI / motion;
             NoteSeconds(elements, orbit, orbits, seconds);
 
-            double days = epoch.Days + (seconds / SecondsADay);
+            double days = epoch.Mjd + (seconds / SecondsADay);
             if (days is > -600_000.0 and < 2_900_000.0)
             {
-                NoteDates(elements, orbit, orbits, epoch, new ModifiedJulianDate(days));
+                NoteDates(elements, orbit, orbits, epoch, ProjectKernels.OfMjd(days));
             }
         }
 
@@ -128,14 +129,14 @@ public sealed class PropagationStress : IStressTest
         }
 
         private void NoteDates(
-            KeplerElements elements, PreciseOrbit orbit, double orbits, ModifiedJulianDate epoch, ModifiedJulianDate date)
+            KeplerElements elements, PreciseOrbit orbit, double orbits, Instant epoch, Instant date)
         {
-            DoubleWord time = SecondsADay * ((DoubleWord)date.Days - epoch.Days);
+            DoubleWord time = date.SecondsSince(epoch);
             (PreciseVector position, PreciseVector velocity) = orbit.StateAt(time);
-            string Input() => FormattableString.Invariant($"{OrbitText.Of(elements)}, MJD {epoch.Days:R} to {date.Days:R}");
+            string Input() => FormattableString.Invariant($"{OrbitText.Of(elements)}, MJD {epoch.Mjd:R} to {date.Mjd:R}");
             OrbitPropagator propagator = new(elements, epoch, OrbitFrame.MoonMe, ephemeris: null);
             double distance = PreciseVector.Distance(PreciseVector.From(propagator.PositionBodyFixed(date)), position);
-            double timeUnits = (SecondsADay * (Ulp.Of(epoch.Days) + Ulp.Of(date.Days))) + Ulp.Of(time.High);
+            double timeUnits = Ulp.Of(time.High);
             double ofTime = timeUnits / 2.0 * velocity.Length.High;
             PositionOfDates.Note(distance / (ofTime + Allowed(orbit, position, velocity)), Input);
             Metres.Note(distance, Input);

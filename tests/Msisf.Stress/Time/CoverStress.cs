@@ -85,7 +85,7 @@ public sealed class CoverStress : IStressTest
         private void Note(double mjd)
         {
             Vector3D sun = default;
-            string? refusal = Refusals.Of(() => sun = engine.SunPositionBodyFixed(new ModifiedJulianDate(mjd)));
+            string? refusal = Refusals.Of(() => sun = engine.SunPositionBodyFixed(ProjectKernels.OfMjd(mjd)));
             bool isPosition = refusal is null && sun.Length is > MinSunDistance and < MaxSunDistance;
             bool namesCover = Says(refusal, "is outside the kernels' cover: the kernels cover 1899-12-31");
             string Input() => MjdText.Of(mjd);

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 using Msisf.TestSupport;
 
 namespace Msisf.Stress.Time;
@@ -10,8 +11,13 @@ internal static class ProjectKernels
     /// <summary>The meta-kernel.</summary>
     public static string MetaKernel => Path.Combine(TestParts.Kernels, "msisf.tm");
 
+    private static readonly Lazy<TimeScale> Scale = new(ReadScale);
+
+    /// <summary>The moment of an MJD, UTC.</summary>
+    public static Instant OfMjd(double mjd) => Scale.Value.InstantOfMjd(mjd);
+
     /// <summary>The time scale of the leap seconds kernel, as the built-in engine reads it.</summary>
-    public static TdbScale ReadScale()
+    public static TimeScale ReadScale()
     {
         KernelPool pool = new();
         string path = Path.Combine(TestParts.Kernels, "naif0012.tls");

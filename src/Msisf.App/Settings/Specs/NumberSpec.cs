@@ -1,4 +1,5 @@
 using Msisf.Adapters.Input;
+using Msisf.Core.Time;
 
 namespace Msisf.App.Settings.Specs;
 
@@ -74,7 +75,7 @@ internal readonly record struct NumberRange(double Min, double Max)
 /// it.
 /// </summary>
 /// <param name="Name">Long name with its dashes.</param>
-/// <param name="Fields">Names of the numbers in their order; a single name for a list of any length.</param>
+/// <param name="Fields">Names of the numbers in their order; a single name for a list of any length. MJD is that of a time.</param>
 internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyList<string> Fields, string Help)
     : OptionSpec(Name, Role, Help)
 {
@@ -87,6 +88,18 @@ internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyLis
     public double[]? Read(OptionValues values) => values.Words(this) is { } words
         ? this.Value(
             () => Fields is [string only] ? StateText.ParseList(Name, words, only) : StateText.ParseNumbers(Name, words, Fields))
+        : null;
+
+    /// <summary>Reads times of a list of any length; null if the option is not given.</summary>
+    /// <exception cref="UsageException">The braces are unbalanced, or a value is no time.</exception>
+    public CalendarTime[]? ReadTimes(OptionValues values) => values.Words(this) is { } words
+        ? this.Value(() => StateText.ParseTimes(Name, words))
+        : null;
+
+    /// <summary>Reads a time and the numbers behind it; null if the option is not given.</summary>
+    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is no time or number.</exception>
+    public (CalendarTime Time, double[] Numbers)? ReadState(OptionValues values) => values.Words(this) is { } words
+        ? this.Value(() => StateText.ParseState(Name, words, Fields))
         : null;
 }
 

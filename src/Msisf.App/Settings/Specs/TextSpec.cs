@@ -55,5 +55,5 @@ internal sealed record TimeSpec(string Name, OptionRole Role, string Help) : Opt
 
     /// <summary>Reads the time, which must be given.</summary>
     /// <exception cref="BadInputException">The value is no time.</exception>
-    public ModifiedJulianDate Read(OptionValues values) => this.Named(() => TimeText.Parse(values.Text(this)!));
+    public CalendarTime Read(OptionValues values) => this.Named(() => TimeText.Parse(values.Text(this)!));
 }

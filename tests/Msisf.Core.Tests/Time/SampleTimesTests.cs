@@ -1,7 +1,8 @@
 using Msisf.Core.Numerics;
+using Msisf.Core.Time;
 using Xunit;
 
-namespace Msisf.Core.Tests.Numerics;
+namespace Msisf.Core.Tests.Time;
 
 public sealed class SampleTimesTests
 {

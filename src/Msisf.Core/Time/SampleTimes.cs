@@ -1,25 +1,25 @@
-namespace Msisf.Core.Numerics;
+namespace Msisf.Core.Time;
 
 /// <summary>The times of samples, rising, and which samples lie around a time.</summary>
 public sealed class SampleTimes
 {
-    private readonly LongList<double> _times = new();
+    private readonly LongList<TdbTime> _times = new();
 
     /// <summary>Number of samples.</summary>
     public int Count => _times.Count;
 
     /// <summary>The first time.</summary>
-    public double First => _times[0];
+    public TdbTime First => _times[0];
 
     /// <summary>The last time.</summary>
-    public double Last => _times[Count - 1];
+    public TdbTime Last => _times[Count - 1];
 
     /// <summary>A time.</summary>
     /// <param name="index">From 0 to below <see cref="Count"/>.</param>
-    public double this[int index] => _times[index];
+    public TdbTime this[int index] => _times[index];
 
     /// <summary>Adds a time, which must be after the last one.</summary>
-    public void Add(double time)
+    public void Add(TdbTime time)
     {
         if (Count > 0 && !(time > Last))
         {
@@ -36,7 +36,7 @@ public sealed class SampleTimes
     /// <param name="time">The time asked for.</param>
     /// <param name="size">How many samples; all if there are fewer.</param>
     /// <returns>The first one, and how many.</returns>
-    public (int First, int Count) Around(double time, int size)
+    public (int First, int Count) Around(TdbTime time, int size)
     {
         int before = LastAtOrBefore(time);
         int first = before - ((size - 1) / 2);
@@ -50,7 +50,7 @@ public sealed class SampleTimes
     }
 
     /// <summary>The last sample at a time or before it; -1 if all are later.</summary>
-    public int LastAtOrBefore(double time)
+    public int LastAtOrBefore(TdbTime time)
     {
         (int low, int high) = (-1, Count);
         while (high - low > 1)
@@ -65,7 +65,7 @@ public sealed class SampleTimes
     /// <summary>The times of some samples, counted from a time near them so that they keep their digits.</summary>
     /// <param name="origin">From when they are counted.</param>
     /// <param name="times">Gets them.</param>
-    public void CopyTo(int first, double origin, Span<double> times)
+    public void CopyTo(int first, TdbTime origin, Span<double> times)
     {
         for (int i = 0; i < times.Length; i++)
         {
