@@ -72,7 +72,7 @@ render() {
     images+=("$root/output/$name.png" "$root/output/$name.annotated.png")
 }
 
-install_parts povray cairo cfitsio downloader certificates
+install_parts povray cfitsio downloader certificates
 scripts/build.sh
 get_model
 if library=$(scripts/get-cspice.sh); then
@@ -80,10 +80,7 @@ if library=$(scripts/get-cspice.sh); then
 else
     say 'Going on without CSPICE, with the built-in kernel reader.'
 fi
-# GDAL decodes the map of the Moon's reflectance. Without one of them the native image shows a Moon without maria.
-if scripts/get-albedo.sh; then
-    install_parts gdal-library || say 'Going on without GDAL: the map of the reflectance is not used.'
-fi
+scripts/get-albedo.sh || say 'Going on without a map of the reflectance: the native image shows a Moon without maria.'
 if [ -n "$prefix" ]; then
     install_program "$root" "$prefix"
     exit 0

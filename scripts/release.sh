@@ -85,7 +85,7 @@ Architecture: amd64
 Maintainer: The MSISF authors <msisf@localhost>
 Installed-Size: $kilobytes
 Depends: libc6 (>= 2.27), libgcc-s1, libstdc++6, libssl3t64 | libssl3
-Recommends: libcairo2, libcfitsio10t64 | libcfitsio10, povray
+Recommends: libcfitsio10t64 | libcfitsio10, povray
 Suggests: libgdal36 | libgdal34t64 | libgdal32, curl
 Section: science
 Priority: optional

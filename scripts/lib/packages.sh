@@ -6,7 +6,6 @@ part_is_here() {
     case $1 in
         downloader) have curl || have wget ;;
         compiler) have cc || have gcc ;;
-        cairo) library_is_here libcairo ;;
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
         gdal) have gdalinfo && python_package_is_here osgeo ;;
@@ -56,7 +55,6 @@ package_of() {
         *-certificates) echo ca-certificates ;;
         apt-compiler) echo gcc libc6-dev ;;
         *-compiler) echo gcc ;;
-        apt-cairo) echo libcairo2 ;;
         apt-cfitsio) echo libcfitsio10 ;;
         apt-astropy) echo python3-astropy python3-numpy ;;
         apt-gdal) echo gdal-bin python3-gdal ;;

@@ -174,7 +174,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         CommandTable.OptionsOfRun.Except(OfPovRay).Select(option => option.Name).Order(StringComparer.Ordinal),
         Changes.Select(change => (string)change[0]).Distinct().Order(StringComparer.Ordinal));
 
-    [RequiresTheory(Part.Ldem4, Part.CSpice, Part.Cairo, Part.CFitsio)]
+    [RequiresTheory(Part.Ldem4, Part.CSpice, Part.CFitsio)]
     [MemberData(nameof(Changes))]
     public void Change_OfAnOption_ChangesBytesAndIdentityTogether(string name, string words, string change)
     {

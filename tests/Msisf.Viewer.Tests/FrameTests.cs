@@ -30,7 +30,7 @@ public class FrameTests(Chromium chromium, ViewerServer server)
         }
         """;
 
-    [RequiresFact(Part.Chromium, Part.Ldem4, Part.Cairo)]
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task FinishedFolder_StepAnnotateAndDrawAnew_ShowsItsImagesAndMetaFiles()
     {
         await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Small);

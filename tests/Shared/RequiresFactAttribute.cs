@@ -9,7 +9,6 @@ internal enum Part
     CSpice,
     PovRay,
     Xmllint,
-    Cairo,
     CFitsio,
     Fitsverify,
     Astropy,
@@ -80,7 +79,6 @@ internal static class MissingParts
         Part.LroNac => LroNac.IsThere,
         Part.Artemis => TestParts.ArtemisOem is not null,
         Part.Field => Directory.Exists(TestParts.Field),
-        Part.Cairo => System.Runtime.InteropServices.NativeLibrary.TryLoad("libcairo.so.2", out _),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };
 }

@@ -23,7 +23,7 @@ part_is_here() (
 
 test_first_day_every_command_of_the_page_prints_what_the_page_shows() {
     local part
-    for part in povray cairo cfitsio downloader certificates; do
+    for part in povray cfitsio downloader certificates; do
         need_part "$part" part_is_here "$part"
     done
     need_part NumPy /usr/bin/python3 -c 'import numpy'

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Interop;
+using Msisf.Adapters.Drawing;
 using Msisf.Core.Maps;
 
 namespace Msisf.Adapters.Illumination;
@@ -25,7 +25,7 @@ public static class LightMapPicture
     /// <summary>Writes a PNG.</summary>
     /// <param name="stream">Receives it.</param>
     /// <param name="grid">Where its cells lie.</param>
-    /// <exception cref="Core.Errors.ExternalPartException">cairo is missing.</exception>
+    /// <exception cref="Core.Errors.ExternalPartException">Skia is missing.</exception>
     public static void Write(Stream stream, LightMap map, MapGrid grid)
     {
         int longest = Math.Max(grid.Lines, grid.Samples);
@@ -34,7 +34,7 @@ public static class LightMapPicture
         int height = (int)Math.Ceiling(grid.Lines * scale);
         float[] known = [.. map.Values.Where(float.IsFinite)];
         (float least, float most) = known.Length == 0 ? (0.0f, 0.0f) : (known.Min(), known.Max());
-        using CairoImage image = CairoImage.Black(width, height + Foot);
+        using Canvas image = Canvas.Black(width, height + Foot);
         image.SetColor(0.5, 0.5, 0.5, 1.0); // cells without data, and beside a narrow map, where black would look like a dark place
         image.FillRectangle(0.0, 0.0, width, height);
         for (int y = 0; y < height; y++)
@@ -75,7 +75,7 @@ public static class LightMapPicture
         image.WritePng(stream);
     }
 
-    private static void SetColor(CairoImage image, double part)
+    private static void SetColor(Canvas image, double part)
     {
         double place = Math.Clamp(part, 0.0, 1.0) * (Colors.Length - 1);
         int index = Math.Min(Colors.Length - 2, (int)place);

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Interop;
+using Msisf.Adapters.Drawing;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;
 
@@ -10,7 +10,7 @@ namespace Msisf.Adapters.Metadata;
 /// </summary>
 public static class AnnotationRenderer
 {
-    /// <summary>px: the smallest readable size of the built-in font.</summary>
+    /// <summary>px: the smallest readable size.</summary>
     private const double MinFontSize = 8.0;
 
     /// <summary>px: larger text only hides more of the image.</summary>
@@ -22,10 +22,6 @@ public static class AnnotationRenderer
     /// <summary>Share of the image's width that the text block takes, if the font sizes allow it.</summary>
     private const double TextWidthShare = 0.6;
 
-    /// <summary>Checks that images can be annotated, before any is made.</summary>
-    /// <exception cref="ExternalPartException">cairo is missing.</exception>
-    public static void RequireCairo() => CairoImage.RequireLibrary(CairoNative.Library);
-
     /// <summary>
     /// Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 300 px wide or 190 px
     /// high).
@@ -36,12 +32,12 @@ public static class AnnotationRenderer
     /// <param name="pixels">The frame's grid points.</param>
     /// <param name="cancellation">Stops between grid points.</param>
     /// <exception cref="BadInputException">The image is not a whole PNG of the camera's size.</exception>
-    /// <exception cref="ExternalPartException">cairo is missing or failed.</exception>
+    /// <exception cref="ExternalPartException">Skia is missing.</exception>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(
         Stream rendered, Stream annotated, FrameMetadata frame, PixelSampler pixels, CancellationToken cancellation = default)
     {
-        using CairoImage image = CairoImage.FromPng(rendered);
+        using Canvas image = Canvas.FromPng(rendered);
         if (image.Width != frame.Camera.Width || image.Height != frame.Camera.Height)
         {
             throw new BadInputException(
@@ -59,7 +55,7 @@ public static class AnnotationRenderer
         image.WritePng(annotated);
     }
 
-    private static void DrawGrid(CairoImage image, PixelSampler pixels, CancellationToken cancellation)
+    private static void DrawGrid(Canvas image, PixelSampler pixels, CancellationToken cancellation)
     {
         // Neighbours' marks stay apart on a narrow grid and thin on a wide one.
         PixelGrid grid = pixels.Grid;
@@ -73,7 +69,7 @@ public static class AnnotationRenderer
         {
             cancellation.ThrowIfCancellationRequested();
 
-            // cairo counts from the corner of the first pixel, rendering coordinates have its centre at 1.
+            // A canvas counts from the corner of the first pixel, rendering coordinates have its centre at 1.
             double x = pixel.H - 0.5;
             double y = pixel.V - 0.5;
             image.FillCircle(x, y, radius);
@@ -85,12 +81,12 @@ public static class AnnotationRenderer
         }
     }
 
-    private static void DrawText(CairoImage image, string[] lines)
+    private static void DrawText(Canvas image, string[] lines)
     {
         double widthAtSize1 = lines.Max(line => image.MeasureText(line, LargestFontSize)) / LargestFontSize;
         double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, MinFontSize, LargestFontSize);
         double margin = 0.5 * size;
-        double blockWidth = lines.Max(line => image.MeasureText(line, size)) + (2.0 * margin); // steps of the font: not in proportion
+        double blockWidth = lines.Max(line => image.MeasureText(line, size)) + (2.0 * margin);
         double blockHeight = (size * LineSpacing * lines.Length) + (2.0 * margin);
         if (blockWidth > image.Width || blockHeight > 0.5 * image.Height)
         {
@@ -110,7 +106,7 @@ public static class AnnotationRenderer
 /// <summary>The text block of an annotated image (thesis figure 9.1), with rounded numbers; the meta file has all digits.</summary>
 internal static class AnnotationText
 {
-    /// <summary>The lines of the block, in ASCII: the built-in font has no more.</summary>
+    /// <summary>The lines of the block.</summary>
     public static string[] Lines(FrameMetadata frame)
     {
         UnitQuaternion orientation = frame.Camera.MoonFromCamera;

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Interop;
+using Msisf.Adapters.Drawing;
 using Msisf.Adapters.Render;
 
 namespace Msisf.Adapters.Metadata;
@@ -27,13 +27,13 @@ public static class ContactSheet
     /// <param name="frames">Step and image file of each frame, in the order in which they are shown; at least one.</param>
     /// <param name="cancellation">Stops between two images.</param>
     /// <exception cref="BadInputException">A file holds no whole image.</exception>
-    /// <exception cref="ExternalPartException">cairo is missing, or a file can't be read.</exception>
+    /// <exception cref="ExternalPartException">Skia is missing, or a file can't be read.</exception>
     public static void Write(Stream destination, IReadOnlyList<(int Step, string Path)> frames, CancellationToken cancellation)
     {
         int count = Math.Min(frames.Count, MaxImages);
         int columns = Math.Min(count, Columns);
         int rows = (count + columns - 1) / columns;
-        using CairoImage sheet = CairoImage.Black(columns * (Side + TextHeight), rows * (Side + (2 * TextHeight)));
+        using Canvas sheet = Canvas.Black(columns * (Side + TextHeight), rows * (Side + (2 * TextHeight)));
         sheet.SetColor(BackgroundGrey, BackgroundGrey, BackgroundGrey, 1.0);
         sheet.FillRectangle(0.0, 0.0, sheet.Width, sheet.Height);
         for (int index = 0; index < count; index++)
@@ -42,7 +42,7 @@ public static class ContactSheet
             (int step, string path) = frames[count == 1 ? 0 : (int)((long)index * (frames.Count - 1) / (count - 1))];
             double left = ((index % columns) * (Side + TextHeight)) + (TextHeight / 2.0);
             double top = (index / columns * (Side + (2 * TextHeight))) + (TextHeight / 2.0);
-            using CairoImage image = Read(path);
+            using Canvas image = Read(path);
             double scale = (double)Side / Math.Max(image.Width, image.Height);
             sheet.DrawImage(image, left + ((Side - (scale * image.Width)) / 2.0), top + ((Side - (scale * image.Height)) / 2.0), scale);
             sheet.SetColor(1.0, 1.0, 1.0, 1.0);
@@ -52,13 +52,13 @@ public static class ContactSheet
         sheet.WritePng(destination);
     }
 
-    private static CairoImage Read(string path)
+    private static Canvas Read(string path)
     {
-        PngFile.CheckFile(path); // of some damage cairo says that the memory does not suffice
+        PngFile.CheckFile(path); // says what is wrong with a damaged file
         try
         {
             using FileStream stream = File.OpenRead(path);
-            return CairoImage.FromPng(stream);
+            return Canvas.FromPng(stream);
         }
         catch (Exception exception) when (exception.IsFileError())
         {

@@ -1,4 +1,4 @@
-using Msisf.Adapters.Interop;
+using Msisf.Adapters.Drawing;
 using Msisf.Core.Camera;
 using Msisf.Core.Navigation;
 
@@ -23,7 +23,7 @@ internal static class NavigationDrawing
     /// Draws the outlines of craters, yellow, with the names of the larger ones, and landmarks as green crosses; grey where they are
     /// hidden.
     /// </summary>
-    public static void Draw(CairoImage image, NavigationTruth navigation)
+    public static void Draw(Canvas image, NavigationTruth navigation)
     {
         foreach (CraterView view in navigation.Craters?.Views ?? [])
         {
@@ -38,7 +38,7 @@ internal static class NavigationDrawing
         }
     }
 
-    private static void Draw(CairoImage image, LandmarkView view)
+    private static void Draw(Canvas image, LandmarkView view)
     {
         SetColor(image, view.HiddenBy is not null, 0.2, 1.0, 0.3);
 
@@ -48,13 +48,13 @@ internal static class NavigationDrawing
         image.DrawText(view.Landmark.Name ?? view.Landmark.Identity, x + CrossArm, y - (0.5 * CrossArm), FontSize);
     }
 
-    private static void Draw(CairoImage image, CraterView view)
+    private static void Draw(Canvas image, CraterView view)
     {
         IReadOnlyList<RenderingPoint> outline = view.Curve.Count > 0
             ? view.Curve
             : [.. Enumerable.Range(0, OutlinePoints).Select(i => view.Ellipse.PointAt(2.0 * Math.PI * i / OutlinePoints))];
 
-        // cairo counts from the corner of the first pixel, rendering coordinates have its centre at 1.
+        // A canvas counts from the corner of the first pixel, rendering coordinates have its centre at 1.
         for (int i = 0; i < outline.Count; i++)
         {
             RenderingPoint from = outline[i];
@@ -73,13 +73,13 @@ internal static class NavigationDrawing
         }
     }
 
-    private static void SetColor(CairoImage image, bool isHidden, double red, double green, double blue)
+    private static void SetColor(Canvas image, bool isHidden, double red, double green, double blue)
     {
         (double r, double g, double b) = isHidden ? (0.6, 0.6, 0.6) : (red, green, blue);
         image.SetColor(r, g, b, 1.0);
     }
 
-    /// <summary>Lines far outside are left out: cairo's coordinates reach to 8 million px only.</summary>
-    private static bool IsNear(CairoImage image, RenderingPoint point) =>
+    /// <summary>Lines far outside are left out.</summary>
+    private static bool IsNear(Canvas image, RenderingPoint point) =>
         point.X > -image.Width && point.X < 2.0 * image.Width && point.Y > -image.Height && point.Y < 2.0 * image.Height;
 }

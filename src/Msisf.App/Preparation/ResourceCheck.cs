@@ -45,7 +45,7 @@ internal static class ResourceCheck
     /// <summary>Bytes per pixel on disk of a cube, or of another camera model that holds the image.</summary>
     private const long ExportedBytesPerPixel = 4;
 
-    /// <summary>Bytes per pixel of the annotated image in memory: cairo's ARGB32, and the PNG at its largest.</summary>
+    /// <summary>Bytes per pixel of the annotated image in memory: four bytes, and the PNG at its largest.</summary>
     private const long AnnotationBytesPerPixel = 8;
 
     /// <summary>Maximum bytes per pixel on disk: POV-Ray's buffer file, its PNG, and the program's copy of that.</summary>

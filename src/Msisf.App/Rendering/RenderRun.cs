@@ -3,7 +3,6 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
 using Msisf.Adapters.Maps;
-using Msisf.Adapters.Metadata;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
@@ -93,11 +92,6 @@ internal sealed class RenderRun
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
     private void RequireParts()
     {
-        if (Settings.Annotate)
-        {
-            AnnotationRenderer.RequireCairo();
-        }
-
         if (Settings.Map is not null)
         {
             ImageMapFiles.RequireGdal(_host.Environment("MSISF_GDAL"));

@@ -15,7 +15,7 @@ public class AnnotationRendererTests
 {
     private const int Background = 40;
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_GridPoints_HaveARedDotWhereTheyShowTheMoonAndNowhereElse()
     {
         // Narrower than the text block, which is left out.
@@ -35,7 +35,7 @@ public class AnnotationRendererTests
         }
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_TerrainPixels_HaveTheirDotsAndDirections()
     {
         // A sphere would fill the image: terrain in the left half only, on the plane x = 1700 km. At pixel (60, 60) it lies 46.6 km west
@@ -62,7 +62,7 @@ public class AnnotationRendererTests
         Assert.False(IsRed(image, 180, 120));
     }
 
-    [RequiresTheory(Part.Cairo)]
+    [Theory]
     [InlineData(1.0, 0.0, 1, 0)]
     [InlineData(-1.0, 0.0, -1, 0)]
     [InlineData(0.0, 1.0, 0, -1)]
@@ -84,7 +84,7 @@ public class AnnotationRendererTests
         Assert.False(IsRed(image, 51 + (20 * stepY), 51 + (20 * stepX)));
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_UndefinedDirection_HasADotAndNoLine()
     {
         PinholeCamera nadir = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.1, 101, 101);
@@ -96,7 +96,7 @@ public class AnnotationRendererTests
         Assert.Equal(CountRed(image, 46, 56), CountRed(image, 1, 101));
     }
 
-    [RequiresTheory(Part.Cairo)]
+    [Theory]
     [InlineData(1, false)]
     [InlineData(64, false)]
     [InlineData(280, false)]
@@ -115,7 +115,7 @@ public class AnnotationRendererTests
     }
 
     /// <summary>The font's widths come in whole pixels: at 700 and 1024 px the text is wider than in proportion.</summary>
-    [RequiresTheory(Part.Cairo)]
+    [Theory]
     [InlineData(320)]
     [InlineData(700)]
     [InlineData(1024)]
@@ -136,7 +136,7 @@ public class AnnotationRendererTests
         Assert.InRange(letters.Max(pixel => pixel.Y), boxHeight / 2, boxHeight - 2);
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_Twice_GivesTheSameBytesWithoutTimeStamp()
     {
         FrameMetadata frame = ExampleFrame.OfSize(512, 512);
@@ -151,7 +151,7 @@ public class AnnotationRendererTests
         Assert.Equal(new PngHeader(512, 512, 8, 2), header);
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_ImageOfAnotherSize_IsBadInput()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);
@@ -162,7 +162,7 @@ public class AnnotationRendererTests
         Assert.Contains("64 x 63 px, the frame 64 x 64 px", failure.Message, StringComparison.Ordinal);
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_CutImage_IsBadInput()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);
@@ -170,7 +170,7 @@ public class AnnotationRendererTests
         Assert.Throws<BadInputException>(() => Bytes(frame, ExampleFrame.Sampler(frame, spacing: 8), GreyImage(64, 64)[..60]));
     }
 
-    [RequiresFact(Part.Cairo)]
+    [Fact]
     public void Write_DestinationFails_ThrowsItsOwnException()
     {
         FrameMetadata frame = ExampleFrame.OfSize(64, 64);

@@ -8,12 +8,12 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Render;
 
-/// <summary>A grey image of our own as the annotation reads it: by cairo.</summary>
+/// <summary>A grey image of our own as the annotation reads it: by Skia.</summary>
 public class PngWriterTests
 {
     private const int Size = 64;
 
-    [RequiresTheory(Part.Cairo)]
+    [Theory]
     [InlineData(8)]
     [InlineData(16)]
     public void Write_ThenAnnotated_HasTheSameGreysAndRedDots(int bitDepth)

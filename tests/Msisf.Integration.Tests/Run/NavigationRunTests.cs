@@ -27,7 +27,7 @@ public sealed class NavigationRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    [RequiresFact(Part.Ldem4)]
     public void Run_Craters_AreTheSameInAllFiles()
     {
         CommandLineRun run = Run(
@@ -92,7 +92,7 @@ public sealed class NavigationRunTests : IDisposable
     }
 
     /// <summary>The projection of docs/camera-model.md, by the camera that the meta file has.</summary>
-    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    [RequiresFact(Part.Ldem4)]
     public void Run_Landmarks_AreWhereTheMetaFilesCameraProjectsThem()
     {
         _folder.Write("l.csv", "id,lat,lon,height\na,-48,-12,\nb,-51.5,-14,2500\nfar,-48,-12,2000000\n");

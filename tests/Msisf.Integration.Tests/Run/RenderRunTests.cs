@@ -25,7 +25,7 @@ public sealed class RenderRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    [RequiresFact(Part.Ldem4, Part.PovRay, Part.Cairo)]
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_Section92_WritesThePublishedNumbers()
     {
         CommandLineRun run = Run(
@@ -94,7 +94,7 @@ public sealed class RenderRunTests : IDisposable
         Assert.Equal(File.ReadAllBytes(_folder["alone.png"]), File.ReadAllBytes(_folder["MoonSurfIllumSim_step_00001.png"]));
     }
 
-    [RequiresFact(Part.Ldem4, Part.PovRay, Part.Cairo)]
+    [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_PathsWithBlanksQuotesAndUmlauts_Work()
     {
         string odd = _folder["M\u00f6nd 'a' \"b\" $HOME;x"];

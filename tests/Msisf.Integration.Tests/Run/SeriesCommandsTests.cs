@@ -106,7 +106,7 @@ public sealed class SeriesCommandsTests : SeriesRuns
         Assert.Contains("error: no ffmpeg on the PATH: no video is made.", merge.Error, StringComparison.Ordinal);
     }
 
-    [RequiresTheory(Part.Ldem4, Part.Cairo)]
+    [RequiresTheory(Part.Ldem4)]
     [InlineData("--video", "10")]
     [InlineData("--contact-sheet")]
     public void Merge_FrameWithAFlippedBit_IsNamed(params string[] wish)
@@ -139,7 +139,7 @@ public sealed class SeriesCommandsTests : SeriesRuns
         Assert.Empty(Directory.EnumerateFileSystemEntries(Folder.Path));
     }
 
-    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    [RequiresFact(Part.Ldem4)]
     public void Merge_ContactSheet_ShowsEachFrame()
     {
         Run("out");

@@ -129,7 +129,7 @@ public sealed class SeriesTests : SeriesRuns
         Assert.Equal(0, Look("verify", "out").ExitCode);
     }
 
-    [RequiresFact(Part.Ldem4, Part.Cairo)]
+    [RequiresFact(Part.Ldem4)]
     public void Run_SingleImageAgain_IsReplacedWithItsCompanions()
     {
         Single("out", "--rendering-annotation", "--layers", "depth", "--layers-format", "npy");

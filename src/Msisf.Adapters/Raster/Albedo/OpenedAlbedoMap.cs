@@ -161,7 +161,7 @@ public sealed class OpenedAlbedoMap : IDisposable
 
         MapLevelsFile levels = MapLevelsFile.Open(
             tiles?.Files ?? new MapFiles(path, [other?.ImagePath ?? path]), cacheFolder,
-            () => tiles?.OpenSource() ?? GdalMapSource.Open(other?.LabelPath ?? path, gdalPath));
+            () => tiles?.OpenSource() ?? (MapSource?)JpegMapSource.TryOpen(path) ?? GdalMapSource.Open(other?.LabelPath ?? path, gdalPath));
         return new OpenedAlbedoMap(path, tiles, properties, levels);
     }
 
