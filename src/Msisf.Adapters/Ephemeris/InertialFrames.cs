@@ -44,7 +44,7 @@ internal static class InertialFrames
     public static IEnumerable<int> Numbers => Enumerable.Range(J2000, Known.Length);
 
     /// <summary>The number of a frame; null if it is none of these.</summary>
-    public static int? NumberOf(string name) => 
+    public static int? NumberOf(string name) =>
         Array.FindIndex(Known, known => known.Name.Equals(name, StringComparison.OrdinalIgnoreCase)) is >= 0 and int index
             ? index + 1
             : null;

@@ -77,26 +77,26 @@ internal static class DafWriter
         {
             BinaryPrimitives.WriteDoubleLittleEndian(summary, segment.First);
             BinaryPrimitives.WriteDoubleLittleEndian(summary[8..], segment.Last);
-            int[] integers = [.. segment.Integers, firstAddress, firstAddress + segment.Data.Count - 1];
+            int[] integers = [.. segment.Integers, firstAddress, firstAddress + segment.Data.Length - 1];
             for (int i = 0; i < integers.Length; i++)
             {
                 BinaryPrimitives.WriteInt32LittleEndian(summary[(16 + (sizeof(int) * i))..], integers[i]);
             }
 
-            firstAddress += segment.Data.Count;
+            firstAddress += segment.Data.Length;
             summary = summary[SummaryBytes..];
         }
 
         return record;
     }
 
-    private static void WriteData(Stream stream, IReadOnlyList<double> data)
+    private static void WriteData(Stream stream, double[] data)
     {
         byte[] record = new byte[RecordBytes];
-        for (int start = 0; start < data.Count; start += RecordWords)
+        for (int start = 0; start < data.Length; start += RecordWords)
         {
             record.AsSpan().Clear();
-            for (int i = start; i < Math.Min(data.Count, start + RecordWords); i++)
+            for (int i = start; i < Math.Min(data.Length, start + RecordWords); i++)
             {
                 BinaryPrimitives.WriteDoubleLittleEndian(record.AsSpan(sizeof(double) * (i - start)), data[i]);
             }
@@ -110,4 +110,4 @@ internal static class DafWriter
 /// <param name="First">The first double of the summary.</param>
 /// <param name="Last">The second one.</param>
 /// <param name="Integers">The summary's first four integers; the addresses are put behind them.</param>
-internal sealed record DafSegment(double First, double Last, int[] Integers, IReadOnlyList<double> Data);
+internal sealed record DafSegment(double First, double Last, int[] Integers, double[] Data);

@@ -63,7 +63,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         string rates = hasRates ? "angular velocities rad/s along J2000" : "no angular velocities";
         DafWriter.Write(
             stream, "DAF/CK", Comments($"J2000 to {CameraName}; quaternions scalar first, as SPICE has them (M2Q); {rates}"),
-            [new DafSegment(ticks[0], ticks[^1], [Instrument, J2000, CkType, hasRates ? 1 : 0], data)]);
+            [new DafSegment(ticks[0], ticks[^1], [Instrument, J2000, CkType, hasRates ? 1 : 0], [.. data])]);
     }
 
     private static DafSegment SpkSegment(InertialState[] part)
@@ -77,7 +77,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
 
         double[] epochs = [.. part.Select(state => state.TdbSeconds)];
         data.AddRange([.. epochs, .. Directory(epochs), Math.Min(WindowSize, part.Length) - 1.0, part.Length]);
-        return new DafSegment(epochs[0], epochs[^1], [Spacecraft, Moon, J2000, SpkType], data);
+        return new DafSegment(epochs[0], epochs[^1], [Spacecraft, Moon, J2000, SpkType], [.. data]);
     }
 
     /// <summary>The clock: microseconds since <see cref="_clockZero"/>, in TDB.</summary>
@@ -144,8 +144,8 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
         ? $"the camera's lens ({lens.Name}) is left out: the instrument kernel describes a camera without distortion"
         : null;
 
-    private static double[] Directory(IReadOnlyList<double> values) =>
-        [.. Enumerable.Range(1, (values.Count - 1) / DirectoryStep).Select(i => values[(i * DirectoryStep) - 1])];
+    private static double[] Directory(double[] values) =>
+        [.. Enumerable.Range(1, (values.Length - 1) / DirectoryStep).Select(i => values[(i * DirectoryStep) - 1])];
 
     /// <summary>The states, and one a second before and after them, on straight lines and turning at the rates there.</summary>
     private InertialState[] Padded()

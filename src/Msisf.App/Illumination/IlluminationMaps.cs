@@ -110,7 +110,8 @@ internal sealed class IlluminationMaps(IlluminationSettings settings, MapGrid gr
             $"1 where no light comes in the {settings.Times.Length / Duration.Day:R} days from MJD {start:R}."),
             light => light.LitSteps == 0 ? 1 : 0);
         yield return new LightMap("slope", "degree", "Slope of the ground.", [.. cells.Slopes.Select(
-            slope => (float)double.RadiansToDegrees(Math.Atan(slope)))]) { Height = cells.Height };
+            slope => (float)double.RadiansToDegrees(Math.Atan(slope)))])
+        { Height = cells.Height };
 
         double OfRun(StepRun run, int step) => run.Count > 0 ? days * step : double.NaN;
 

@@ -100,7 +100,7 @@ internal static class ScanStates
     {
         double start = time.SecondsSince(motion.Start);
         CameraState state = At(0.0);
-        return new SpacecraftState(time, state.PositionBodyFixed, state.MoonFromCamera) 
+        return new SpacecraftState(time, state.PositionBodyFixed, state.MoonFromCamera)
         {
             Path = new ScanPath(At, seconds => motion.MotionAt(Math.Clamp(start + seconds, 0.0, motion.End))),
         };
