@@ -31,16 +31,16 @@ public sealed class KernelTrajectory : ITrajectory
     public TdbCover Cover { get; }
 
     /// <inheritdoc/>
-    public StateVector StateJ2000(TdbTime tdb)
+    public StateVector StateJ2000(TdbTime time)
     {
-        if (!Cover.Contains(tdb))
+        if (!Cover.Contains(time))
         {
             throw new BadInputException(Invariant(
-                $"{_engine.TimeScale.InstantOf(tdb).ToIsoUtc()} is outside what the kernels have of {_name}: "
+                $"{_engine.TimeScale.InstantOf(time).ToIsoUtc()} is outside what the kernels have of {_name}: "
                     + $"{new KernelCover(_engine.TimeScale, Cover).Describe()}. Choose a time inside, or other kernels."));
         }
 
-        StateVector state = _engine.StateOf(_number, tdb);
+        StateVector state = _engine.StateOf(_number, time);
         return state.Position.IsFinite && state.Velocity.IsFinite
             ? state
             : throw new BadInputException($"{_files}: damaged kernel: the state of {_name} is not finite. Get the file anew.");

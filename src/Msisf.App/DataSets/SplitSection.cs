@@ -103,7 +103,7 @@ internal static partial class SplitSection
         }
 
         double area = regions.Sum(region => region.Area);
-        return Of(names, [.. regions.Select(region => region.Area / area)], [.. regions.Select(region => (Region[])[region])], count);
+        return Of(names, [.. regions.Select(region => region.Area / area)], [.. regions.Select(region => new List<Region> { region })], count);
     }
 
     private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) OfShares(
@@ -142,7 +142,7 @@ internal static partial class SplitSection
     }
 
     private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) Of(
-        string[] names, double[] parts, IReadOnlyList<IReadOnlyList<Region>> regions, int count)
+        string[] names, double[] parts, List<Region>[] regions, int count)
     {
         int[] order = Split.OrderOf(parts, count);
         return (

@@ -136,12 +136,11 @@ internal sealed class ViewProbe
         ICamera camera = Widened(frame.Camera);
         SceneLight lamp = new(camera.PositionBodyFixed, IsSun: false); // no light is asked for, and this one throws no shadows
         using NativeFrame drawn = renderer.Render(camera, lamp, _ground, threads: 1, cancellation);
-        IGroundTruth truth = drawn;
         for (int y = 1; y <= camera.Height; y++)
         {
             for (int x = 1; x <= camera.Width; x++)
             {
-                if (truth.TryGet(x, y, out SurfaceHit hit, out _) && !region.Contains(hit.PointBodyFixed))
+                if (drawn.TryGet(x, y, out SurfaceHit hit, out _) && !region.Contains(hit.PointBodyFixed))
                 {
                     return false;
                 }
