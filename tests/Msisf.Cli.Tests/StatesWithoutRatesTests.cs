@@ -24,7 +24,7 @@ public sealed class StatesWithoutRatesTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData("2024-01-19T12:10:00Z", false)]
+    [InlineData("2024-01-19T12:10:00Z", true)] // the file states the velocity, and the camera looks at the Moon
     [InlineData("2024-01-19T12:02:00Z", true)] // at the end of a cover it is known from one side
     [InlineData("2024-01-19T12:01:00Z", true)]
     public void States_OfOneTimeAlone_HaveNoMotion(string time, bool hasMotion)
@@ -51,9 +51,9 @@ public sealed class StatesWithoutRatesTests : IDisposable
         Assert.Equal("time,x,y,z,qx,qy,qz,qw", run.Output.TrimEnd().Split('\n')[^2]);
     }
 
-    /// <summary>A double of MJD holds 0.6 microseconds: of steps of 0.1 microseconds most are the same time.</summary>
+    /// <summary>A double of MJD holds 0.6 microseconds, moments are exact: steps of 0.1 microseconds are all there.</summary>
     [Fact]
-    public void States_OfStepsShorterThanTimesCanTell_AreEachThereOnce()
+    public void States_OfStepsShorterThanADateCanTell_AreAllThere()
     {
         string oem = _folder.Write(
             "short.oem",
@@ -64,9 +64,7 @@ public sealed class StatesWithoutRatesTests : IDisposable
         CommandLineRun run = Run("--oem", oem, "--every", "1e-7");
 
         Assert.Equal(0, run.ExitCode);
-        string[] times = [.. run.Output.TrimEnd().Split('\n').Where(line => char.IsAsciiDigit(line[0])).Select(line => line.Split(',')[0])];
-        Assert.Equal(times.Distinct(), times);
-        Assert.True(times.Length > 1);
+        Assert.InRange(run.Output.TrimEnd().Split('\n').Count(line => char.IsAsciiDigit(line[0])), 100, 101);
     }
 
     private static CommandLineRun Run(params string[] words) =>

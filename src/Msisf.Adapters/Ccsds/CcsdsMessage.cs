@@ -175,7 +175,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
     /// <summary>Notes where START_TIME and STOP_TIME of a block are not those of its lines, which count.</summary>
     protected void CompareWith(SampleTimes times)
     {
-        foreach ((string key, double time) in ((string, double)[])[("START_TIME", times.First.Seconds), ("STOP_TIME", times.Last.Seconds)])
+        foreach ((string key, TdbTime time) in ((string, TdbTime)[])[("START_TIME", times.First), ("STOP_TIME", times.Last)])
         {
             if (Metadata.Find(key) is { Length: > 0 } said
                 && !(TryTime(said) is { } stated && Math.Abs(stated - time) <= RoundingOfTimes))

@@ -123,6 +123,11 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
                     ' ', (left + (corner.Item1 * camera.Width) - (skew * down)) * PitchMillimetres, down, focal);
             }),
         ];
+
+        // One number is the pitch of square pixels only; of others ITRANSS and ITRANSL have both.
+        string pitch = pitchY == PitchMillimetres
+            ? Invariant($"INS{Instrument}_PIXEL_PITCH          = ( {PitchMillimetres:R} )\n")
+            : string.Empty;
         Write(writer, "IK", Invariant($$"""
             INS{{Instrument}}_FOV_FRAME            = '{{CameraName}}'
             INS{{Instrument}}_FOV_SHAPE            = 'POLYGON'
@@ -130,8 +135,7 @@ public sealed class SpiceKernelWriter(string head, IReadOnlyList<InertialState> 
             INS{{Instrument}}_FOV_CLASS_SPEC       = 'CORNERS'
             INS{{Instrument}}_FOV_BOUNDARY_CORNERS = ( {{string.Join("\n    ", corners)}} )
             INS{{Instrument}}_FOCAL_LENGTH         = ( {{focal:R}} )
-            INS{{Instrument}}_PIXEL_PITCH          = ( {{PitchMillimetres:R}} )
-            INS{{Instrument}}_PIXEL_SAMPLES        = ( {{camera.Width}} )
+            {{pitch}}INS{{Instrument}}_PIXEL_SAMPLES        = ( {{camera.Width}} )
             INS{{Instrument}}_PIXEL_LINES          = ( {{camera.Height}} )
             INS{{Instrument}}_CCD_CENTER           = ( {{camera.PrincipalX:R}} {{camera.PrincipalY:R}} )
             INS{{Instrument}}_ITRANSS              = ( 0.0 {{1.0 / PitchMillimetres:R}} {{skew:R}} )

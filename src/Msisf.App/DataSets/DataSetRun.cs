@@ -42,6 +42,7 @@ internal sealed class DataSetRun
     public static async Task<int> RunAsync(
         string path, OptionValues line, IReadOnlyList<string> words, ProgramHost host, CancellationToken cancellation)
     {
+        bool isOnSlurm = DataSetOptions.ReadIsOnSlurm(line);
         DataSetSpec spec = DataSetFile.Read(path, line, host);
         DataSetRun run = new(spec, RigOptions.ReadOne(spec.Options, host.GeoTiffs, "a data set is of one"), host);
         run.RefuseUseless();
@@ -50,7 +51,7 @@ internal sealed class DataSetRun
         FolderBefore before = FolderBefore.Of(run.Folder);
         try
         {
-            return await run.MakeAsync(drawn, line, words, cancellation).ConfigureAwait(false);
+            return await run.MakeAsync(drawn, isOnSlurm, words, cancellation).ConfigureAwait(false);
         }
         catch (MsisfException)
         {
@@ -59,11 +60,11 @@ internal sealed class DataSetRun
         }
     }
 
-    private async Task<int> MakeAsync(DrawnStates drawn, OptionValues line, IReadOnlyList<string> words, CancellationToken cancellation)
+    private async Task<int> MakeAsync(DrawnStates drawn, bool isOnSlurm, IReadOnlyList<string> words, CancellationToken cancellation)
     {
         string states = WriteStates(drawn);
         OptionValues values = _spec.Options.With([KeyValuePair.Create(CameraOptions.BatchFile.Name, new OptionValue([states]))]);
-        if (DataSetOptions.ReadIsOnSlurm(line))
+        if (isOnSlurm)
         {
             RunSubmission submission = await RunSubmission.SubmitAsync(values, words, _host, cancellation).ConfigureAwait(false);
             if (!ScriptOptions.Wait.Read(values))

@@ -103,7 +103,8 @@ internal static partial class SplitSection
         }
 
         double area = regions.Sum(region => region.Area);
-        return Of(names, [.. regions.Select(region => region.Area / area)], [.. regions.Select(region => new List<Region> { region })], count);
+        return Of(
+            names, [.. regions.Select(region => region.Area / area)], [.. regions.Select(region => new List<Region> { region })], count);
     }
 
     private static (IReadOnlyList<Split> Splits, IReadOnlyList<int> Order) OfShares(

@@ -33,7 +33,7 @@ internal sealed class TwinRun
         string given = values.Words(OutputOptions.Name) is null
             ? Path.GetFileNameWithoutExtension(label.Path) + ".twin"
             : OutputOptions.Name.Read(values);
-        _name = new FrameNaming(given).NamesOf([default])[0];
+        _name = new FrameNaming(given).NameOf(1, 0.0);
     }
 
     /// <summary>Draws and compares; the paths of the files are written to the host's results.</summary>

@@ -57,7 +57,8 @@ public sealed class SpacecraftPathTests
     [Fact]
     public void StatedMotionAt_AttitudeWithoutRate_TurnsAsItsAttitudesDo()
     {
-        CameraMotion motion = new SpacecraftPath(new AlongY(), new LooksAtCenter(), new Turning()).StatedMotionAt(Moments.OfTdb(1000.0))!.Value;
+        SpacecraftPath path = new(new AlongY(), new LooksAtCenter(), new Turning());
+        CameraMotion motion = path.StatedMotionAt(Moments.OfTdb(1000.0))!.Value;
 
         Assert.InRange(motion.AngularVelocityCamera.Length, 0.0, 2e-3); // at most as fast as the Moon turns below it
         Assert.Equal(Math.PI / 2.0 / 1000.0, motion.AngularVelocityCamera.Length, 1e-8);

@@ -17,6 +17,9 @@ public sealed class MissionRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
+    /// <summary>Degrees: CSPICE's time is a double, of which half a step is 3e-8 s, in which the camera flies 5e-5 m.</summary>
+    private const double RoundingOfTime = 5e-9;
+
     [RequiresFact(Part.LroNac, Part.CSpice, Part.Ldem4)]
     public void DryRun_EveryFiveSeconds_IsTheSameWithBothEngines()
     {
@@ -29,7 +32,7 @@ public sealed class MissionRunTests : IDisposable
         {
             foreach (string name in (string[])["camera_latitude_deg", "camera_longitude_deg", "boresight_latitude_deg", "off_nadir_deg"])
             {
-                Assert.Equal(a.GetProperty(name).GetDouble(), b.GetProperty(name).GetDouble(), Rounding.OfSolutions);
+                Assert.Equal(a.GetProperty(name).GetDouble(), b.GetProperty(name).GetDouble(), RoundingOfTime);
             }
         }
 
@@ -149,7 +152,7 @@ public sealed class MissionRunTests : IDisposable
 
         Assert.Equal(0, table.ExitCode);
         Assert.Matches(
-            @"M103595705LE_1\.bsp +SPK +little +LRO \(-85\) +MOON \(301\) +J2000 \(1\) +13 +2009-07-30T12:20:33\.185Z", table.Output);
+            @"M103595705LE_1\.bsp +SPK +little +LRO \(-85\) +MOON \(301\) +J2000 \(1\) +13 +2009-07-30T12:20:33\.18[45]\d*Z", table.Output);
         Assert.Matches(@"moc42r\S+ +CK +little +LRO_SPACECRAFT \(-85000\) +J2000 \(1\) +- +3 +2009-07-30T12:20:33\.18", table.Output);
         JsonElement ck = Assert.Single(JsonDocument.Parse(json.Output).RootElement.EnumerateArray());
         Assert.Equal(-85000, ck.GetProperty("object").GetInt32());

@@ -113,7 +113,7 @@ public sealed class RenderRunTests : IDisposable
     [RequiresFact(Part.Ldem4, Part.PovRay)]
     public void Run_IgnoreSun_NeedsNoEphemerisAndLightsFromTheCamera()
     {
-        CommandLineRun run = Run([.. SmallView, "--ignore-sun", "--kernels", "missing.tm"]);
+        CommandLineRun run = Run([.. SmallView, "--ignore-sun", "--kernels", Path.Combine(TestParts.Kernels, "naif0012.tls")]);
 
         Assert.True(run.ExitCode == 0, run.Error);
         XElement general = XDocument.Load(_folder["MoonSurfIllumSim_step_00001.xml"]).Root!.Element("GeneralInformation")!;

@@ -17,6 +17,12 @@ public sealed class StatesTests : IDisposable
         "--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.0005:55289.11] --orbit-frame j2000 "
             + "--attitude {0.1,0.2,0.3,0.9273618495495704} --attitude-transition {1e-3,2e-3,-1e-3}";
 
+    /// <summary>rad/s: above how fast any camera here turns.</summary>
+    private const double FastestTurn = 2.5e-3;
+
+    /// <summary>s: the table's MJD is a double, of which half a step is 0.32 microseconds; the kernels have the moment itself.</summary>
+    private const double RoundingOfMjd = 3.2e-7;
+
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
@@ -43,7 +49,8 @@ public sealed class StatesTests : IDisposable
             ],
             _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
 
-        Assert.All(lines[0].Split(' '), error => Assert.InRange(double.Parse(error, CultureInfo.InvariantCulture), 0.0, Rounding.OfTurns));
+        Assert.All(lines[0].Split(' '), error => Assert.InRange(
+            double.Parse(error, CultureInfo.InvariantCulture), 0.0, Rounding.OfTurns + (FastestTurn * RoundingOfMjd)));
         string[] words = lines[1].Split(' ');
         Assert.Equal(["POLYGON", "MSISF_CAMERA"], words[..2]);
         double[] corners = [.. words[2..].Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
@@ -81,7 +88,7 @@ public sealed class StatesTests : IDisposable
             Vector3D rate = 0.5 / 0.02 * (earlier.Transposed * new Vector3D(
                 turn.Row2.Y - turn.Row1.Z, turn.Row0.Z - turn.Row2.X, turn.Row1.X - turn.Row0.Y));
             Vector3D stated = opened.Catalogue.Frames.RateJ2000("MSISF_CAMERA", time)!.Value;
-            Assert.InRange((rate - stated).Length, 0.0, 2e-5 * stated.Length); // between states both are interpolated
+            Assert.InRange((rate - stated).Length, 0.0, 1e-4 * stated.Length); // between states both are interpolated
             Assert.InRange(stated.Length, 2.4e-3, 2.5e-3); // rad/s: that of --attitude-transition, over the Moon
         }
     }

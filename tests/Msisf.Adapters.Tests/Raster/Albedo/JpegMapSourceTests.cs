@@ -72,7 +72,8 @@ public sealed class JpegMapSourceTests : IDisposable
         });
 
         Assert.StartsWith($"{path}: the JPEG image is damaged or cut off at row ", failure.Message, StringComparison.Ordinal);
-        Assert.InRange(int.Parse(failure.Message.Split("row ")[1].Split('.')[0], System.Globalization.CultureInfo.InvariantCulture), leastRow, Height);
+        string row = failure.Message.Split("row ")[1].Split('.')[0];
+        Assert.InRange(int.Parse(row, System.Globalization.CultureInfo.InvariantCulture), leastRow, Height);
     }
 
     private static float[] Rows(MapSource source, int first, int count)
