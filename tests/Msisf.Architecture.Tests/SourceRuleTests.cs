@@ -73,7 +73,7 @@ public sealed partial class SourceRuleTests
                 "src/Msisf.Adapters/Metadata/OriginXml.cs", "src/Msisf.App/DataSets/DataSetFile.cs",
                 "src/Msisf.App/Illumination/IlluminationMaps.cs", "src/Msisf.App/Illumination/MonthOfLight.cs",
                 "src/Msisf.App/Preparation/FrameNaming.cs", "src/Msisf.App/Preparation/PreparedRun.cs",
-                "src/Msisf.Core/Detector/Noise/NoiseSource.cs", "src/Msisf.Core/Ephemeris/BlockTimes.cs",
+                "src/Msisf.Core/Detector/Noise/FrameNumber.cs", "src/Msisf.Core/Ephemeris/BlockTimes.cs",
                 "src/Msisf.Core/Ephemeris/KernelCover.cs", "src/Msisf.Core/Scene/SpacecraftState.cs",
                 "src/Msisf.Core/Time/Instant.cs", "src/Msisf.Core/Time/TimeInterval.cs", "src/Msisf.Server/FoldersEndpoint.cs",
                 "src/Msisf.Server/SunEndpoints.cs",

@@ -17,7 +17,7 @@ public sealed class TimeStress : IStressTest
     /// <summary>s: two roundings of the rest that a double of TDB leaves, and TDB - TT's change of 3.3e-10 in each second.</summary>
     private const double TdbStepError = 1e-14;
 
-    /// <summary>s: an MJD is read as the decimal number that it prints, within half of its spacing of 6.3e-7 s, and TDB is rounded.</summary>
+    /// <summary>s: an MJD is read as the decimal number that it prints, within half of its spacing of 6.3e-7 s; TDB is rounded.</summary>
     private const double LeapError = 3.6e-7;
 
     private static readonly Duration Microsecond = Duration.OfSeconds(1e-6m);
