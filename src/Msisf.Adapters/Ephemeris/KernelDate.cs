@@ -95,6 +95,11 @@ internal static class KernelDate
             token.Kind == 'i' && (token.Value >= FirstPlainYear || i == ofEra) ? token with { Kind = 'Y' } : token)];
         double? era = RemoveFirst(tokens, "e", 0)?.Value;
         RemoveFirst(tokens, "w", 0);
+        if (era is not null && tokens.Exists(token => token.Kind == 't'))
+        {
+            return null; // ISO's T stands with ISO's dates only, which have no era
+        }
+
         return Meaning(tokens) is { } found ? Seconds(found.Tokens, found.Meaning, era) : null;
     }
 
