@@ -51,6 +51,7 @@ stage_program() {
     rm -f "$1"/publish/*.pdb "$1"/publish/*.xml "$1"/publish/createdump "$1"/publish/libmscordaccore.so "$1"/publish/libmscordbi.so \
         "$1/publish/sources" "$1/publish/dotnet-root"
     cp lib/*.dtd "$1/lib"
+    install -D -m 644 lib/fonts/LICENSE-DejaVu.txt "$1/lib/fonts/LICENSE-DejaVu.txt"
     [ ! -e lib/native/libcspice.so ] || install -D -m 644 lib/native/libcspice.so "$1/lib/native/libcspice.so"
     cp scripts/get-ldem.sh scripts/get-albedo.sh scripts/get-names.sh "$1/scripts"
     cp scripts/lib/common.sh scripts/lib/download.sh scripts/lib/ldem.sh "$1/scripts/lib"
