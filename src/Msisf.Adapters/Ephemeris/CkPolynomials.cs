@@ -32,11 +32,14 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
     /// <param name="ticks">Within the times.</param>
     /// <param name="times">Ticks of the packets of one interval.</param>
     /// <param name="firstPacket">Where the first of them stands, from 0.</param>
+    /// <param name="followsOthers">
+    /// Whether other packets lie before the interval: at its first tick CSPICE then counts the last of those as the one before the tick.
+    /// </param>
     /// <exception cref="Core.Errors.BadInputException">The kernel is damaged.</exception>
-    public (double[] Quaternion, Vector3D Rate) At(double ticks, ReadOnlySpan<double> times, long firstPacket)
+    public (double[] Quaternion, Vector3D Rate) At(double ticks, ReadOnlySpan<double> times, long firstPacket, bool followsOthers)
     {
         int found = times.BinarySearch(ticks);
-        int low = Math.Max(0, (found < 0 ? ~found : found) - 1); // as in SPICE, the last one before the tick
+        int low = Math.Max(followsOthers ? -1 : 0, (found < 0 ? ~found : found) - 1); // as in SPICE, the last one before the tick
         int first = Math.Max(0, low - (Window / 2) + 1);
         int count = Math.Min(times.Length, low + 1 + (Window / 2)) - first;
         double[] packets = Words.Read(firstPacket + ((long)first * Packet), count * Packet);
@@ -156,7 +159,8 @@ internal sealed class CkInterpolated : CkSegment
         TickIntervals times = _times.Value;
         (int first, int end) = times.Of(ticks);
         return ticks >= times.Ticks[first] && ticks <= times.Ticks[end - 1]
-            ? Attitude(_polynomials.At(ticks, times.Ticks.AsSpan(first, end - first), (long)first * _polynomials.Packet))
+            ? Attitude(_polynomials.At(
+                ticks, times.Ticks.AsSpan(first, end - first), (long)first * _polynomials.Packet, followsOthers: first > 0))
             : null;
     }
 }
@@ -196,7 +200,7 @@ internal sealed class CkPieces : CkSegment
 
         Piece piece = pieces[Math.Clamp(index, 0, pieces.Length - 1)];
         return ticks >= piece.Ticks[0] && ticks <= piece.Ticks[^1]
-            ? Attitude(piece.Polynomials.At(ticks, piece.Ticks, piece.First))
+            ? Attitude(piece.Polynomials.At(ticks, piece.Ticks, piece.First, followsOthers: false))
             : null;
     }
 
