@@ -13,8 +13,8 @@ public sealed class WrongValueTests : IDisposable
     private const string Orbit = "--kepler-set {1.9E6,0,0,0,1,0} --epoch 55289 --time 55289 --attitude {0,0,0,1}";
     private const string Place = "--position 1,2,3E4 --time 55289";
 
-    /// <summary>Options whose value can be any text or path, or is judged by the file that it is about.</summary>
-    private static readonly string[] TakingAnything = ["--output-name", "--pov-options", "--columns"];
+    /// <summary>Options whose value can be any text or path.</summary>
+    private static readonly string[] TakingAnything = ["--output-name", "--pov-options"];
 
     /// <summary>Wrong values of options with a syntax of their own.</summary>
     private static readonly Dictionary<string, string[]> WrongTexts = new(StringComparer.Ordinal)
@@ -64,6 +64,7 @@ public sealed class WrongValueTests : IDisposable
         ["--catalogues"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--sbatch-options"] = ["-x", "time=1"],
         ["--batch-euler"] = ["XYQ", "12"],
+        ["--columns"] = ["x", "lat=", "depth=2", "lat=1,lat=2"],
     };
 
     private readonly TemporaryFolder _folder = new();
@@ -172,6 +173,12 @@ public sealed class WrongValueTests : IDisposable
         if (option.StartsWith("--layers-", StringComparison.Ordinal))
         {
             words.AddRange(["--layers", "depth"]);
+        }
+
+        if (option == "--columns" && path != "illumination")
+        {
+            words.AddRange(["--landmarks", "a.csv"]);
+            words.AddRange(Has(path, "--renderer") ? ["--renderer", "native"] : []);
         }
 
         if (option == "--rest")

@@ -14,7 +14,9 @@ public sealed class ListColumns
 
     private readonly (string Key, string Column)[] _pairs;
 
-    private ListColumns((string Key, string Column)[] pairs) => _pairs = pairs;
+    private readonly string _text;
+
+    private ListColumns((string Key, string Column)[] pairs, string text) => (_pairs, _text) = (pairs, text);
 
     /// <summary>Reads the text.</summary>
     /// <param name="text">Pairs with '=' between them, separated by commas; a column's name may be in double quotes.</param>
@@ -33,8 +35,11 @@ public sealed class ListColumns
         })];
         return pairs.GroupBy(pair => pair.Item1).FirstOrDefault(group => group.Count() > 1) is { Key: var twice }
             ? throw new BadInputException($"'{twice}' is there twice. Leave one out.")
-            : new ListColumns(pairs);
+            : new ListColumns(pairs, text);
     }
+
+    /// <summary>The text as the user gave it.</summary>
+    public override string ToString() => _text;
 
     /// <summary>The place of the column that a key names, from 0; null if the user does not say it.</summary>
     /// <param name="names">The names of the list's columns.</param>

@@ -121,7 +121,7 @@ internal sealed record IlluminationSettings
             Cell = IlluminationOptions.Cell.ReadIfGiven(values),
             Points = points,
             Columns = IlluminationOptions.Columns.ReadIfGiven(values) is { } columns
-                ? IlluminationOptions.Columns.NamedInErrors(() => ListColumns.Parse(columns))
+                ? IlluminationOptions.Columns.Named(() => ListColumns.Parse(columns))
                 : null,
             Times = times,
             Heights = heights,

@@ -76,12 +76,12 @@ internal sealed record NavigationInputs(CraterFinder? Craters, LandmarkFinder? L
 
         CraterFinder? craters = settings.Craters is { } path
             ? NavigationOptions.Craters.NamedInErrors(() => new CraterFinder(
-                new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius, settings.ListColumns)), settings.Rim,
+                new CraterCatalogue(CraterCatalogueReader.ReadAll(path, referenceRadius, settings.Columns)), settings.Rim,
                 settings.LeastDiameter))
             : null;
         LandmarkFinder? landmarks = settings.Landmarks is { } list
             ? NavigationOptions.Landmarks.NamedInErrors(() => new LandmarkFinder(
-                LandmarkReader.Read(list, referenceRadius, given: settings.ListColumns)))
+                LandmarkReader.Read(list, referenceRadius, given: settings.Columns)))
             : null;
         return new NavigationInputs(
             craters,

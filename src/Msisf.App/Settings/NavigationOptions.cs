@@ -42,7 +42,7 @@ internal static class NavigationOptions
         "Lists where each image shows the points of a list (CSV), with partial derivatives, in the meta file and as CSV");
 
     public static TextSpec Columns { get; } = new(
-        "--columns", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Columns), "KEY=COLUMN,...",
+        "--columns", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Columns?.ToString()), "KEY=COLUMN,...",
         "Which columns of the lists mean what, by name or number, where they are not found by their names: id, name, lat, lon, diam_km, "
             + "diam_m, major_km, minor_km, angle_deg, height, x, y, z");
 

@@ -18,13 +18,8 @@ internal sealed record NavigationSettings
     /// <summary>Path of the list of landmarks; null for none.</summary>
     public string? Landmarks { get; init; }
 
-    /// <summary>Which columns of the lists the user names, as text; null for none.</summary>
-    public string? Columns { get; init; }
-
-    /// <summary>The same, read.</summary>
-    public ListColumns? ListColumns => Columns is { } text
-        ? NavigationOptions.Columns.NamedInErrors(() => Adapters.Catalogues.ListColumns.Parse(text))
-        : null;
+    /// <summary>Which columns of the lists the user names; null for none.</summary>
+    public ListColumns? Columns { get; init; }
 
     /// <summary>The other frame of the flow, as the user says it; null for none.</summary>
     public string? Flow { get; init; }
@@ -66,7 +61,9 @@ internal sealed record NavigationSettings
             {
                 Craters = craters,
                 Landmarks = landmarks,
-                Columns = NavigationOptions.Columns.ReadIfGiven(values),
+                Columns = NavigationOptions.Columns.ReadIfGiven(values) is { } columns
+                    ? NavigationOptions.Columns.Named(() => ListColumns.Parse(columns))
+                    : null,
                 Flow = flow,
                 Stereo = stereo,
                 FlowFormats = formats,
