@@ -23,7 +23,7 @@ public static class AnnotationRenderer
     private const double TextWidthShare = 0.6;
 
     /// <summary>
-    /// Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 390 px wide or 190 px
+    /// Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 310 px wide or 190 px
     /// high).
     /// </summary>
     /// <param name="rendered">The rendered image, PNG.</param>

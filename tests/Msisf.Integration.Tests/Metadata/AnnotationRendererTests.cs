@@ -100,8 +100,7 @@ public class AnnotationRendererTests
     [InlineData(1, false)]
     [InlineData(64, false)]
     [InlineData(280, false)]
-    [InlineData(320, false)]
-    [InlineData(420, true)]
+    [InlineData(320, true)]
     [InlineData(1024, true)]
     public void Write_TextBlock_IsThereWhereItCanBeRead(int size, bool isThere)
     {
@@ -117,7 +116,7 @@ public class AnnotationRendererTests
 
     /// <summary>At any size of the font.</summary>
     [Theory]
-    [InlineData(420)]
+    [InlineData(320)]
     [InlineData(700)]
     [InlineData(1024)]
     public void Write_Text_StaysInItsBox(int width)
