@@ -8,13 +8,9 @@ using Xunit;
 namespace Msisf.Integration.Tests.Input;
 
 /// <summary>Kernels and CCSDS files from the field: each gives the value that stands beside it, or a refusal whose advice works.</summary>
-public sealed class FieldKernelTests : IDisposable
+public sealed class FieldKernelTests
 {
     private const string AtPass = "--time 2010-04-06T20:11:35.5Z";
-
-    private readonly TemporaryFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
 
     /// <summary>02: clocks that differ in the form of a date only give the same attitude.</summary>
     [RequiresTheory(Part.Field, Part.CSpice)]
@@ -59,7 +55,9 @@ public sealed class FieldKernelTests : IDisposable
         JsonElement right = expected.RootElement.GetProperty("CSPICE position of orbit_b1950.bsp, m, MOON_ME");
         double[] position = [.. right.EnumerateArray().Select(x => x.GetDouble())];
         Vector3D off = new(place[1] - position[0], place[2] - position[1], place[3] - position[2]);
-        Assert.InRange(off.Length, 0.0, 5e-5); // what the spacecraft flies in half a step of CSPICE's double of time, 3e-8 s
+
+        // The expected position is CSPICE's, at the nearest double of time: the spacecraft flies 5e-5 m in half a step of it, 3e-8 s.
+        Assert.InRange(off.Length, 0.0, engine == "cspice" ? 1e-6 : 5e-5);
     }
 
     /// <summary>14: one message has one spacecraft, whose ID tells it from others of its name.</summary>
