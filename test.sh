@@ -39,7 +39,7 @@ if find_dotnet && part_is_here icu && part_is_here certificates; then
     build_all &
     build=$!
 fi
-install_parts povray cfitsio fitsverify astropy gdal matplotlib numpy pytest zmq g++ pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
+install_parts povray cfitsio fitsverify astropy gdal matplotlib numpy pytest torch zmq g++ pip downloader certificates xmllint shellcheck php phpunit mariadbd slurm parallel ||
     warn 'going on without them: their tests are skipped'
 install_parts chromium || warn 'going on without it: the tests of the viewer are skipped'
 install_parts octave || warn 'going on without it: the tests of the client in MATLAB are skipped'

@@ -12,7 +12,7 @@ part_is_here() {
         gdal-library) library_is_here libgdal ;;
         matplotlib) python_package_is_here matplotlib ;;
         numpy) python_package_is_here numpy ;;
-        zmq) python_package_is_here zmq ;;
+        torch | zmq) python_package_is_here "$1" ;;
         pytest) python_package_is_here pytest ;;
         pip) python_package_is_here pip && python_package_is_here setuptools && python_package_is_here wheel ;;
         icu) [ "$(uname -s)" = Darwin ] || library_is_here libicuuc ;;
@@ -67,9 +67,9 @@ package_of() {
         pacman-astropy | pacman-matplotlib) echo "python-$2" ;;
         brew-astropy) echo astropy ;;
         brew-matplotlib) echo python-matplotlib ;;
-        apt-numpy | apt-pytest | apt-zmq) echo "python3-$2" ;;
+        apt-numpy | apt-pytest | apt-torch | apt-zmq) echo "python3-$2" ;;
         apt-pip | dnf-pip) echo python3-pip python3-setuptools python3-wheel ;;
-        dnf-numpy | dnf-pytest | dnf-zmq) echo "python3-$2" ;;
+        dnf-numpy | dnf-pytest | dnf-torch | dnf-zmq) echo "python3-$2" ;;
         pacman-numpy | pacman-pytest) echo "python-$2" ;;
         pacman-pip) echo python-pip python-setuptools python-wheel ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name

@@ -7,7 +7,8 @@ make_published_clone() {
     make_clone "$PWD/clone"
     make_executable clone/scripts/build.sh </dev/null
     cp "$MSISF_TESTED_ROOT"/{README.md,LICENSE} clone
-    mkdir -p clone/cameras
+    mkdir -p clone/cameras clone/lib/fonts
+    echo 'licence' >clone/lib/fonts/LICENSE-DejaVu.txt
     echo 'focal-length: 1' >clone/cameras/one.yaml
     echo 'meta' >clone/kernels/msisf.tm
     echo '<!ELEMENT a EMPTY>' >clone/lib/MSISRendering.dtd
@@ -50,6 +51,7 @@ msisf_${version}_amd64.deb"
     run env -i "msisf-$version-linux-x64/msis" --version
     assert_says "program: --version in msisf-$version-linux-x64/publish/msis dotnet=none"
     assert_file "msisf-$version-linux-x64/kernels/msisf.tm"
+    assert_file "msisf-$version-linux-x64/lib/fonts/LICENSE-DejaVu.txt"
     assert_no_file "msisf-$version-linux-x64/publish/msis.pdb"
     assert_no_file "msisf-$version-linux-x64/publish/msis-server.pdb"
     assert_file "msisf-$version-linux-x64/publish/wwwroot/index.html"

@@ -107,7 +107,7 @@ final class RefusedGenerationTest extends GenerationTestCase
         file_put_contents($foreign, 'mesh { mine }');
 
         self::assertRefused(2, $foreign, $this->generate([...self::TILE, '--repository', $repository]));
-        self::assertRefused(2, $foreign, $this->generate(['--all', '--jobs=2', '--repository', $repository]));
+        self::assertRefused(2, $foreign, $this->generate(['--lat=0:10', '--jobs=2', '--repository', $repository]));
 
         self::assertStringEqualsFile($foreign, 'mesh { mine }');
     }
