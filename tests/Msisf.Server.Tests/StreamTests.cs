@@ -203,6 +203,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
     public async Task FourClients_AreServedAlike()
     {
         const int images = 20;
+        const int fewest = images / 4; // one after another, the others would have none; on a busy machine the clients run unevenly
         int[] counts = new int[4];
         int[]? whenFirstEnded = null;
         ClientWebSocket[] sockets = new ClientWebSocket[counts.Length];
@@ -224,7 +225,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
         })));
         Array.ForEach(sockets, socket => socket.Dispose());
 
-        Assert.All(whenFirstEnded!, count => Assert.True(count >= images / 2, $"{string.Join(", ", whenFirstEnded!)} of {images}"));
+        Assert.All(whenFirstEnded!, count => Assert.True(count >= fewest, $"{string.Join(", ", whenFirstEnded!)} of {images}"));
     }
 
     private async Task<ClientWebSocket> OpenAsync(string message)

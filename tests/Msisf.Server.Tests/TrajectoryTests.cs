@@ -73,7 +73,8 @@ public sealed class TrajectoryTests : IDisposable
     [InlineData("\"states\": []", "'states' is empty. Give states, MJD rx ry rz vx vy vz each")]
     [InlineData(
         "\"states\": [[\"noon\", 2e6, 0, 0, 0, 1600, 0]]",
-        "'states', state 1: 'noon' is not a number; write decimal or scientific notation with a decimal point, e.g. -1737400.5 or +1.7374E+006; a time is an MJD (UTC), or")]
+        "'states', state 1: 'noon' is not a number; write decimal or scientific notation with a decimal point, "
+            + "e.g. -1737400.5 or +1.7374E+006; a time is an MJD (UTC), or")]
     [InlineData("\"states\": [[60328.5, \"2e6\", 0, 0, 0, 1600, 0]]", "'states', state 1: a list of 7 finite numbers is needed")]
     [InlineData("\"states\": [[60328.5, 2e6, 0, 0]]", "'states', state 1: a list of 7 finite numbers is needed: MJD rx ry rz vx vy vz.")]
     [InlineData("\"states\": [[60328.5, 2e6, 0, 0, 0, 1600, null]]", "'states', state 1: a list of 7 finite numbers")]

@@ -26,6 +26,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     public void Find_AnyScene_HasTheCratersThatAreFoundOneByOne()
     {
         int found = 0;
+        int step = TestLength.Of(4, 1);
         string[] everyday = ["far", "oblique-20km", "north-pole-axis", "half-sky", "wide-angle", "whole-disc", "limb-1e9"];
         int count = TestLength.Of(everyday.Length, RenderScenes.All.Count);
         foreach (RenderScenes.RenderSceneCase scene in
@@ -35,7 +36,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             CratersOfFrame craters = new CraterFinder(Catalogue, CraterRim.Disc, 0.0).Find(camera, Light(scene), ldem4.Grid);
             Dictionary<int, CraterView> views = craters.Views.ToDictionary(view => view.Crater.Number);
             HashSet<int> leftOut = [.. craters.LeftOut.Select(crater => crater.Crater.Number)];
-            foreach (Crater crater in Catalogue.Craters)
+            foreach (Crater crater in Catalogue.Craters.Where((_, index) => index % step == 0))
             {
                 CraterDisc disc = CraterDisc.Of(crater, new GroundBelow(ldem4.Grid).RadiusAt(CraterDisc.Of(crater, 1.0).Up));
                 bool isThere = views.ContainsKey(crater.Number) || leftOut.Contains(crater.Number);
@@ -62,7 +63,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
             }
         }
 
-        Assert.True(found > 500, $"{found} craters");
+        Assert.True(found > 500 / step, $"{found} craters");
     }
 
     /// <summary>Smaller craters are counted, not listed.</summary>
