@@ -22,6 +22,8 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
     /// <summary>Decimals of a second in attoseconds.</summary>
     private const int AllDecimals = 18;
 
+    private const int SecondsPerDay = 86_400;
+
     private static readonly DateTime DayZero = new(1858, 11, 17, 0, 0, 0, DateTimeKind.Utc);
 
     /// <summary>Takes a date and a time of day.</summary>
@@ -36,15 +38,16 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
     private CalendarTime(long dayNumber, Duration sinceMidnight, bool mayBeLeapSecond)
     {
         bool isLeapSecond = mayBeLeapSecond && sinceMidnight >= Duration.Day && sinceMidnight < Duration.Day + Duration.OfSeconds(1);
-        Int128 days = isLeapSecond ? 0 : Duration.FloorDivide(sinceMidnight.Attoseconds, Duration.Day.Attoseconds);
-        Int128 day = dayNumber + days;
+        (long days, long rest) = isLeapSecond ? (0L, 0L) : Math.DivRem(sinceMidnight.WholeSeconds, SecondsPerDay);
+        days -= rest < 0 ? 1 : 0;
+        long day = dayNumber + days;
         if (day < FirstDay || day >= EndOfDays)
         {
             throw new BadInputException("The time is outside the years 1 to 9999, which a date of the calendar can name.");
         }
 
         DayNumber = (int)day;
-        SinceMidnight = sinceMidnight - ((long)days * Duration.Day);
+        SinceMidnight = sinceMidnight - (days * Duration.Day);
     }
 
     /// <summary>0001-01-01T00:00:00, the first time that a date of the calendar can name.</summary>
@@ -73,7 +76,7 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
             }
 
             // A decimal has 28 digits; its conversion to a double is rounded twice, that of its text once.
-            decimal days = DayNumber + ((decimal)SinceMidnight.Attoseconds / 86_400m / Duration.PerSecond);
+            decimal days = DayNumber + (SinceMidnight.ToDecimalSeconds(AllDecimals) / SecondsPerDay);
             return double.Parse(days.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
         }
     }
@@ -149,9 +152,9 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
 
     private string Text(int length, bool isPadded)
     {
-        CalendarTime rounded = RoundedTo(new Duration((Int128)Math.Pow(10.0, AllDecimals - length)));
-        (Int128 second, Int128 fraction) = Int128.DivRem(rounded.SinceMidnight.Attoseconds, Duration.PerSecond);
-        (Int128 hour, Int128 minute) = rounded.IsLeapSecond ? (23, 59) : (second / 3600, second / 60 % 60);
+        CalendarTime rounded = RoundedTo(new Duration(0, (long)Math.Pow(10.0, AllDecimals - length)));
+        (long second, long fraction) = (rounded.SinceMidnight.WholeSeconds, rounded.SinceMidnight.Attoseconds);
+        (long hour, long minute) = rounded.IsLeapSecond ? (23, 59) : (second / 3600, second / 60 % 60);
         string decimals = fraction.ToString("D18", CultureInfo.InvariantCulture)[..length];
         decimals = isPadded ? decimals : decimals.TrimEnd('0');
         return Invariant(

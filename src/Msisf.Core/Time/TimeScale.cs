@@ -20,7 +20,7 @@ public sealed class TimeScale
     private static readonly Duration HalfDay = Duration.OfSeconds(43_200);
     private static readonly Duration StepBeforeTable = Duration.OfSeconds(1);
     private static readonly Duration TaiMinusGps = Duration.OfSeconds(19); // by definition
-    private static readonly Duration Attosecond = new(1);
+    private static readonly Duration Attosecond = new(0, 1);
 
     private readonly TdbConstants _constants;
     private readonly Duration _ttMinusTai;
