@@ -131,6 +131,34 @@ public sealed class FieldKernelTests
         folder.Delete(recursive: true);
     }
 
+    /// <summary>The paths of this meta-kernel start at the folder in which the program runs, as SPICE takes them.</summary>
+    [RequiresFact(Part.Field)]
+    public void MetaKernel_PathsFromTheWorkingFolder_AreFound() => ChildRun.Of(
+        Environment.ProcessPath!,
+        [
+            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "states", "--kernels", "mk/mission.tm", "--position", "0,0,100000",
+            "--time", "2010-04-06T20:24:00Z", "--format", "csv",
+        ],
+        Path.Combine(TestParts.Field, "19")).Succeeded();
+
+    /// <summary>A second apart by the rows' own velocities too, also across 23:59:60.</summary>
+    [RequiresFact(Part.Field)]
+    public void Oem_EverySecondOverALeapSecond_HasEachStateOnce()
+    {
+        CommandLineRun done = Run("t1", "--oem leap_second.oem --every 1 --off-nadir 0");
+        double[][] rows = [.. done.Output.Split('\n').Where(line => line.StartsWith("577", StringComparison.Ordinal)).Select(Numbers)];
+
+        Assert.Equal(241, rows.Length);
+        foreach ((double[] first, double[] second) in rows.Zip(rows.Skip(1)))
+        {
+            for (int axis = 1; axis <= 3; axis++)
+            {
+                // m: the trapezium rule over a second, in which the acceleration of 1.5 m/s2 hardly changes
+                Assert.Equal(0.5 * (first[axis + 7] + second[axis + 7]), second[axis] - first[axis], 0.001);
+            }
+        }
+    }
+
     /// <summary>The last line of the table of states.</summary>
     private static string Row(string folder, string run)
     {
