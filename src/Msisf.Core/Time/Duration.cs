@@ -2,7 +2,8 @@ namespace Msisf.Core.Time;
 
 /// <summary>A length of time in SI seconds, exact to an attosecond (1e-18 s); <c>default</c> is 0. May be negative. Immutable.</summary>
 /// <remarks>
-/// It is two longs and no Int128: the compiler that runs ahead of time leaves every method that touches an Int128 to the start of the program.
+/// It is two longs and no Int128: a compiler ahead of time (ReadyToRun) leaves every method that touches an Int128 to the start of the
+/// program.
 /// </remarks>
 public readonly record struct Duration : IComparable<Duration>
 {

@@ -59,8 +59,9 @@ public sealed class DurationTests
             Assert.Equal((double)Attoseconds(a) / 1e18, a.TotalSeconds, 1e-15 * Math.Abs(a.TotalSeconds));
             Assert.Equal((decimal)Attoseconds(a) / Duration.PerSecond, a.ToDecimalSeconds(18));
 
-            BigInteger steps = BigInteger.Divide(Attoseconds(a) + 500_000 + (Duration.PerSecond * (BigInteger)1e17), 1_000_000);
-            Assert.Equal((steps * 1_000_000) - (Duration.PerSecond * (BigInteger)1e17), Attoseconds(a.RoundedTo(new Duration(0, 1_000_000))));
+            BigInteger shift = Duration.PerSecond * (BigInteger)1e17; // division of integers rounds down only above 0
+            BigInteger steps = BigInteger.Divide(Attoseconds(a) + 500_000 + shift, 1_000_000);
+            Assert.Equal((steps * 1_000_000) - shift, Attoseconds(a.RoundedTo(new Duration(0, 1_000_000))));
         }
     }
 
