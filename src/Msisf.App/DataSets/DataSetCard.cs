@@ -1,5 +1,6 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using Msisf.Adapters.Manifest;
 
 namespace Msisf.App.DataSets;
@@ -15,9 +16,9 @@ internal sealed record DataSetCard
 
     public const string PlotsName = "card.svg";
 
-    private static readonly JsonSerializerOptions Indented = new()
+    private static readonly JsonWriterOptions Indented = new()
     {
-        WriteIndented = true,
+        Indented = true,
         NewLine = "\n",
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
     };
@@ -50,67 +51,73 @@ internal sealed record DataSetCard
     /// <summary>Writes the card for programs.</summary>
     public void WriteJson(Stream stream)
     {
-        JsonSerializer.Serialize(
-            stream,
-            new Dictionary<string, object?>
+        JsonObject card = new()
+        {
+            ["name"] = Spec.Name,
+            ["description"] = Spec.Description,
+            ["licence"] = Spec.Licence,
+            ["version"] = Version,
+            ["file"] = Path.GetFileName(Spec.Path),
+            ["fileSha256"] = Spec.Sha256,
+            ["seed"] = Spec.Seed,
+            ["noiseSeed"] = Spec.NoiseSeed,
+            ["sampling"] = Spec.IsEven ? "kronecker" : "random",
+            ["images"] = Spec.Images,
+            ["pairs"] = Spec.HasPairs,
+            ["again"] = Again,
+            ["contentSha256"] = Content,
+            ["camera"] = new JsonObject
             {
-                ["name"] = Spec.Name,
-                ["description"] = Spec.Description,
-                ["licence"] = Spec.Licence,
-                ["version"] = Version,
-                ["file"] = Path.GetFileName(Spec.Path),
-                ["fileSha256"] = Spec.Sha256,
-                ["seed"] = Spec.Seed,
-                ["noiseSeed"] = Spec.NoiseSeed,
-                ["sampling"] = Spec.IsEven ? "kronecker" : "random",
-                ["images"] = Spec.Images,
-                ["pairs"] = Spec.HasPairs,
-                ["again"] = Again,
-                ["contentSha256"] = Content,
-                ["camera"] = new Dictionary<string, object> { ["width"] = Camera.Width, ["height"] = Camera.Height, ["K"] = Camera.K },
-                ["options"] = Arguments,
-                ["conditions"] = new Dictionary<string, object?>
-                {
-                    ["ground"] = Spec.Accept.Ground,
-                    ["lit"] = Spec.Accept.Lit,
-                    ["sunElevation"] = Spec.Accept.SunElevation is { } range ? new[] { range.Min, range.Max } : null,
-                },
-                ["splits"] = Drawn.Splits.Select(draw => new Dictionary<string, object>
-                {
-                    ["name"] = draw.Split.Name,
-                    ["images"] = draw.Split.Count * (Spec.HasPairs ? 2 : 1),
-                    ["regions"] = draw.Split.Regions.Select(region => new[] { region.South, region.North, region.West, region.East }),
-                    ["candidates"] = draw.Candidates,
-                    ["rejected"] = draw.Rejected,
-                }),
-                ["distributions"] = Histograms.Select(histogram => new Dictionary<string, object?>
-                {
-                    ["name"] = histogram.Name,
-                    ["unit"] = histogram.Unit,
-                    ["asked"] = histogram.Asked?.ToString(),
-                    ["min"] = histogram.Min,
-                    ["mean"] = histogram.Mean,
-                    ["max"] = histogram.Max,
-                    ["from"] = histogram.From,
-                    ["width"] = histogram.Width,
-                    ["counts"] = histogram.Counts,
-                    ["expected"] = histogram.Expected,
-                }),
-                ["sources"] = Sources.Select(source => new Dictionary<string, string>
-                {
-                    ["kind"] = source.Kind,
-                    ["name"] = source.Name,
-                    ["sha256"] = source.Sha256,
-                    ["licence"] = source.Licence,
-                }),
-                ["files"] = Files.Select(file => new Dictionary<string, object>
-                {
-                    ["name"] = file.Name,
-                    ["bytes"] = file.Bytes,
-                    ["sha256"] = file.Sha256,
-                }),
+                ["width"] = Camera.Width,
+                ["height"] = Camera.Height,
+                ["K"] = new JsonArray([.. Camera.K.Select(Numbers)]),
             },
-            Indented);
+            ["options"] = Arguments,
+            ["conditions"] = new JsonObject
+            {
+                ["ground"] = Spec.Accept.Ground,
+                ["lit"] = Spec.Accept.Lit,
+                ["sunElevation"] = Spec.Accept.SunElevation is { } range ? new JsonArray(range.Min, range.Max) : null,
+            },
+            ["splits"] = new JsonArray([.. Drawn.Splits.Select(draw => new JsonObject
+            {
+                ["name"] = draw.Split.Name,
+                ["images"] = draw.Split.Count * (Spec.HasPairs ? 2 : 1),
+                ["regions"] = new JsonArray([.. draw.Split.Regions.Select(
+                    region => new JsonArray(region.South, region.North, region.West, region.East))]),
+                ["candidates"] = draw.Candidates,
+                ["rejected"] = new JsonObject(draw.Rejected.Select(entry => KeyValuePair.Create(entry.Key, (JsonNode?)entry.Value))),
+            })]),
+            ["distributions"] = new JsonArray([.. Histograms.Select(histogram => new JsonObject
+            {
+                ["name"] = histogram.Name,
+                ["unit"] = histogram.Unit,
+                ["asked"] = histogram.Asked?.ToString(),
+                ["min"] = histogram.Min,
+                ["mean"] = histogram.Mean,
+                ["max"] = histogram.Max,
+                ["from"] = histogram.From,
+                ["width"] = histogram.Width,
+                ["counts"] = Numbers(histogram.Counts.Select(count => (double)count)),
+                ["expected"] = Numbers(histogram.Expected),
+            })]),
+            ["sources"] = new JsonArray([.. Sources.Select(source => new JsonObject
+            {
+                ["kind"] = source.Kind,
+                ["name"] = source.Name,
+                ["sha256"] = source.Sha256,
+                ["licence"] = source.Licence,
+            })]),
+            ["files"] = new JsonArray([.. Files.Select(file => new JsonObject
+            {
+                ["name"] = file.Name,
+                ["bytes"] = file.Bytes,
+                ["sha256"] = file.Sha256,
+            })]),
+        };
+        using Utf8JsonWriter writer = new(stream, Indented);
+        card.WriteTo(writer);
+        writer.Flush();
         stream.WriteByte((byte)'\n');
     }
 
@@ -180,6 +187,8 @@ internal sealed record DataSetCard
 
         writer.WriteLine();
     }
+
+    private static JsonArray Numbers(IEnumerable<double> numbers) => new([.. numbers.Select(number => (JsonNode)number)]);
 
     private static string Number(double number) => number.ToString(Math.Abs(number) >= 1e6 ? "G10" : "G6", CultureInfo.InvariantCulture);
 

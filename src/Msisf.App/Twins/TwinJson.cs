@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using Msisf.Adapters.RealImages;
 using Msisf.App.Settings;
 using Msisf.Core.Comparison;
@@ -8,62 +9,62 @@ namespace Msisf.App.Twins;
 /// <summary>Writes the numbers of a twin for programs.</summary>
 internal sealed class TwinJson(TwinResult result)
 {
-    private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
+    private static readonly JsonWriterOptions Indented = new() { Indented = true, NewLine = "\n" };
 
     public void Write(Stream stream)
     {
         TwinComparison? found = result.Comparison;
-        JsonSerializer.Serialize(
-            stream,
-            new Dictionary<string, object?>
+        JsonObject card = new()
+        {
+            ["label"] = Path.GetFileName(result.Label.Path),
+            ["kind"] = result.Label.Kind,
+            ["camera"] = result.Camera.Name,
+            ["version"] = result.Version,
+            ["image"] = result.Image,
+            ["band"] = result.Band.Index + 1,
+            ["nanometres"] = result.Band.Nanometres,
+            ["samples"] = result.Plan.Pixels.Samples,
+            ["lines"] = result.Plan.Pixels.Lines,
+            ["cameraPixelsOfOne"] = new JsonArray(result.Plan.Pixels.SampleStep, result.Plan.Pixels.LineStep),
+            ["firstExposureTdb"] = result.Plan.Start,
+            ["period"] = result.Plan.Period,
+            ["exposures"] = result.Plan.Exposures,
+            ["reflectance"] = result.Settings.Native.ReflectanceText,
+            ["sunOffsetDegrees"] = result.SunOffsetDegrees,
+            ["comparison"] = found is null ? null : new JsonObject
             {
-                ["label"] = Path.GetFileName(result.Label.Path),
-                ["kind"] = result.Label.Kind,
-                ["camera"] = result.Camera.Name,
-                ["version"] = result.Version,
-                ["image"] = result.Image,
-                ["band"] = result.Band.Index + 1,
-                ["nanometres"] = result.Band.Nanometres,
-                ["samples"] = result.Plan.Pixels.Samples,
-                ["lines"] = result.Plan.Pixels.Lines,
-                ["cameraPixelsOfOne"] = new[] { result.Plan.Pixels.SampleStep, result.Plan.Pixels.LineStep },
-                ["firstExposureTdb"] = result.Plan.Start,
-                ["period"] = result.Plan.Period,
-                ["exposures"] = result.Plan.Exposures,
-                ["reflectance"] = result.Settings.Native.ReflectanceText,
-                ["sunOffsetDegrees"] = result.SunOffsetDegrees,
-                ["comparison"] = found is null ? null : new Dictionary<string, object?>
+                ["pixels"] = found.Agreement.Count,
+                ["correlation"] = found.Agreement.Correlation,
+                ["relativeRms"] = found.Agreement.Rms,
+                ["factor"] = found.Agreement.Factor,
+                ["byPhase"] = new JsonArray([.. found.ByPhase.Select(part => new JsonObject
                 {
-                    ["pixels"] = found.Agreement.Count,
-                    ["correlation"] = found.Agreement.Correlation,
-                    ["relativeRms"] = found.Agreement.Rms,
-                    ["factor"] = found.Agreement.Factor,
-                    ["byPhase"] = found.ByPhase.Select(part => new Dictionary<string, object?>
-                    {
-                        ["from"] = part.Low,
-                        ["to"] = part.High,
-                        ["pixels"] = part.Agreement.Count,
-                        ["correlation"] = part.Agreement.Correlation,
-                        ["relativeRms"] = part.Agreement.Rms,
-                        ["ratio"] = part.Ratio,
-                    }),
-                    ["shift"] = found.Whole is { } whole ? ShiftOf(whole) : null,
-                    ["blockSide"] = ShiftFinder.BlockSide,
-                    ["blocks"] = found.Blocks.Select(block => new Dictionary<string, object?>
-                    {
-                        ["sample"] = block.Left + 1,
-                        ["line"] = block.Top + 1,
-                        ["width"] = block.Width,
-                        ["height"] = block.Height,
-                        ["shift"] = block.Shift is { } shift ? ShiftOf(shift) : null,
-                    }),
-                },
+                    ["from"] = part.Low,
+                    ["to"] = part.High,
+                    ["pixels"] = part.Agreement.Count,
+                    ["correlation"] = part.Agreement.Correlation,
+                    ["relativeRms"] = part.Agreement.Rms,
+                    ["ratio"] = part.Ratio,
+                })]),
+                ["shift"] = found.Whole is { } whole ? ShiftOf(whole) : null,
+                ["blockSide"] = ShiftFinder.BlockSide,
+                ["blocks"] = new JsonArray([.. found.Blocks.Select(block => new JsonObject
+                {
+                    ["sample"] = block.Left + 1,
+                    ["line"] = block.Top + 1,
+                    ["width"] = block.Width,
+                    ["height"] = block.Height,
+                    ["shift"] = block.Shift is { } shift ? ShiftOf(shift) : null,
+                })]),
             },
-            Indented);
+        };
+        using Utf8JsonWriter writer = new(stream, Indented);
+        card.WriteTo(writer);
+        writer.Flush();
         stream.WriteByte((byte)'\n');
     }
 
-    private static Dictionary<string, double> ShiftOf(ImageShift shift) => new()
+    private static JsonObject ShiftOf(ImageShift shift) => new()
     {
         ["right"] = shift.Right,
         ["down"] = shift.Down,

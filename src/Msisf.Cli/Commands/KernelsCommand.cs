@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.Cli.Output;
@@ -45,24 +46,24 @@ internal static class KernelsCommand
         : content.Name is { } name ? Invariant($"{name} ({body})")
         : body.ToString(CultureInfo.InvariantCulture);
 
-    private static object JsonOf(KernelContent content, TimeScale scale) => new
+    private static JsonObject JsonOf(KernelContent content, TimeScale scale) => new()
     {
-        content.File,
-        content.Kind,
-        content.ByteOrder,
-        Object = content.Body,
-        content.Name,
-        content.RelativeTo,
-        content.Frame,
-        content.Type,
-        Intervals = (content.Cover?.Intervals ?? []).Select(interval => new
+        ["file"] = content.File,
+        ["kind"] = content.Kind,
+        ["byte_order"] = content.ByteOrder,
+        ["object"] = content.Body,
+        ["name"] = content.Name,
+        ["relative_to"] = content.RelativeTo,
+        ["frame"] = content.Frame,
+        ["type"] = content.Type,
+        ["intervals"] = new JsonArray([.. (content.Cover?.Intervals ?? []).Select(interval => new JsonObject
         {
-            FromUtc = Utc(interval.Start, scale),
-            ToUtc = Utc(interval.End, scale),
-            FromTdb = interval.Start,
-            ToTdb = interval.End,
-        }),
-        content.Note,
+            ["from_utc"] = Utc(interval.Start, scale),
+            ["to_utc"] = Utc(interval.End, scale),
+            ["from_tdb"] = interval.Start,
+            ["to_tdb"] = interval.End,
+        })]),
+        ["note"] = content.Note,
     };
 
     /// <summary>Long-term kernels go past the years that a calendar date can name; then it is the number of seconds.</summary>

@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Msisf.App.Preview;
 using Msisf.App.Settings;
 
@@ -34,12 +35,12 @@ internal static class PreviewPrinter
     /// <summary>The step, and the camera of a rig.</summary>
     private static string[] Named(PreviewRow row) => row.Camera is { } camera ? [Text(row.Step, "F0"), camera] : [Text(row.Step, "F0")];
 
-    private static Dictionary<string, object?> JsonOf(PreviewRow row, IReadOnlyList<PreviewColumn> columns) => new(
+    private static JsonObject JsonOf(PreviewRow row, IReadOnlyList<PreviewColumn> columns) => new(
     [
         new(Step, row.Step),
-        .. row.Camera is { } camera ? (KeyValuePair<string, object?>[])[new(Camera, camera)] : [],
+        .. row.Camera is { } camera ? (KeyValuePair<string, JsonNode?>[])[new(Camera, camera)] : [],
         new(Time, row.Time.ToIsoUtc()),
-        .. columns.Select(column => new KeyValuePair<string, object?>(column.Name, column.ValueOf(row))),
+        .. columns.Select(column => new KeyValuePair<string, JsonNode?>(column.Name, column.ValueOf(row))),
     ]);
 
     private static string[][] Cells(IReadOnlyList<PreviewRow> rows, IReadOnlyList<PreviewColumn> columns)

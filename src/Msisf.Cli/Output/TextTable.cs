@@ -1,12 +1,10 @@
-using System.Text.Json;
+using System.Text.Json.Nodes;
 
 namespace Msisf.Cli.Output;
 
 /// <summary>Rows for people, in columns, or for programs, as JSON.</summary>
 internal static class TextTable
 {
-    private static readonly JsonSerializerOptions Names = new() { PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower };
-
     public static void Print(TextWriter results, IEnumerable<string> lines)
     {
         foreach (string line in lines)
@@ -25,10 +23,10 @@ internal static class TextTable
             widths, (cell, width) => isRight ? cell.PadLeft(width) : cell.PadRight(width))).TrimEnd());
     }
 
-    /// <summary>An array with an object a line, whose properties are in small letters with underscores.</summary>
-    public static IEnumerable<string> Json(IEnumerable<object> rows)
+    /// <summary>An array with an object a line.</summary>
+    public static IEnumerable<string> Json(IEnumerable<JsonObject> rows)
     {
-        string[] lines = [.. rows.Select(row => JsonSerializer.Serialize(row, Names))];
+        string[] lines = [.. rows.Select(row => row.ToJsonString())];
         return ["[", .. lines.Select((line, index) => index + 1 < lines.Length ? $"{line}," : line), "]"];
     }
 }
