@@ -4,11 +4,15 @@ using Msisf.Cli.Output;
 
 namespace Msisf.TestSupport;
 
-/// <summary>One call of the program, in this process, and what came of it.</summary>
+/// <summary>
+/// One call of the program, and what came of it: in this process, or, where MSISF_PROGRAM names a built program, of that one.
+/// </summary>
 internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
 {
     /// <summary>Far above what any call here takes, even on a busy machine.</summary>
     private const double LimitSeconds = 600.0;
+
+    private static readonly string? Built = Environment.GetEnvironmentVariable("MSISF_PROGRAM");
 
     /// <summary>Runs the program.</summary>
     /// <exception cref="TimeoutException">It did not end in time; the message has what it was called with.</exception>
@@ -21,6 +25,18 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     public static CommandLineRun Of(
         IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings", string? searchPath = null)
     {
+        if (Built is not null)
+        {
+            Dictionary<string, string> variables = new() { ["XDG_CONFIG_HOME"] = configHome };
+            if (searchPath is not null)
+            {
+                variables["PATH"] = searchPath;
+            }
+
+            ChildRun run = ChildRun.Of(Built, arguments, Environment.CurrentDirectory, standardInput, variables);
+            return new CommandLineRun(run.ExitCode, run.Output, run.Error);
+        }
+
         using StringWriter output = new();
         using StringWriter error = new();
         string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome
