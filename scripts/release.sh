@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Packs the program with .NET inside, for machines that have none, into release/ or another folder:
+# Packs the program, compiled ahead of time, for machines without .NET, into release/ or another folder:
 #     scripts/release.sh [FOLDER]
+#     scripts/release.sh --test     packs nothing: compares all that the native program writes with what the one on .NET's JIT writes
 # msisf-VERSION-linux-x64.tar.gz is unpacked anywhere and started by ./msis; msisf_VERSION_amd64.deb puts msis on the PATH of Debian or Ubuntu.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
@@ -8,16 +9,34 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 . "$root/scripts/lib/packages.sh"
 . "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/install.sh"
+. "$root/scripts/lib/same-bytes.sh"
 
-[ $# -le 1 ] || die 'Usage: scripts/release.sh [FOLDER]'
+# Both programs stand in this folder, so that they name the same files.
+test_bytes() {
+    local work=$root/obj/release-test-$$
+    cd "$root"
+    [ -f input/ldem/LDEM_4.IMG ] || die 'the comparison needs LDEM_4: scripts/get-ldem.sh'
+    scripts/build.sh --native
+    find_dotnet || die '.NET is missing: run scripts/build.sh'
+    dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false -o "$work/jit" -v quiet -nologo ||
+        die 'the build on .NET failed; the messages above say why.'
+    compare_programs "$work/jit/msis" "$root/msis" "$work/outputs" || die "what differs is in $work/outputs"
+    rm -r "$work"
+}
+
+case "${1:-} $#" in
+    '--test 1')
+        test_bytes
+        exit 0
+        ;;
+    -* | *' '[2-9]) die 'Usage: scripts/release.sh [--test | FOLDER]' ;;
+esac
 target=${1:-$root/release}
 mkdir -p "$target" || die "$target can't be written: name another folder"
 target=$(cd "$target" >/dev/null && pwd -P)
 cd "$root"
 have dpkg-deb || die 'dpkg-deb is missing: apt-get install dpkg'
-scripts/build.sh
-[ -e publish/libcoreclr.so ] ||
-    die 'this build uses the .NET of this machine, as the package of the runtime was not to be had: nothing to release'
+scripts/build.sh --native-all
 
 version=$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' Directory.Build.props)
 name=msisf-$version-linux-x64
@@ -25,20 +44,13 @@ work=$target/.release-$$
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work"
 
-# The server beside msis, on the same .NET: of its own only ASP.NET Core and the pages are added. publish/server needs those of the machine.
+# The server brings its .NET along, in a folder of its own. publish/server needs that of the machine.
 publish_server() {
     find_dotnet || die '.NET is missing: run scripts/build.sh'
     say 'Packing the server ...'
     dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -r linux-x64 --self-contained -p:PublishReadyToRun=false \
         -o "$work/server" -v quiet -nologo || die 'the build of the server failed; the messages above say why.'
-}
-
-# add_missing FROM TO: copies the files that are not there yet.
-add_missing() {
-    local file
-    (cd "$1" && find . -type f) | while IFS= read -r file; do
-        [ -e "$2/$file" ] || { mkdir -p "$2/${file%/*}" && cp "$1/$file" "$2/$file"; }
-    done
+    rm -f "$work/server"/{createdump,libmscordaccore.so,libmscordbi.so}
 }
 
 # stage_program FOLDER: what msis reads of its installation, and the scripts that fetch models; no symbols and no comments of the code.
@@ -46,12 +58,13 @@ stage_program() {
     mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/input/names" "$1/scripts/lib"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
-    rm -rf "$1/publish/server"
-    add_missing "$work/server" "$1/publish"
-    rm -f "$1"/publish/*.pdb "$1"/publish/*.xml "$1"/publish/createdump "$1"/publish/libmscordaccore.so "$1"/publish/libmscordbi.so \
-        "$1/publish/sources" "$1/publish/dotnet-root"
+    rm -r "$1/publish/server"
+    cp -R "$work/server" "$1/publish/server"
+    rm -f "$1"/publish/{sources,dotnet-root} "$1"/publish/server/*.{pdb,xml}
     cp lib/*.dtd "$1/lib"
     install -D -m 644 lib/fonts/LICENSE-DejaVu.txt "$1/lib/fonts/LICENSE-DejaVu.txt"
+    # The program holds OpenSSL.
+    cat /usr/share/doc/libssl-dev/copyright /usr/share/common-licenses/Apache-2.0 >"$1/lib/LICENSE-OpenSSL.txt"
     [ ! -e lib/native/libcspice.so ] || install -D -m 644 lib/native/libcspice.so "$1/lib/native/libcspice.so"
     cp scripts/get-ldem.sh scripts/get-albedo.sh scripts/get-names.sh "$1/scripts"
     cp scripts/lib/common.sh scripts/lib/download.sh scripts/lib/ldem.sh "$1/scripts/lib"
@@ -74,7 +87,8 @@ pack_tarball() {
     rm -rf "${work:?}/$name"
 }
 
-# Needed: what libcoreclr.so and its neighbours are linked with, and OpenSSL, which they load for checksums. The rest makes single options work.
+# msis needs libc alone; the rest of what is needed are the libraries of the server's .NET, OpenSSL for its checksums. What is recommended
+# and suggested makes single options work.
 write_control() {
     local kilobytes
     kilobytes=$(du -sk "$1" | cut -f 1)
@@ -85,7 +99,7 @@ Version: $version
 Architecture: amd64
 Maintainer: The MSISF authors <msisf@localhost>
 Installed-Size: $kilobytes
-Depends: libc6 (>= 2.27), libgcc-s1, libstdc++6, libssl3t64 | libssl3
+Depends: libc6 (>= 2.34), libgcc-s1, libstdc++6, libssl3t64 | libssl3
 Recommends: libcfitsio10t64 | libcfitsio10, povray
 Suggests: libgdal36 | libgdal34t64 | libgdal32, curl
 Section: science

@@ -6,6 +6,7 @@ part_is_here() {
     case $1 in
         downloader) have curl || have wget ;;
         compiler) have cc || have gcc ;;
+        static-openssl) compgen -G '/usr/lib/*/libcrypto.a' >/dev/null || [ -e /usr/lib64/libcrypto.a ] ;;
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
         gdal) have gdalinfo && python_package_is_here osgeo ;;
@@ -55,6 +56,8 @@ package_of() {
         *-certificates) echo ca-certificates ;;
         apt-compiler) echo gcc libc6-dev ;;
         *-compiler) echo gcc ;;
+        apt-static-openssl) echo libssl-dev ;;
+        *-static-openssl) echo openssl ;;
         apt-cfitsio) echo libcfitsio10 ;;
         apt-astropy) echo python3-astropy python3-numpy ;;
         apt-gdal) echo gdal-bin python3-gdal ;;

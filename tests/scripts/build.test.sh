@@ -16,7 +16,7 @@ case $1 in
         echo "$*" >>"$BUILDS"
         [ -z "${BROKEN:-}" ] || exit 1
         while [ "$1" != -o ]; do shift; done
-        mkdir -p "$2" && echo '#!/bin/sh' >"$2/msis" && chmod +x "$2/msis"
+        mkdir -p "$2" && echo '#!/bin/sh' >"$2/msis" && chmod +x "$2/msis" && echo lib >"$2/libSkiaSharp.so"
         ;;
 esac
 SDK
@@ -88,6 +88,36 @@ test_build_brings_dotnet_along_where_its_package_is_to_be_had() {
     assert_says 'msis uses the .NET of this machine'
     assert_says_build '-r linux-x64'
     assert_silent_on WithFramework
+}
+
+test_build_native_has_a_program_for_each_level() {
+    [ "$(uname -s)-$(uname -m)" = Linux-x86_64 ] || {
+        echo 'missing: Linux on x86-64'
+        exit 77
+    }
+    make_clone_with_sdk
+    # What is installed is not of this test.
+    for part in cc cmake; do make_executable "sdk/$part" </dev/null; done
+    printf 'install_parts() { :; }\n' >>clone/scripts/lib/packages.sh
+    run clone/scripts/build.sh --native-all
+    assert_code 0
+    assert_says_build '-p:Native=true -p:IlcInstructionSet=x86-64-v4'
+    assert_same "$(builds)" 2
+    assert_same "$(cd clone/publish && ls)" "dotnet-root
+libSkiaSharp.so
+msis
+msis-x86-64-v3
+msis-x86-64-v4
+sources"
+    assert_same "$(readlink clone/publish/msis)" msis-x86-64-v3
+    run clone/scripts/build.sh --native-all
+    assert_says 'up to date'
+    run clone/scripts/build.sh
+    assert_code 0
+    assert_no_file clone/publish/msis-x86-64-v3
+    run clone/scripts/build.sh --nativ
+    assert_code 1
+    assert_says 'Usage: scripts/build.sh [--native | --native-all]'
 }
 
 # assert_says_build TEXT: the last build was asked for it.

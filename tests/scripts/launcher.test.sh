@@ -52,6 +52,37 @@ test_launcher_not_built_says_what_to_run() {
     assert_says 'clone/quickstart.sh first'
 }
 
+# make_native_clone FLAGS: a clone with programs for two levels of processors, on a processor with these flags.
+make_native_clone() {
+    make_clone "$PWD/clone"
+    printf 'processor\t: 0\nflags\t\t: fpu %s sse\nbugs\t\t: avx512vl\n' "$1" >cpuinfo
+    sed -i "s|</proc/cpuinfo|<'$PWD/cpuinfo'|" clone/msis
+    for level in x86-64-v3 x86-64-v4; do
+        printf '#!/bin/sh\necho "program of %s: $*"\n' "$level" | make_executable "clone/publish/msis-$level"
+    done
+    ln -sf msis-x86-64-v3 clone/publish/msis
+}
+
+test_launcher_takes_the_program_for_this_processor() {
+    make_native_clone 'avx2 avx512f avx512vl'
+    run clone/msis a
+    assert_same "$output" 'program of x86-64-v4: a'
+    rm clone/publish/msis-x86-64-v4
+    run clone/msis b
+    assert_same "$output" 'program of x86-64-v3: b'
+    make_native_clone 'avx2 avx512f'
+    run clone/msis c
+    assert_same "$output" 'program of x86-64-v3: c'
+}
+
+test_launcher_on_a_processor_without_avx2_says_what_to_run() {
+    make_native_clone avx
+    run clone/msis --version
+    assert_code 1
+    assert_same "$output" \
+        'msis: error: this program needs a processor with AVX2 (x86-64-v3). Build it here from its source: scripts/build.sh.'
+}
+
 test_launcher_dotnet_noted_by_the_build_is_used_unless_the_user_names_one() {
     make_clone_with_program
     make_executable "$PWD/my dotnet/dotnet" </dev/null
