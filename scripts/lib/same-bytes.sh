@@ -20,7 +20,7 @@ $low $small --look-at horizon:45 --map equirectangular,1000 --layers depth,norma
 $low $small --flow {55289,2E6,2E6,0,-0.2391176183943345,0.0990457605412876,0.3696438106143861,0.8923991008325228} --flow-format npy,flo,kitti
 $low --camera lroc-wac-643 --renderer native --framelets 2 --scan-period 1.4 --motion {0,1600,0,0,0,0} --batch --output-dir out
 $low --camera $PWD/input/navigation-camera.yaml --renderer native --exposure-time auto --noise-seed 3 --batch --output-dir out
---kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004] $small --jobs 2
+--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004] $small --jobs 1
 --kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004] --dry-run --format json
 --kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004] --dry-run --format csv
 $low --batch --output-dir out --width 200 --height 160 --pattern-repos patterns
