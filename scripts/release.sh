@@ -55,7 +55,7 @@ publish_server() {
 
 # stage_program FOLDER: what msis reads of its installation, and the scripts that fetch models; no symbols and no comments of the code.
 stage_program() {
-    mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/input/names" "$1/scripts/lib"
+    mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/scripts/lib"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
     rm -r "$1/publish/server"
@@ -66,7 +66,7 @@ stage_program() {
     # The program holds OpenSSL.
     cat /usr/share/doc/libssl-dev/copyright /usr/share/common-licenses/Apache-2.0 >"$1/lib/LICENSE-OpenSSL.txt"
     [ ! -e lib/native/libcspice.so ] || install -D -m 644 lib/native/libcspice.so "$1/lib/native/libcspice.so"
-    cp scripts/get-ldem.sh scripts/get-albedo.sh scripts/get-names.sh "$1/scripts"
+    cp scripts/get-ldem.sh scripts/get-albedo.sh "$1/scripts"
     cp scripts/lib/common.sh scripts/lib/download.sh scripts/lib/ldem.sh "$1/scripts/lib"
     cp README.md LICENSE "$1"
     find "$1" -type d -exec chmod 755 {} +

@@ -1,17 +1,15 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Catalogues;
-using Msisf.Adapters.IO;
 using Msisf.Core.Navigation;
 
 namespace Msisf.Server;
 
 /// <summary>
-/// GET /v1/catalogues/NAME and /v1/names: the craters of a catalogue of <c>--catalogues</c>, and the Moon's named features, the largest
+/// GET /v1/catalogues/NAME and /v1/names: the craters of a catalogue of <c>--catalogues</c>, and the Moon's named places, the largest
 /// first. A file is read once.
 /// </summary>
 /// <param name="catalogues">The files by their names.</param>
-/// <param name="installation">Where the list of names is looked for after the working directory.</param>
-internal sealed class CraterEndpoints(IReadOnlyDictionary<string, string> catalogues, Installation installation)
+internal sealed class CraterEndpoints(IReadOnlyDictionary<string, string> catalogues)
 {
     private readonly ConcurrentDictionary<string, Lazy<IReadOnlyList<Crater>>> _read = new(StringComparer.Ordinal);
 
@@ -25,18 +23,12 @@ internal sealed class CraterEndpoints(IReadOnlyDictionary<string, string> catalo
                 $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
     }
 
-    /// <summary>The names of the list that scripts/get-names.sh fetched, else the 300 largest, which come with the program.</summary>
-    public Task AnswerNamesAsync(HttpContext context)
+    /// <summary>Features and landing sites; these have no size, and stand at the end.</summary>
+    public static Task AnswerNamesAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
     {
-        string? fetched = ((string[])[".", installation.Root])
-            .Select(folder => Path.Combine(folder, "input", "names", "names.csv")).FirstOrDefault(File.Exists);
-        IReadOnlyList<Crater> features = Read(fetched ?? Path.Combine(AppContext.BaseDirectory, "wwwroot/names/largest.csv"));
-        return JsonBody.SendAsync(context.Response, new
-        {
-            Source = fetched is null ? "the 300 largest" : "input/names/names.csv",
-            Names = features.Where(feature => feature.Name is not null).Select(Described),
-        });
-    }
+        Source = "the IAU's names and landing sites",
+        Names = PlaceNames.All.OrderByDescending(place => place.Diameter),
+    });
 
     private IReadOnlyList<Crater> Read(string path) =>
         _read.GetOrAdd(path, _ => new Lazy<IReadOnlyList<Crater>>(() => CraterCatalogueReader.ReadLargest(path))).Value;

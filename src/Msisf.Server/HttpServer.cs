@@ -172,7 +172,7 @@ internal sealed class HttpServer : IAsyncDisposable
             new("Counts of what the server did, as Prometheus reads them.", "text/plain"));
         Get("/openapi.json", new OpenApiEndpoint().AnswerAsync, new("This document.", AnswerForm.Json));
         Get("/v1/models", new ModelsEndpoint(_frames).AnswerAsync, new("Lists the names that requests may use.", AnswerForm.Json));
-        CraterEndpoints craters = new(_settings.Catalogues, host.Installation);
+        CraterEndpoints craters = new(_settings.Catalogues);
         Get(
             "/v1/catalogues/{name}", craters.AnswerCatalogueAsync,
             new("Lists the craters of a catalogue, the largest first.", AnswerForm.Json));
@@ -182,7 +182,7 @@ internal sealed class HttpServer : IAsyncDisposable
         Get(
             "/v1/folders/{name}/frames/{number}/{kind}", folders.SendFileAsync,
             new("Sends a file of a frame: image, annotated or meta.", AnswerForm.Png));
-        Get("/v1/names", craters.AnswerNamesAsync, new("Lists the Moon's named features.", AnswerForm.Json));
+        Get("/v1/names", CraterEndpoints.AnswerNamesAsync, new("Lists the Moon's named places.", AnswerForm.Json));
         SunEndpoints sun = new(_frames);
         Get("/v1/sun", sun.AnswerAsync, SunEndpoints.About);
         Get("/v1/sun/path", sun.AnswerPathAsync, SunEndpoints.AboutPath);

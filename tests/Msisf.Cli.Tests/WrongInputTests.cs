@@ -115,7 +115,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --look-at 1,2", 1, "--look-at is not allowed with --fixed-state, but with --position only")]
     [InlineData($"{Orbit} --time 55289 --roll 5", 1, "--roll is not allowed with --kepler-set")]
     [InlineData("--batch-file a.tab --off-nadir 5", 1, "--off-nadir is not allowed with --batch-file")]
-    [InlineData("--position 1,2 --time 55289", 1, "--position: '1,2' has 2 parts; LAT,LON,HEIGHT is needed")]
+    [InlineData("--position 1,2 --time 55289", 1, "--position: '1,2' has 2 parts; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
     [InlineData("--position 100,2,3E4 --time 55289", 1, "latitude and longitude swapped?")]
     [InlineData("--position -1,2,3E4 --time 55289 --look-at moon", 1, "--look-at: 'moon' is nothing to look at")]
     [InlineData("--position 1,2,3E4 --time 55289 --off-nadir 200", 1, "--off-nadir: The angle from the nadir")]

@@ -25,6 +25,7 @@ internal enum Part
     LroNac,
     Artemis,
     Field,
+    Craters,
 }
 
 /// <summary>A test that needs real parts: on a desk it is skipped, by the missing part's name; with CI=true it runs and fails.</summary>
@@ -47,7 +48,7 @@ internal static class MissingParts
     {
         // These are published by nobody who could be asked for them by a script.
         if (Environment.GetEnvironmentVariable("CI") == "true" && !parts.Contains(Part.PolarPieces) && !parts.Contains(Part.LroNac)
-            && !parts.Contains(Part.Artemis) && !parts.Contains(Part.Field))
+            && !parts.Contains(Part.Artemis) && !parts.Contains(Part.Field) && !parts.Contains(Part.Craters))
         {
             return null;
         }
@@ -78,6 +79,7 @@ internal static class MissingParts
         Part.MariaDb => TestParts.MariaDb is not null && TestParts.Program("mariadb-install-db") is not null,
         Part.LroNac => LroNac.IsThere,
         Part.Artemis => TestParts.ArtemisOem is not null,
+        Part.Craters => TestParts.HeadCraters is not null,
         Part.Field => Directory.Exists(TestParts.Field),
         _ => throw new ArgumentOutOfRangeException(nameof(part)),
     };

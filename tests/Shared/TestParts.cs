@@ -26,6 +26,10 @@ internal static class TestParts
     public static string? ArtemisOem => FirstFile(Path.Combine(
         RepositoryRoot, "..", "shared", "missions", "artemis1", "Post_TLI_Orion_AsFlown_20221213_EPH_OEM.asc.gz"));
 
+    /// <summary>Craters above 20 km of Head et al. (2010), as DeepMoon has them.</summary>
+    public static string? HeadCraters =>
+        FirstFile(Path.Combine(RepositoryRoot, "..", "shared", "craters", "Head2010_gt20km_DeepMoon.csv"));
+
     /// <summary>Files and reports from the field, each in a folder with what is right; beside the repository.</summary>
     public static string Field => Path.Combine(RepositoryRoot, "..", "shared", "field");
 

@@ -84,6 +84,8 @@ internal static class BatchNames
     public const string Height = "height";
     public const string HeightKilometres = "height_km";
     public const string Altitude = "alt";
+    public const string NamedPlace = "place";
+    public const string LookAt = "look_at";
     public const string LookHeight = "look_height";
     public const string OffNadir = "off_nadir";
     public const string Azimuth = "azimuth";
@@ -129,8 +131,8 @@ internal static class BatchNames
     /// <summary>All names, in the order in which messages list them.</summary>
     public static string[] All { get; } =
     [
-        Time, Seconds, .. Place, .. Heights, .. Position, .. PositionKilometres, .. Quaternion, .. Matrix, .. Euler, .. Target, LookHeight,
-        OffNadir, Azimuth, Roll, Up, .. Motion, .. Sun, Noise, Exposure,
+        Time, Seconds, .. Place, NamedPlace, .. Heights, .. Position, .. PositionKilometres, .. Quaternion, .. Matrix, .. Euler, .. Target,
+        LookAt, LookHeight, OffNadir, Azimuth, Roll, Up, .. Motion, .. Sun, Noise, Exposure,
     ];
 
     /// <summary>The name of a column, whatever its case, or whichever of its names is written; null if there is no such column.</summary>

@@ -28,19 +28,22 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
         string[] times = [BatchNames.Time, BatchNames.Seconds];
         Require(times.Any(Has), "column time is missing: MJD or ISO 8601; or seconds, since --epoch.");
         Require(!times.All(Has), "time and seconds both say when. Remove one of them.");
-        string[][] ways = [BatchNames.Place, BatchNames.Position, BatchNames.PositionKilometres];
+        string[][] ways = [BatchNames.Place, [BatchNames.NamedPlace], BatchNames.Position, BatchNames.PositionKilometres];
         string[] heights = [.. BatchNames.Heights.Where(Has)];
+        bool isOverGround = BatchNames.Place.Any(Has) || Has(BatchNames.NamedPlace);
         Require(
-            ways.Count(way => way.Any(Has)) == 1 && (heights.Length == 0 || BatchNames.Place.Any(Has)),
-            "a position is either lat, lon and a height (degrees; height in m over the sphere or terrain+m, height_km or alt), or "
-                + "x, y, z (m), or x_km, y_km, z_km. Name one of them.");
+            ways.Count(way => way.Any(Has)) == 1 && (heights.Length == 0 || isOverGround),
+            "a position is either lat, lon (or the name of a place) and a height (degrees; height in m over the sphere or terrain+m, "
+                + "height_km or alt), or x, y, z (m), or x_km, y_km, z_km. Name one of them.");
         foreach (string[] way in ways)
         {
             RequireAll(way);
         }
 
         Require(heights.Length <= 1, $"{string.Join(" and ", heights)} all say how high the camera is. Leave one.");
-        Require(!Has(BatchNames.Place[0]) || heights.Length == 1, "column height is missing: lat, lon, height go together.");
+        Require(
+            !isOverGround || heights.Length == 1,
+            $"column height is missing: {(Has(BatchNames.NamedPlace) ? "place" : "lat, lon")}, height go together.");
     }
 
     private void CheckAttitude()
@@ -52,14 +55,15 @@ internal sealed class BatchRules(BatchColumns? columns, BatchConventions said)
         }
 
         RequireAll(BatchNames.Target);
-        RequireWith(BatchNames.LookHeight, BatchNames.Target[0]);
+        RequireWith(BatchNames.LookHeight, Has(BatchNames.LookAt) ? BatchNames.LookAt : BatchNames.Target[0]);
         RequireWith(BatchNames.Azimuth, BatchNames.OffNadir);
+        string[] directions = [.. new[] { BatchNames.Target[0], BatchNames.LookAt, BatchNames.OffNadir }.Where(Has)];
         Require(
-            !(Has(BatchNames.Target[0]) && Has(BatchNames.OffNadir)),
-            "look_lat and off_nadir both say where the camera looks. Remove one of them.");
+            directions.Length <= 1,
+            $"{string.Join(" and ", directions)} both say where the camera looks. Remove one of them.");
         string[] others =
         [
-            .. rotations.Select(group => group[0]), BatchNames.Target[0], BatchNames.OffNadir, BatchNames.Roll, BatchNames.Up,
+            .. rotations.Select(group => group[0]), .. directions, BatchNames.Roll, BatchNames.Up,
         ];
         if (rotations.FirstOrDefault(group => Has(group[0])) is { } given)
         {

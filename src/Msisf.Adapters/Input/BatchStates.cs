@@ -1,6 +1,7 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Scene;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.Adapters.Input;
@@ -77,6 +78,11 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
 
     private Vector3D PositionBodyFixed(BatchRow row, Instant time)
     {
+        if (row.Has(BatchNames.NamedPlace))
+        {
+            return Named(row, BatchNames.NamedPlace, HeightOf(row)).ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
+        }
+
         if (row.Has(BatchNames.Place[0]))
         {
             return PlaceText.Place(row.Number(BatchNames.Place[0]), row.Number(BatchNames.Place[1]), HeightOf(row))
@@ -132,17 +138,25 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         return pointed;
     }
 
-    private static CameraPointing PointingOf(BatchRow row)
+    /// <summary>The place that a column names.</summary>
+    private SurfacePlace Named(BatchRow row, string column, (double Height, bool IsOverTerrain) height) =>
+        scene.ReferenceRadius == MoonConstants.ReferenceRadius // no other body has it
+            ? row.Read(column, name => PlaceText.Named(name, height))
+            : throw new BadInputException($"column {column}: the named places are the Moon's. Give latitude and longitude.");
+
+    private CameraPointing PointingOf(BatchRow row)
     {
         CameraPointing direction = new();
-        if (row.Has(BatchNames.Target[0]))
+        if (row.Has(BatchNames.Target[0]) || row.Has(BatchNames.LookAt))
         {
+            (double Height, bool IsOverTerrain) height =
+                row.Has(BatchNames.LookHeight) ? row.Read(BatchNames.LookHeight, PlaceText.ParseHeight) : (0.0, true);
             direction = new CameraPointing
             {
                 Kind = BoresightKind.Place,
-                Target = PlaceText.Place(
-                    row.Number(BatchNames.Target[0]), row.Number(BatchNames.Target[1]),
-                    row.Has(BatchNames.LookHeight) ? row.Read(BatchNames.LookHeight, PlaceText.ParseHeight) : (0.0, true)),
+                Target = row.Has(BatchNames.LookAt)
+                    ? Named(row, BatchNames.LookAt, height)
+                    : PlaceText.Place(row.Number(BatchNames.Target[0]), row.Number(BatchNames.Target[1]), height),
             };
         }
         else if (row.Has(BatchNames.OffNadir))

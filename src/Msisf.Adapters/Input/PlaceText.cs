@@ -1,3 +1,4 @@
+using Msisf.Adapters.Catalogues;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;
@@ -37,6 +38,19 @@ public static class PlaceText
     public static double ParseDegrees(string text, string what) => NumberText.TryParse(text, out double degrees)
         ? degrees
         : throw new BadInputException($"{what}: {NumberText.ProblemWith(text)}.");
+
+    /// <summary>Whether a text is a name, and no number: it begins with a letter.</summary>
+    public static bool IsName(string text) => text.Length > 0 && char.IsLetter(text[0]);
+
+    /// <summary>A named place of the Moon.</summary>
+    /// <param name="name">As <see cref="PlaceNames.Find"/> takes it.</param>
+    /// <param name="height">m, and whether it counts from the terrain.</param>
+    /// <exception cref="BadInputException">There is no place of this name, or there are several.</exception>
+    public static SurfacePlace Named(string name, (double Height, bool IsOverTerrain) height)
+    {
+        NamedPlace place = PlaceNames.Find(name);
+        return new SurfacePlace(place.Latitude, place.Longitude, height.Height, height.IsOverTerrain);
+    }
 
     /// <summary>Makes a place, and finds latitude and longitude that were swapped.</summary>
     /// <param name="latitude">degrees.</param>

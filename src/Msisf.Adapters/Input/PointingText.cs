@@ -7,7 +7,7 @@ namespace Msisf.Adapters.Input;
 public static class PointingText
 {
     /// <summary>What a camera may look at, for messages.</summary>
-    public const string ValidTargets = "LAT,LON[,HEIGHT], nadir, sun or horizon:AZIMUTH";
+    public const string ValidTargets = "LAT,LON[,HEIGHT], NAME[,HEIGHT], nadir, sun or horizon:AZIMUTH";
 
     /// <summary>What is said of a place beyond the camera's horizon.</summary>
     public const string Hidden = "lies behind ground that hides it from the camera; the image shows that ground. "
@@ -15,17 +15,17 @@ public static class PointingText
 
     private const string Horizon = "horizon:";
 
-    /// <summary>Reads a position, <c>LAT,LON,HEIGHT</c>.</summary>
+    /// <summary>Reads a position, <c>LAT,LON,HEIGHT</c> or <c>NAME,HEIGHT</c>.</summary>
     /// <param name="text">The value.</param>
     /// <exception cref="BadInputException">It is no position.</exception>
     public static SurfacePlace ParsePosition(string text)
     {
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
-        return parts.Length == 3
+        return parts.Length == 3 || (parts.Length == 2 && PlaceText.IsName(parts[0]))
             ? Place(parts)
             : throw new BadInputException(
-                $"{NumberText.Shown(text)} has {parts.Length} {(parts.Length == 1 ? "part" : "parts")}; LAT,LON,HEIGHT is needed: "
-                    + $"degrees, degrees east, {PlaceText.ValidHeights}.");
+                $"{NumberText.Shown(text)} has {parts.Length} {(parts.Length == 1 ? "part" : "parts")}; LAT,LON,HEIGHT or "
+                    + $"NAME,HEIGHT is needed: degrees, degrees east, {PlaceText.ValidHeights}.");
     }
 
     /// <summary>Reads what the camera looks at: a place, or a word.</summary>
@@ -50,6 +50,7 @@ public static class PointingText
                 Kind = BoresightKind.Horizon,
                 Azimuth = double.DegreesToRadians(PlaceText.ParseDegrees(text[Horizon.Length..], "the azimuth (degrees)")),
             },
+            _ when PlaceText.IsName(text) => Named(text),
             _ => throw new BadInputException($"{NumberText.Shown(text)} is nothing to look at; {ValidTargets} is needed."),
         };
     }
@@ -89,9 +90,27 @@ public static class PointingText
         Azimuth = double.DegreesToRadians(azimuth),
     };
 
-    /// <summary>A place of latitude, longitude and, if there is one, height; without one it lies on the terrain.</summary>
-    private static SurfacePlace Place(string[] parts) => PlaceText.Place(
-        PlaceText.ParseDegrees(parts[0], "the latitude (degrees)"),
-        PlaceText.ParseDegrees(parts[1], "the longitude (degrees east)"),
-        parts.Length > 2 ? PlaceText.ParseHeight(parts[2]) : (0.0, true));
+    /// <summary>A place to look at that is named, and its ground; a misspelt word may also have been meant as one of the others.</summary>
+    private static CameraPointing Named(string name)
+    {
+        try
+        {
+            return new CameraPointing { Kind = BoresightKind.Place, Target = Place([name]) };
+        }
+        catch (BadInputException exception)
+        {
+            throw new BadInputException(
+                $"{NumberText.Shown(name)} is nothing to look at; {ValidTargets} is needed. {exception.Message}", exception);
+        }
+    }
+
+    /// <summary>A place of latitude and longitude, or a name, and, if there is one, height; without one it lies on the terrain.</summary>
+    private static SurfacePlace Place(string[] parts) => parts.Length < 3 && PlaceText.IsName(parts[0])
+        ? PlaceText.Named(parts[0], HeightOf(parts[1..]))
+        : PlaceText.Place(
+            PlaceText.ParseDegrees(parts[0], "the latitude (degrees)"),
+            PlaceText.ParseDegrees(parts[1], "the longitude (degrees east)"), HeightOf(parts[2..]));
+
+    private static (double Height, bool IsOverTerrain) HeightOf(string[] parts) =>
+        parts.Length > 0 ? PlaceText.ParseHeight(parts[0]) : (0.0, true);
 }

@@ -76,7 +76,9 @@ internal sealed record IlluminationSettings
     public static IlluminationSettings Read(OptionValues values)
     {
         double[]? corners = Numbers(IlluminationOptions.Corners, values, 4, 4);
-        double[]? centre = Numbers(IlluminationOptions.Centre, values, 2, 2);
+        double[]? centre = IlluminationOptions.Centre.ReadIfGiven(values) is { } name && PlaceText.IsName(name)
+            ? IlluminationOptions.Centre.Named(() => Coordinates(PlaceNames.Find(name)))
+            : Numbers(IlluminationOptions.Centre, values, 2, 2);
         double[]? size = Numbers(IlluminationOptions.Size, values, 1, 2);
         string? points = IlluminationOptions.Points.ReadIfGiven(values);
         if ((centre is null) != (size is null) || (centre is not null && corners is not null))
@@ -164,6 +166,8 @@ internal sealed record IlluminationSettings
         $"Where? {reason}Give {IlluminationOptions.Centre.Name} with {IlluminationOptions.Size.Name}, or "
             + $"{IlluminationOptions.Corners.Name}, or {IlluminationOptions.Points.Name}.")
         .About(IlluminationOptions.Centre, IlluminationOptions.Corners);
+
+    private static double[] Coordinates(NamedPlace place) => [place.Latitude, place.Longitude];
 
     private static double[]? Numbers(TextSpec option, OptionValues values, int least, int most)
     {

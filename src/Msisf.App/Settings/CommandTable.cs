@@ -175,6 +175,24 @@ internal static class CommandTable
         MakeGroups = () => [new OptionGroup("Output", [KernelsOptions.Format]), OnlyHelp],
     };
 
+    public static CommandSpec Places { get; } = new("places", "List the Moon's named places: features of the IAU's list and landing sites.")
+    {
+        Details =
+            "A line for each place: name, kind, latitude, longitude (degrees, east), diameter. NAME leaves those whose names hold it; case, "
+                + "accents and punctuation do not matter. --look-at, --position, --center and batch files take these names.",
+        MakeArgument = () => new ArgumentSpec("NAME", "A name, or a part of one")
+        {
+            IsOptional = true,
+            TakesSeveralWords = true,
+        },
+        Examples =
+        [
+            ("Where Tycho is, and its lettered craters:", "msis places tycho"),
+            ("What lies around a place:", "msis places --near=-43.3,348.8"),
+        ],
+        MakeGroups = () => [new OptionGroup("Output", [PlacesOptions.Near, PlacesOptions.Format]), OnlyHelp],
+    };
+
     public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")
     {
         Details =
@@ -259,7 +277,7 @@ internal static class CommandTable
         Commands =
         [
             Patterns, BatchConvert, Submit, States, CameraModelOptions.Command, TwinOptions.Command, DataSetOptions.Command,
-            IlluminationOptions.Command, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Config, Completion, Man, Help,
+            IlluminationOptions.Command, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Places, Config, Completion, Man, Help,
         ],
     };
 

@@ -1,6 +1,8 @@
 using Msisf.Adapters.Input;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
 
@@ -8,11 +10,11 @@ namespace Msisf.App.Settings;
 internal static class PointingOptions
 {
     public static TextSpec Position { get; } = new(
-        "--position", DecidesBytes.ByStates, "LAT,LON,HEIGHT",
-        "Camera by latitude, longitude (degrees, east) and height: m over the sphere of 1737400 m, or terrain+m over the terrain");
+        "--position", DecidesBytes.ByStates, "LAT,LON,HEIGHT|NAME,HEIGHT",
+        "Camera by latitude, longitude (degrees, east) or the name of a place (msis places), and height: m over the sphere of 1737400 m, or terrain+m over the terrain");
 
     public static TextSpec LookAt { get; } = new(
-        "--look-at", DecidesBytes.ByStates, "LAT,LON[,HEIGHT]|nadir|sun|horizon:AZIMUTH",
+        "--look-at", DecidesBytes.ByStates, "LAT,LON[,HEIGHT]|NAME[,HEIGHT]|nadir|sun|horizon:AZIMUTH",
         "With --position: what the camera looks at; a place without a height lies on the terrain; azimuths are degrees "
             + "clockwise from north")
     {
@@ -42,6 +44,11 @@ internal static class PointingOptions
     /// <summary>The options that only a camera given by its place has.</summary>
     public static OptionSpec[] OfPosition { get; } = [LookAt, OffNadir, Up, Roll];
 
+    /// <summary>Reads where the camera is.</summary>
+    /// <exception cref="MsisfException">The value is wrong.</exception>
+    public static SurfacePlace ReadPosition(OptionValues values) =>
+        Position.Named(() => PointingText.ParsePosition(OfBody(values, Position)));
+
     /// <summary>Reads how the camera points.</summary>
     /// <exception cref="MsisfException">A value is wrong, or two options contradict each other.</exception>
     public static CameraPointing ReadPointing(OptionValues values)
@@ -53,7 +60,18 @@ internal static class PointingOptions
 
         CameraPointing direction = OffNadir.ReadIfGiven(values) is { } angle
             ? OffNadir.Named(() => PointingText.ParseOffNadir(angle))
-            : LookAt.Named(() => PointingText.ParseTarget(LookAt.Read(values)));
+            : LookAt.Named(() => PointingText.ParseTarget(OfBody(values, LookAt)));
         return direction with { Up = Up.Read(values), Roll = double.DegreesToRadians(Roll.Read(values)) };
+    }
+
+    /// <summary>An option's text, unless it names a place and the body that is drawn is not the Moon.</summary>
+    private static string OfBody(OptionValues values, TextSpec option)
+    {
+        string text = option.Read(values);
+        CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));
+        return body.IsMoon || !PlaceText.IsName(text) || option.Words.Any(word => text.StartsWith(word, StringComparison.OrdinalIgnoreCase))
+            ? text
+            : throw option.Wrong($"names a place, and the named places are the Moon's, but {body.Name} is drawn. "
+                + "Give latitude and longitude.");
     }
 }

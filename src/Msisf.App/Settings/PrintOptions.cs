@@ -73,6 +73,21 @@ internal static class KernelsOptions
     };
 }
 
+/// <summary>The options of <c>msis places</c>.</summary>
+internal static class PlacesOptions
+{
+    public static TextSpec Near { get; } = new(
+        "--near", OptionRole.WhatIsPrinted, "LAT,LON|NAME",
+        "Print the twenty nearest places and their distances along the sphere (degrees north, degrees east)");
+
+    public static ChoiceSpec<bool> Format { get; } = new(
+        "--format", OptionRole.WhatIsPrinted, [("table", false), ("json", true)],
+        "A table for people, or an array of objects with all digits")
+    {
+        Default = false,
+    };
+}
+
 /// <summary>The options that tell what the images of a run would show, and draw nothing.</summary>
 internal static class DryRunOptions
 {

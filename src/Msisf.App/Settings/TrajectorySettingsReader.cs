@@ -118,8 +118,7 @@ internal sealed class TrajectorySettingsReader
                 OrbitOptions, $"is not allowed with {way.Name}. Remove it; --look-at or --off-nadir says how the camera points.");
             _values.RequireTimes(way, TimeOptions);
             return new PlaceSettings(
-                way.Named(() => PointingText.ParsePosition(PointingOptions.Position.Read(_values))),
-                PointingOptions.ReadPointing(_values), Times())
+                PointingOptions.ReadPosition(_values), PointingOptions.ReadPointing(_values), Times())
             {
                 Motion = motion,
             };

@@ -43,6 +43,7 @@ internal static class CommandActions
         [CommandTable.ConfigShow] = Printing(call => Configuration.Show(call.Values.Text(RunOptions.Config), call.Host)),
         [CommandTable.Cameras] = Printing(PrintCameras),
         [CommandTable.Kernels] = Printing(KernelsCommand.Print),
+        [CommandTable.Places] = Printing(PlacesCommand.Print),
         [CommandTable.Completion] = Printing(call => call.Host.Results.Write(CompletionScript.For(call.Values.Argument!))),
         [CommandTable.Help] = Printing(PrintHelp),
         [CommandTable.Man] = Printing(call => call.Host.Results.Write(ManualPage.Text(call.Host.Version))),

@@ -18,8 +18,8 @@ public class PointingTextTests
         Assert.Equal(new SurfacePlace(-58.6, -14.5, height, isOverTerrain), PointingText.ParsePosition(text));
 
     [Theory]
-    [InlineData("-58.6,-14.5", "'-58.6,-14.5' has 2 parts; LAT,LON,HEIGHT is needed")]
-    [InlineData("-58.6 -14.5 3E4", "'-58.6 -14.5 3E4' has 1 part; LAT,LON,HEIGHT is needed")]
+    [InlineData("-58.6,-14.5", "'-58.6,-14.5' has 2 parts; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
+    [InlineData("-58.6 -14.5 3E4", "'-58.6 -14.5 3E4' has 1 part; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
     [InlineData("1,2,3,4", "'1,2,3,4' has 4 parts")]
     [InlineData("north,2,3", "the latitude (degrees): 'north' is not a number")]
     [InlineData("1,,3", "the longitude (degrees east): a number is missing")]
@@ -48,7 +48,7 @@ public class PointingTextTests
     }
 
     [Theory]
-    [InlineData("moon", "'moon' is nothing to look at; LAT,LON[,HEIGHT], nadir, sun or horizon:AZIMUTH is needed.")]
+    [InlineData("moon", "'moon' is nothing to look at; LAT,LON[,HEIGHT], NAME[,HEIGHT], nadir, sun or horizon:AZIMUTH is needed.")]
     [InlineData("horizon", "'horizon' is nothing to look at")]
     [InlineData("horizon:", "the azimuth (degrees): a number is missing")]
     [InlineData("1,2,3,4", "'1,2,3,4' has 4 parts")]
