@@ -16,6 +16,8 @@ public sealed class CameraModel
 
     private static readonly double MaxTangent = Math.Tan(MaxFieldDegrees * Math.PI / 360.0);
 
+    private KeptWindow? _window; // the last one
+
     /// <summary>Describes a camera.</summary>
     /// <param name="width">Image width, px, at least 1.</param>
     /// <param name="height">Image height, px, at least 1.</param>
@@ -137,17 +139,17 @@ public sealed class CameraModel
     /// <param name="top">Rows of the whole above it.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
+    /// <returns>The same object as at the last call for the same part, so that what depends on the camera alone can be kept.</returns>
     /// <exception cref="BadInputException">The camera can't be drawn so far beyond its borders.</exception>
     public CameraModel Window(int left, int top, int width, int height)
     {
-        if (width == Width && height == Height && left == 0 && top == 0)
+        KeptWindow? kept = _window;
+        if (kept is null || (kept.Left, kept.Top, kept.Model.Width, kept.Model.Height) != (left, top, width, height))
         {
-            return this;
+            _window = kept = new KeptWindow(left, top, Cut(left, top, width, height));
         }
 
-        return left >= 0 && top >= 0 && left + width <= Width && top + height <= Height
-            ? new CameraModel(this, left, top, width, height)
-            : new CameraModel(width, height, (FocalX, FocalY), (PrincipalX - left, PrincipalY - top), Skew, Distortion).Simplified();
+        return kept.Model;
     }
 
     /// <summary>The point of the ideal image plane that a point of the image shows.</summary>
@@ -249,6 +251,12 @@ public sealed class CameraModel
         return max;
     }
 
+    private CameraModel Cut(int left, int top, int width, int height) =>
+        (left, top, width, height) == (0, 0, Width, Height) ? this
+        : left >= 0 && top >= 0 && left + width <= Width && top + height <= Height
+            ? new CameraModel(this, left, top, width, height)
+            : new CameraModel(width, height, (FocalX, FocalY), (PrincipalX - left, PrincipalY - top), Skew, Distortion).Simplified();
+
     private void RequireField()
     {
         if (!(BorderTangent() < MaxTangent))
@@ -286,4 +294,6 @@ public sealed class CameraModel
 
     private static string Degrees(double angle) =>
         double.RadiansToDegrees(angle).ToString("R", CultureInfo.InvariantCulture);
+
+    private sealed record KeptWindow(int Left, int Top, CameraModel Model);
 }

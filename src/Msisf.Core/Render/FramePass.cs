@@ -28,10 +28,12 @@ internal sealed class FramePass : IDrawnFrame
     private double[] _indirectFactors = [];
     private NativeRenderOptions? _options;
 
-    public FramePass(SurfaceModel surface)
+    /// <param name="surface">The surface that is drawn.</param>
+    /// <param name="lenses">Samples of lenses that other frames use too.</param>
+    public FramePass(SurfaceModel surface, LensCache lenses)
     {
         Shown = surface;
-        _visibility = new VisibilityPass(surface);
+        _visibility = new VisibilityPass(surface, lenses);
         _light = new LightPass(surface);
         _parts = new PartPass(surface);
         _sampling = new SamplingPass(_parts);

@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render;
@@ -11,6 +12,7 @@ public sealed class RendererMemory
 {
     private readonly ConcurrentBag<FramePass> _idle = [];
     private readonly ConcurrentBag<WeakReference<FramePass>> _large = [];
+    private readonly LensCache _lenses = new();
     private long _replacedBytes;
 
     /// <summary>
@@ -31,7 +33,7 @@ public sealed class RendererMemory
     {
         if (TakeIdle(isLarge: pixels > LargestKept) is not { } pass)
         {
-            return new FramePass(surface);
+            return new FramePass(surface, _lenses);
         }
 
         if (pass.Shown != surface)

@@ -34,6 +34,21 @@ public sealed class CameraModelTests
     }
 
     [Theory]
+    [InlineData(-3, -3, 106, 76)]
+    [InlineData(10, 20, 50, 30)]
+    public void Window_SamePartAgain_IsTheSameObject(int left, int top, int width, int height)
+    {
+        CameraModel model = LensCases.Of("barrel", 0.5, 100, 70);
+
+        CameraModel window = model.Window(left, top, width, height);
+
+        Assert.Same(window, model.Window(left, top, width, height));
+        CameraModel other = model.Window(left, top + 1, width, height);
+        Assert.Equal(window.PrincipalY - 1.0, other.PrincipalY);
+        Assert.Equal(window.ToIdeal(5.0, 6.0), model.Window(left, top, width, height).ToIdeal(5.0, 6.0));
+    }
+
+    [Theory]
     [MemberData(nameof(Lenses))]
     public void TryProject_RayThroughAnyPoint_ComesBackToIt(string lens, double tangent)
     {

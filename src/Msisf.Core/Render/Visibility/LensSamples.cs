@@ -8,7 +8,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Where the ideal image plane is sampled by the pixels of a camera with a lens: a point for each pixel, and the tiles in which they are
-/// drawn. One object serves many frames; see <see cref="IsOf"/>.
+/// drawn. One object serves many frames, several at a time.
 /// </summary>
 internal sealed class LensSamples
 {
@@ -41,6 +41,9 @@ internal sealed class LensSamples
     /// <summary>Whether these are the samples of a camera at these offsets.</summary>
     public bool IsOf(CameraModel model, double offsetX, double offsetY) =>
         ReferenceEquals(_model, model) && _offset == (offsetX, offsetY);
+
+    /// <summary>Whether these are samples of a camera, at whatever offsets.</summary>
+    public bool IsOf(CameraModel model) => ReferenceEquals(_model, model);
 
     /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
@@ -77,7 +80,8 @@ internal sealed class LensSamples
     /// <summary>The part of the ideal image plane in which the samples of a band lie.</summary>
     public TangentBox TangentsOf(int band) => _bands[band];
 
-    /// <summary>The tiles of a band; they are made when they are first needed, by the thread that draws the band.</summary>
+    /// <summary>The tiles of a band; they are made when they are first needed, by the thread that draws the band. If two
+    /// frames need them at once, both make the same ones.</summary>
     /// <param name="band">Index of the band.</param>
     /// <param name="cellPixels">px: about the width of the cells that are drawn.</param>
     public IReadOnlyList<LensTile> TilesOf(int band, double cellPixels)

@@ -10,18 +10,18 @@ namespace Msisf.Core.Render.Visibility;
 /// </summary>
 internal sealed class VisibilityPass
 {
-    /// <summary>Samples of lenses that are kept, of 16 bytes each: nine for each pixel of an image of 1024 x 1024 px.</summary>
-    private const long MaxLensSamples = 10_000_000;
-
     private SurfaceModel _surface;
     private BlockCuller _culler;
     private readonly VisibleSurface _result = new();
     private readonly List<BandWorker> _workers = [];
-    private readonly List<LensSamples> _lenses = [];
+    private readonly LensCache _lenses;
+    private readonly LensSamples _unshared = new();
 
     /// <param name="surface">The surface; blocks are read when they are first needed.</param>
-    public VisibilityPass(SurfaceModel surface)
+    /// <param name="lenses">Samples of lenses that other passes use too; null for own ones.</param>
+    public VisibilityPass(SurfaceModel surface, LensCache? lenses = null)
     {
+        _lenses = lenses ?? new LensCache();
         _surface = surface;
         _culler = new BlockCuller(surface);
     }
@@ -87,7 +87,6 @@ internal sealed class VisibilityPass
         return blocks;
     }
 
-    /// <summary>The samples of a camera with a lens; as many as <see cref="MaxLensSamples"/> are kept from frame to frame.</summary>
     private LensSamples? LensOf(FrameCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
     {
         if (camera.Model.Lens is null)
@@ -95,21 +94,18 @@ internal sealed class VisibilityPass
             return null;
         }
 
-        LensSamples? lens = _lenses.Find(samples => samples.IsOf(camera.Model, offsetX, offsetY));
-        if (lens is null)
+        if (_lenses.Find(camera.Model, offsetX, offsetY, threads, cancellation) is { } shared)
         {
-            // The last one is computed again for each further offset, so that the memory is bounded.
-            bool isRoom = (long)camera.Width * camera.Height * (_lenses.Count + 1) <= MaxLensSamples;
-            if (_lenses.Count == 0 || isRoom)
-            {
-                _lenses.Add(new LensSamples());
-            }
-
-            lens = _lenses[^1];
-            lens.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+            return shared;
         }
 
-        return lens;
+        // Computed again for each further offset, so that the memory is bounded.
+        if (!_unshared.IsOf(camera.Model, offsetX, offsetY))
+        {
+            _unshared.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+        }
+
+        return _unshared;
     }
 }
 

@@ -1,0 +1,51 @@
+using Msisf.Core.Camera;
+
+namespace Msisf.Core.Render.Visibility;
+
+/// <summary>
+/// Where lenses are sampled, computed once for each camera and sample offset and shared by all frames. Safe for several threads.
+/// </summary>
+/// <param name="maxSamples">Samples that are kept, of 16 bytes each.</param>
+internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
+{
+    /// <summary>Nine for each pixel of an image of 1024 x 1024 px and of its margin for a point spread function.</summary>
+    private const long DefaultMaxSamples = 10_000_000;
+
+    private readonly Lock _gate = new();
+    private readonly List<LensSamples> _kept = [];
+
+    /// <summary>Finds the samples of a camera, or computes them if there is room.</summary>
+    /// <param name="model">The camera, with a lens.</param>
+    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
+    /// <param name="offsetY">px down.</param>
+    /// <param name="threads">Maximum number of threads; the samples do not depend on it.</param>
+    /// <returns>Null if there is no room for them, even without the samples of all other cameras.</returns>
+    public LensSamples? Find(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    {
+        lock (_gate)
+        {
+            if (_kept.Find(samples => samples.IsOf(model, offsetX, offsetY)) is { } known)
+            {
+                return known;
+            }
+
+            long size = (long)model.Width * model.Height;
+            if (!HasRoom(size))
+            {
+                // Frames that are being drawn keep theirs until they are finished.
+                _kept.RemoveAll(samples => !samples.IsOf(model));
+                if (!HasRoom(size))
+                {
+                    return null;
+                }
+            }
+
+            LensSamples found = new();
+            found.Prepare(model, offsetX, offsetY, threads, cancellation);
+            _kept.Add(found);
+            return found;
+        }
+    }
+
+    private bool HasRoom(long size) => _kept.Sum(static samples => (long)samples.Right.Length) + size <= maxSamples;
+}
