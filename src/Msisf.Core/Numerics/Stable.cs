@@ -8,6 +8,7 @@ public static class Stable
 {
     /// <summary>a * b - c * d within 1.5 units in the last place, for any cancellation.</summary>
     /// <remarks>Kahan's algorithm; C.-P. Jeannerod, N. Louvet, J.-M. Muller, Math. Comp. 82 (2013).</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double DifferenceOfProducts(double a, double b, double c, double d)
     {
         double cd = c * d;

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace Msisf.Core.Numerics;
 
 /// <summary>
@@ -51,6 +53,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     /// Cross product, right-handed; each component with one rounding (<see cref="Stable.DifferenceOfProducts(double, double, double,
     /// double)"/>).
     /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3D Cross(Vector3D u, Vector3D v) => new(
         Stable.DifferenceOfProducts(u.Y, v.Z, u.Z, v.Y),
         Stable.DifferenceOfProducts(u.Z, v.X, u.X, v.Z),

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shading;
@@ -11,7 +12,7 @@ namespace Msisf.Core.Render.Shading;
 internal sealed class SmoothNormals
 {
     /// <summary>Number of vertices that are kept: a row of pixels crosses the same cells as the row above it.</summary>
-    private const int KeptVertices = 1 << 11;
+    private const int KeptVertices = 1 << 13;
 
     private readonly SurfaceModel _surface;
     private GridPatch _part;
@@ -43,15 +44,19 @@ internal sealed class SmoothNormals
         ref readonly Corner a = ref _corners[0];
         ref readonly Corner b = ref _corners[1];
         ref readonly Corner c = ref _corners[2];
-        double weightA = Weight(facetNormalBodyFixed, b.Position, c.Position, pointBodyFixed);
-        double weightB = Weight(facetNormalBodyFixed, c.Position, a.Position, pointBodyFixed);
-        double weightC = Weight(facetNormalBodyFixed, a.Position, b.Position, pointBodyFixed);
+        Vector3D toA = a.Position - pointBodyFixed;
+        Vector3D toB = b.Position - pointBodyFixed;
+        Vector3D toC = c.Position - pointBodyFixed;
+        double weightA = Weight(facetNormalBodyFixed, toB, toC);
+        double weightB = Weight(facetNormalBodyFixed, toC, toA);
+        double weightC = Weight(facetNormalBodyFixed, toA, toB);
         return ((weightA * a.Normal) + (weightB * b.Normal) + (weightC * c.Normal)).Normalized();
     }
 
     /// <summary>Twice the area of the triangle between an edge and the point, times the length of the normal.</summary>
-    private static double Weight(Vector3D normal, Vector3D from, Vector3D to, Vector3D point) =>
-        Vector3D.Dot(normal, Vector3D.Cross(from - point, to - point));
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Weight(Vector3D normal, Vector3D toOneEnd, Vector3D toOther) =>
+        Vector3D.Dot(normal, Vector3D.Cross(toOneEnd, toOther));
 
     /// <summary>A vertex of a seam has the normal that it has in its own model.</summary>
     private void Load(FacetId facet)
