@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using Msisf.Adapters.Catalogues;
+using Msisf.Adapters.Input;
 using Msisf.Core.Navigation;
 
 namespace Msisf.Server;

@@ -1,4 +1,3 @@
-using Msisf.Adapters.Catalogues;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;

@@ -178,8 +178,8 @@ internal static class CommandTable
     public static CommandSpec Places { get; } = new("places", "List the Moon's named places: features of the IAU's list and landing sites.")
     {
         Details =
-            "A line for each place: name, kind, latitude, longitude (degrees, east), diameter. NAME leaves those whose names hold it; case, "
-                + "accents and punctuation do not matter. --look-at, --position, --center and batch files take these names.",
+            "A line for each place: name, kind, latitude, longitude (degrees, east), diameter. NAME leaves those whose names hold it; "
+                + "case, accents and punctuation do not matter. --look-at, --position, --center and batch files take these names.",
         MakeArgument = () => new ArgumentSpec("NAME", "A name, or a part of one")
         {
             IsOptional = true,

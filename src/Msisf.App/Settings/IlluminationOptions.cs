@@ -15,7 +15,8 @@ internal static class IlluminationOptions
 
     private static readonly DecidesBytes Role = DecidesBytes.OfNoFrame;
 
-    public static TextSpec Centre { get; } = new("--center", Role, "LAT,LON|NAME", "Middle of the region (degrees north, degrees east), or the name of a place");
+    public static TextSpec Centre { get; } = new(
+        "--center", Role, "LAT,LON|NAME", "Middle of the region (degrees north, degrees east), or the name of a place");
 
     public static TextSpec Size { get; } = new(
         "--size", Role, "KM[,KM]", "Width of the region on the ground, through its middle, and its height if that is another one");

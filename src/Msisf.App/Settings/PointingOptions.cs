@@ -11,7 +11,8 @@ internal static class PointingOptions
 {
     public static TextSpec Position { get; } = new(
         "--position", DecidesBytes.ByStates, "LAT,LON,HEIGHT|NAME,HEIGHT",
-        "Camera by latitude, longitude (degrees, east) or the name of a place (msis places), and height: m over the sphere of 1737400 m, or terrain+m over the terrain");
+        "Camera by latitude, longitude (degrees, east) or the name of a place (msis places), and height: m over the "
+            + "sphere of 1737400 m, or terrain+m over the terrain");
 
     public static TextSpec LookAt { get; } = new(
         "--look-at", DecidesBytes.ByStates, "LAT,LON[,HEIGHT]|NAME[,HEIGHT]|nadir|sun|horizon:AZIMUTH",

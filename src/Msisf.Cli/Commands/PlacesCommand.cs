@@ -1,5 +1,4 @@
 using System.Text.Json.Nodes;
-using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

@@ -50,7 +50,8 @@ public class BatchColumnErrorsTests
     [InlineData("lat,lon,height\n", "input/run7.csv, line 1: column time is missing")]
     [InlineData("time,lat,lon\n", "input/run7.csv, line 1: column height is missing: lat, lon, height go together.")]
     [InlineData("time,roll\n", "input/run7.csv, line 1: a position is either lat, lon (or the name of a place) and a height ")]
-    [InlineData("time,x,y,z,lat,lon,height\n", "input/run7.csv, line 1: a position is either lat, lon (or the name of a place) and a height ")]
+    [InlineData(
+        "time,x,y,z,lat,lon,height\n", "input/run7.csv, line 1: a position is either lat, lon (or the name of a place) and a height ")]
     [InlineData("time,x,y,z,qx,qy,qz\n", "input/run7.csv, line 1: column qw is missing: qx, qy, qz, qw go together.")]
     [InlineData("time,x,y,z,look_lat\n", "input/run7.csv, line 1: column look_lon is missing")]
     [InlineData("time,x,y,z,look_height\n", "input/run7.csv, line 1: column look_height needs look_lat.")]

@@ -26,7 +26,7 @@ public class CraterFinderTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     public void Find_AnyScene_HasTheCratersThatAreFoundOneByOne()
     {
         int found = 0;
-        int step = TestLength.Of(4, 1);
+        int step = TestLength.Of(16, 1);
         string[] everyday = ["far", "oblique-20km", "north-pole-axis", "half-sky", "wide-angle", "whole-disc", "limb-1e9"];
         int count = TestLength.Of(everyday.Length, RenderScenes.All.Count);
         foreach (RenderScenes.RenderSceneCase scene in

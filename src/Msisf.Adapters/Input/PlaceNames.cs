@@ -1,9 +1,8 @@
 using System.Text;
-using Msisf.Adapters.Input;
 using Msisf.Core.Attitude;
 using Msisf.Core.Terrain;
 
-namespace Msisf.Adapters.Catalogues;
+namespace Msisf.Adapters.Input;
 
 /// <summary>
 /// The Moon's named places: features of the IAU's list and landing sites, which come with the program (lib/places). They are read when the
@@ -110,21 +109,21 @@ public static class PlaceNames
         return key.ToString();
     }
 
-    private static NamedPlace Feature(List<string> fields) => new(
+    private static NamedPlace Feature(string[] fields) => new(
         fields[0], fields[1], Number(fields[2]), Number(fields[3]), fields[4].Length > 0 ? 1000.0 * Number(fields[4]) : 0.0);
 
-    private static NamedPlace Site(List<string> fields) => new(fields[0], LandingSite, Number(fields[1]), Number(fields[2]), 0.0);
+    private static NamedPlace Site(string[] fields) => new(fields[0], LandingSite, Number(fields[1]), Number(fields[2]), 0.0);
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 
     /// <summary>The rows of a list below its heading.</summary>
-    private static IEnumerable<List<string>> Rows(string name)
+    private static IEnumerable<string[]> Rows(string name)
     {
         using StreamReader reader = new(typeof(PlaceNames).Assembly.GetManifestResourceStream(name)!);
         reader.ReadLine();
         while (reader.ReadLine() is { } line)
         {
-            yield return CsvLine.Fields(line, ',');
+            yield return line.Split(',');
         }
     }
 }

@@ -7,7 +7,7 @@ using Msisf.Core.Terrain;
 using Msisf.TestSupport;
 using Xunit;
 
-namespace Msisf.Adapters.Tests.Catalogues;
+namespace Msisf.Adapters.Tests.Input;
 
 public sealed class PlaceNamesTests
 {
