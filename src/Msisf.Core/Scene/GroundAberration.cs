@@ -9,8 +9,9 @@ namespace Msisf.Core.Scene;
 /// </summary>
 /// <remarks>
 /// The light time is that from the ground on the line of sight, for the whole image; without ground there, from the nearest point of the
-/// sphere. The stellar aberration is that of the line of sight, too: at an angle a from it the image is off by 20 arcseconds times
-/// 1 - cos a.
+/// sphere. The stellar aberration is that of the line of sight, too: at an angle a from it the image is off by up to v / c times sin a,
+/// where v is the camera's speed through the solar system: 21.6 arcseconds with the Moon, 22.7 in low orbit. It is v / c times 1 - cos a
+/// where the camera looks across its motion.
 /// </remarks>
 public static class GroundAberration
 {
