@@ -29,6 +29,7 @@ illumination --center -89,0 --size 20 --cell 2000 --time-interval [55289:1:55299
 dataset $PWD/input/data-set.yaml --frames 1:2 --output-dir out --batch
 kernels $PWD/kernels/de421.bsp --format json
 cameras
+places --near Tycho --format json
 --fov 400
 --help
 man

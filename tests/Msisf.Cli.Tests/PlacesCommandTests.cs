@@ -40,6 +40,11 @@ public sealed class PlacesCommandTests : IDisposable
     [InlineData("--position Tycho --time 55289 --dry-run", "'Tycho' has 1 part; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
     [InlineData("--position 1,2,3e5 --look-at nadr --time 55289 --dry-run", "nadir, sun or horizon:AZIMUTH is needed.")]
     [InlineData("--position Tycho,100 --body mars --time 55289 --dry-run", "the named places are the Moon's, but Mars is drawn.")]
+    [InlineData(
+        "--position 1,2,3e5 --look-at Sundman --body mars --time 55289 --dry-run", "the named places are the Moon's, but Mars is drawn.")]
+    [InlineData(
+        "illumination --body mars --center Shackleton --size 1 --time-interval [55289:0.1:55290]",
+        "--center: 'Shackleton' is a name, and the named places are the Moon's, but Mars is drawn.")]
     [InlineData("illumination --center Tyco --size 1 --time-interval [55289:0.1:55290]", "--center: 'Tyco' is no named place of the Moon")]
     public void Run_WrongPlace_SaysWhatToDo(string run, string expected)
     {

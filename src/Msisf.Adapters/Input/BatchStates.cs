@@ -78,14 +78,9 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
 
     private Vector3D PositionBodyFixed(BatchRow row, Instant time)
     {
-        if (row.Has(BatchNames.NamedPlace))
+        if (row.Has(BatchNames.NamedPlace) || row.Has(BatchNames.Place[0]))
         {
-            return Named(row, BatchNames.NamedPlace, HeightOf(row)).ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
-        }
-
-        if (row.Has(BatchNames.Place[0]))
-        {
-            return PlaceText.Place(row.Number(BatchNames.Place[0]), row.Number(BatchNames.Place[1]), HeightOf(row))
+            return PlaceOf(row, BatchNames.NamedPlace, BatchNames.Place, HeightOf(row))
                 .ToPositionBodyFixed(scene.GroundRadius, scene.ReferenceRadius);
         }
 
@@ -138,25 +133,23 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
         return pointed;
     }
 
-    /// <summary>The place that a column names.</summary>
-    private SurfacePlace Named(BatchRow row, string column, (double Height, bool IsOverTerrain) height) =>
-        scene.ReferenceRadius == MoonConstants.ReferenceRadius // no other body has it
-            ? row.Read(column, name => PlaceText.Named(name, height))
-            : throw new BadInputException($"column {column}: the named places are the Moon's. Give latitude and longitude.");
+    /// <summary>The place that a column names, or that two columns give by latitude and longitude.</summary>
+    private SurfacePlace PlaceOf(BatchRow row, string named, string[] numbers, (double Height, bool IsOverTerrain) height) =>
+        row.Has(named)
+            ? row.Read(named, name => PlaceText.Named(name, scene.Body, height))
+            : PlaceText.Place(row.Number(numbers[0]), row.Number(numbers[1]), height);
 
     private CameraPointing PointingOf(BatchRow row)
     {
         CameraPointing direction = new();
         if (row.Has(BatchNames.Target[0]) || row.Has(BatchNames.LookAt))
         {
-            (double Height, bool IsOverTerrain) height =
-                row.Has(BatchNames.LookHeight) ? row.Read(BatchNames.LookHeight, PlaceText.ParseHeight) : (0.0, true);
             direction = new CameraPointing
             {
                 Kind = BoresightKind.Place,
-                Target = row.Has(BatchNames.LookAt)
-                    ? Named(row, BatchNames.LookAt, height)
-                    : PlaceText.Place(row.Number(BatchNames.Target[0]), row.Number(BatchNames.Target[1]), height),
+                Target = PlaceOf(
+                    row, BatchNames.LookAt, BatchNames.Target,
+                    row.Has(BatchNames.LookHeight) ? row.Read(BatchNames.LookHeight, PlaceText.ParseHeight) : (0.0, true)),
             };
         }
         else if (row.Has(BatchNames.OffNadir))

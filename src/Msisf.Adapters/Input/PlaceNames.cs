@@ -64,7 +64,7 @@ public static class PlaceNames
     }
 
     private static Vector3D Direction(double latitude, double longitude) =>
-        new SurfacePlace(latitude, longitude, 0.0, false).ToPositionBodyFixed(_ => 1.0, 1.0);
+        new SelenographicPoint(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude)).ToDirectionBodyFixed();
 
     private static string Unknown(string name)
     {

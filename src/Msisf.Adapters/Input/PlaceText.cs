@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;
@@ -38,15 +39,24 @@ public static class PlaceText
         ? degrees
         : throw new BadInputException($"{what}: {NumberText.ProblemWith(text)}.");
 
-    /// <summary>Whether a text is a name, and no number: it begins with a letter.</summary>
-    public static bool IsName(string text) => text.Length > 0 && char.IsLetter(text[0]);
+    /// <summary>Whether a text is a name, and no number: it begins with a letter, or has several words, as "8 Homeward" has.</summary>
+    public static bool IsName(string text) =>
+        text.Length > 0 && (char.IsLetter(text[0]) || (text.Contains(' ') && text.Any(char.IsLetter)));
 
     /// <summary>A named place of the Moon.</summary>
     /// <param name="name">As <see cref="PlaceNames.Find"/> takes it.</param>
+    /// <param name="body">The body that is drawn.</param>
     /// <param name="height">m, and whether it counts from the terrain.</param>
-    /// <exception cref="BadInputException">There is no place of this name, or there are several.</exception>
-    public static SurfacePlace Named(string name, (double Height, bool IsOverTerrain) height)
+    /// <exception cref="BadInputException">There is no place of this name, there are several, or the body is not the Moon.</exception>
+    public static SurfacePlace Named(string name, CelestialBody body, (double Height, bool IsOverTerrain) height)
     {
+        if (!body.IsMoon)
+        {
+            throw new BadInputException(
+                $"{NumberText.Shown(name)} is a name, and the named places are the Moon's, but {body.Name} is drawn. "
+                    + "Give latitude and longitude.");
+        }
+
         NamedPlace place = PlaceNames.Find(name);
         return new SurfacePlace(place.Latitude, place.Longitude, height.Height, height.IsOverTerrain);
     }

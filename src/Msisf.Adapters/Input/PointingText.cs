@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Input;
@@ -17,12 +18,13 @@ public static class PointingText
 
     /// <summary>Reads a position, <c>LAT,LON,HEIGHT</c> or <c>NAME,HEIGHT</c>.</summary>
     /// <param name="text">The value.</param>
+    /// <param name="body">The body that is drawn; the named places are the Moon's.</param>
     /// <exception cref="BadInputException">It is no position.</exception>
-    public static SurfacePlace ParsePosition(string text)
+    public static SurfacePlace ParsePosition(string text, CelestialBody body)
     {
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
         return parts.Length == 3 || (parts.Length == 2 && PlaceText.IsName(parts[0]))
-            ? Place(parts)
+            ? Place(parts, body)
             : throw new BadInputException(
                 $"{NumberText.Shown(text)} has {parts.Length} {(parts.Length == 1 ? "part" : "parts")}; LAT,LON,HEIGHT or "
                     + $"NAME,HEIGHT is needed: degrees, degrees east, {PlaceText.ValidHeights}.");
@@ -30,14 +32,15 @@ public static class PointingText
 
     /// <summary>Reads what the camera looks at: a place, or a word.</summary>
     /// <param name="text">The value.</param>
+    /// <param name="body">The body that is drawn; the named places are the Moon's.</param>
     /// <exception cref="BadInputException">It is neither a place nor one of the words.</exception>
-    public static CameraPointing ParseTarget(string text)
+    public static CameraPointing ParseTarget(string text, CelestialBody body)
     {
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
         if (parts.Length > 1)
         {
             return parts.Length <= 3
-                ? new CameraPointing { Kind = BoresightKind.Place, Target = Place(parts) }
+                ? new CameraPointing { Kind = BoresightKind.Place, Target = Place(parts, body) }
                 : throw new BadInputException($"{NumberText.Shown(text)} has {parts.Length} parts; {ValidTargets} is needed.");
         }
 
@@ -50,7 +53,7 @@ public static class PointingText
                 Kind = BoresightKind.Horizon,
                 Azimuth = double.DegreesToRadians(PlaceText.ParseDegrees(text[Horizon.Length..], "the azimuth (degrees)")),
             },
-            _ when PlaceText.IsName(text) => Named(text),
+            _ when PlaceText.IsName(text) => Named(text, body),
             _ => throw new BadInputException($"{NumberText.Shown(text)} is nothing to look at; {ValidTargets} is needed."),
         };
     }
@@ -91,11 +94,11 @@ public static class PointingText
     };
 
     /// <summary>A place to look at that is named, and its ground; a misspelt word may also have been meant as one of the others.</summary>
-    private static CameraPointing Named(string name)
+    private static CameraPointing Named(string name, CelestialBody body)
     {
         try
         {
-            return new CameraPointing { Kind = BoresightKind.Place, Target = Place([name]) };
+            return new CameraPointing { Kind = BoresightKind.Place, Target = Place([name], body) };
         }
         catch (BadInputException exception)
         {
@@ -105,8 +108,8 @@ public static class PointingText
     }
 
     /// <summary>A place of latitude and longitude, or a name, and, if there is one, height; without one it lies on the terrain.</summary>
-    private static SurfacePlace Place(string[] parts) => parts.Length < 3 && PlaceText.IsName(parts[0])
-        ? PlaceText.Named(parts[0], HeightOf(parts[1..]))
+    private static SurfacePlace Place(string[] parts, CelestialBody body) => parts.Length < 3 && PlaceText.IsName(parts[0])
+        ? PlaceText.Named(parts[0], body, HeightOf(parts[1..]))
         : PlaceText.Place(
             PlaceText.ParseDegrees(parts[0], "the latitude (degrees)"),
             PlaceText.ParseDegrees(parts[1], "the longitude (degrees east)"), HeightOf(parts[2..]));

@@ -2,8 +2,10 @@ using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Input;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
 using Msisf.Core.Render.Options;
+using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;
@@ -77,7 +79,8 @@ internal sealed record IlluminationSettings
     {
         double[]? corners = Numbers(IlluminationOptions.Corners, values, 4, 4);
         double[]? centre = IlluminationOptions.Centre.ReadIfGiven(values) is { } name && PlaceText.IsName(name)
-            ? IlluminationOptions.Centre.Named(() => Coordinates(PlaceNames.Find(name)))
+            ? IlluminationOptions.Centre.Named(() => Coordinates(PlaceText.Named(
+                name, CelestialBody.Of(SurfaceOptions.Body.Read(values)), (0.0, true))))
             : Numbers(IlluminationOptions.Centre, values, 2, 2);
         double[]? size = Numbers(IlluminationOptions.Size, values, 1, 2);
         string? points = IlluminationOptions.Points.ReadIfGiven(values);
@@ -167,7 +170,7 @@ internal sealed record IlluminationSettings
             + $"{IlluminationOptions.Corners.Name}, or {IlluminationOptions.Points.Name}.")
         .About(IlluminationOptions.Centre, IlluminationOptions.Corners);
 
-    private static double[] Coordinates(NamedPlace place) => [place.Latitude, place.Longitude];
+    private static double[] Coordinates(SurfacePlace place) => [place.LatitudeDegrees, place.LongitudeDegrees];
 
     private static double[]? Numbers(TextSpec option, OptionValues values, int least, int most)
     {

@@ -18,7 +18,9 @@ internal sealed class RunGeometry(
     Func<ElevationModel> model, Func<IEphemeris> ephemeris, Func<TimeScale> scale, Aberration aberration, CelestialBody? body = null)
     : ISceneGeometry
 {
-    public double ReferenceRadius => body is { IsMoon: false } ? model().Grid.ReferenceRadius : MoonConstants.ReferenceRadius;
+    public CelestialBody Body { get; } = body ?? CelestialBody.Moon;
+
+    public double ReferenceRadius => Body.IsMoon ? MoonConstants.ReferenceRadius : model().Grid.ReferenceRadius;
 
     public TimeScale TimeScale => scale();
 

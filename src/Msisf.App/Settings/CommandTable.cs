@@ -172,7 +172,7 @@ internal static class CommandTable
             TakesSeveralWords = true,
         },
         Examples = [("When LRO's attitude is known:", "msis kernels moc42r_2009181_2009213_v14.bc lro_clkcor_2019239_v00.tsc")],
-        MakeGroups = () => [new OptionGroup("Output", [KernelsOptions.Format]), OnlyHelp],
+        MakeGroups = () => [new OptionGroup("Output", [TableOptions.Format]), OnlyHelp],
     };
 
     public static CommandSpec Places { get; } = new("places", "List the Moon's named places: features of the IAU's list and landing sites.")
@@ -190,7 +190,7 @@ internal static class CommandTable
             ("Where Tycho is, and its lettered craters:", "msis places tycho"),
             ("What lies around a place:", "msis places --near=-43.3,348.8"),
         ],
-        MakeGroups = () => [new OptionGroup("Output", [PlacesOptions.Near, PlacesOptions.Format]), OnlyHelp],
+        MakeGroups = () => [new OptionGroup("Output", [PlacesOptions.Near, TableOptions.Format]), OnlyHelp],
     };
 
     public static CommandSpec Serve { get; } = new("serve", "Draw images on request over HTTP and WebSocket, for closed loops.")

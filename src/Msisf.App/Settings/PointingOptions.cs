@@ -48,7 +48,7 @@ internal static class PointingOptions
     /// <summary>Reads where the camera is.</summary>
     /// <exception cref="MsisfException">The value is wrong.</exception>
     public static SurfacePlace ReadPosition(OptionValues values) =>
-        Position.Named(() => PointingText.ParsePosition(OfBody(values, Position)));
+        Position.Named(() => PointingText.ParsePosition(Position.Read(values), Body(values)));
 
     /// <summary>Reads how the camera points.</summary>
     /// <exception cref="MsisfException">A value is wrong, or two options contradict each other.</exception>
@@ -61,18 +61,9 @@ internal static class PointingOptions
 
         CameraPointing direction = OffNadir.ReadIfGiven(values) is { } angle
             ? OffNadir.Named(() => PointingText.ParseOffNadir(angle))
-            : LookAt.Named(() => PointingText.ParseTarget(OfBody(values, LookAt)));
+            : LookAt.Named(() => PointingText.ParseTarget(LookAt.Read(values), Body(values)));
         return direction with { Up = Up.Read(values), Roll = double.DegreesToRadians(Roll.Read(values)) };
     }
 
-    /// <summary>An option's text, unless it names a place and the body that is drawn is not the Moon.</summary>
-    private static string OfBody(OptionValues values, TextSpec option)
-    {
-        string text = option.Read(values);
-        CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));
-        return body.IsMoon || !PlaceText.IsName(text) || option.Words.Any(word => text.StartsWith(word, StringComparison.OrdinalIgnoreCase))
-            ? text
-            : throw option.Wrong($"names a place, and the named places are the Moon's, but {body.Name} is drawn. "
-                + "Give latitude and longitude.");
-    }
+    private static CelestialBody Body(OptionValues values) => CelestialBody.Of(SurfaceOptions.Body.Read(values));
 }

@@ -62,8 +62,8 @@ internal enum StatesFormat
     Colmap,
 }
 
-/// <summary>The options of msis kernels.</summary>
-internal static class KernelsOptions
+/// <summary>How commands that list things print them.</summary>
+internal static class TableOptions
 {
     public static ChoiceSpec<bool> Format { get; } = new(
         "--format", OptionRole.WhatIsPrinted, [("table", false), ("json", true)],
@@ -79,13 +79,6 @@ internal static class PlacesOptions
     public static TextSpec Near { get; } = new(
         "--near", OptionRole.WhatIsPrinted, "LAT,LON|NAME",
         "Print the twenty nearest places and their distances along the sphere (degrees north, degrees east)");
-
-    public static ChoiceSpec<bool> Format { get; } = new(
-        "--format", OptionRole.WhatIsPrinted, [("table", false), ("json", true)],
-        "A table for people, or an array of objects with all digits")
-    {
-        Default = false,
-    };
 }
 
 /// <summary>The options that tell what the images of a run would show, and draw nothing.</summary>

@@ -20,7 +20,7 @@ internal static class KernelsCommand
             throw new UsageException("msis kernels needs one kernel or more: name their files.");
         }
 
-        bool asJson = KernelsOptions.Format.Read(call.Values);
+        bool asJson = TableOptions.Format.Read(call.Values);
         (IReadOnlyList<KernelContent> contents, TimeScale scale) = KernelContent.Of(
             KernelList.Expand(call.Values.Arguments), KernelList.Expand([call.Host.Installation.MetaKernel]));
         TextTable.Print(call.Host.Results, asJson

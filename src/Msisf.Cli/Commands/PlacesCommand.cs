@@ -4,6 +4,7 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Cli.Output;
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Cli.Commands;
@@ -26,14 +27,14 @@ internal static class PlacesCommand
         (NamedPlace Place, double? Distance)[] rows = near is not null
             ? [.. PlacesOptions.Near.Named(() => Around(near)).Take(Nearest).Select(pair => (pair.Place, (double?)pair.Distance))]
             : [.. (name.Length > 0 ? PlaceNames.Search(name) : PlaceNames.All).Select(place => (place, (double?)null))];
-        TextTable.Print(call.Host.Results, PlacesOptions.Format.Read(call.Values)
+        TextTable.Print(call.Host.Results, TableOptions.Format.Read(call.Values)
             ? TextTable.Json(rows.Select(row => JsonOf(row.Place, row.Distance)))
             : TextTable.Columns([Heading(near is not null), .. rows.Select(row => Row(row.Place, row.Distance))], isRight: false));
     }
 
     private static IEnumerable<(NamedPlace Place, double Distance)> Around(string text)
     {
-        SurfacePlace place = PointingText.ParseTarget(text) is { Kind: BoresightKind.Place, Target: var target }
+        SurfacePlace place = PointingText.ParseTarget(text, CelestialBody.Moon) is { Kind: BoresightKind.Place, Target: var target }
             ? target
             : throw new BadInputException($"{NumberText.Shown(text)} is no place; LAT,LON or NAME is needed.");
         return PlaceNames.Near(place.LatitudeDegrees, place.LongitudeDegrees);

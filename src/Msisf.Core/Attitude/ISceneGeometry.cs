@@ -1,3 +1,4 @@
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
@@ -6,6 +7,9 @@ namespace Msisf.Core.Attitude;
 /// <summary>What must be known of Moon and Sun to place and point a camera; each is computed only where it is asked for.</summary>
 public interface ISceneGeometry
 {
+    /// <summary>The body that is drawn.</summary>
+    CelestialBody Body => CelestialBody.Moon;
+
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     double ReferenceRadius => MoonConstants.ReferenceRadius;
 
@@ -24,29 +28,4 @@ public interface ISceneGeometry
     /// <summary>The rotation that turns J2000 components into body-fixed ones, MOON_ME of the Moon.</summary>
     /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover, which the message names.</exception>
     RotationMatrix BodyFromJ2000(Instant time);
-}
-
-/// <summary>A scene whose Sun is where the user says, so that what looks at the Sun looks at the one that gives the light.</summary>
-/// <param name="scene">All else.</param>
-/// <param name="sunPositionBodyFixed">m.</param>
-public sealed class SceneWithSun(ISceneGeometry scene, Vector3D sunPositionBodyFixed) : ISceneGeometry
-{
-    /// <inheritdoc/>
-    public double ReferenceRadius => scene.ReferenceRadius;
-
-    /// <inheritdoc/>
-    public TimeScale TimeScale => scene.TimeScale;
-
-    /// <inheritdoc/>
-    public double GroundRadius(Vector3D directionBodyFixed) => scene.GroundRadius(directionBodyFixed);
-
-    /// <inheritdoc/>
-    public Vector3D SunPositionBodyFixed(Instant time) => sunPositionBodyFixed;
-
-    /// <inheritdoc/>
-    public RotationMatrix BodyFromJ2000(Instant time) => scene.BodyFromJ2000(time);
-
-    /// <summary>The scene with this Sun; the scene itself if there is none.</summary>
-    public static ISceneGeometry Of(ISceneGeometry scene, Vector3D? sunPositionBodyFixed) =>
-        sunPositionBodyFixed is { } sun ? new SceneWithSun(scene, sun) : scene;
 }

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Catalogues;
 using Msisf.Adapters.Input;
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Navigation;
 using Msisf.Core.Terrain;
@@ -32,10 +33,35 @@ public sealed class PlaceNamesTests
     public void Find_UnknownName_SaysWhatMayBeMeant(string name, string expected) =>
         Assert.Contains(expected, Assert.Throws<BadInputException>(() => PlaceNames.Find(name)).Message, StringComparison.Ordinal);
 
-    /// <summary>A name that a message gives is a place, and each has a key of its own that finds it.</summary>
+    /// <summary>A name that a message or msis places gives is a place to look at and to be over, and finds itself.</summary>
     [Fact]
-    public void Find_EachName_IsItself() =>
-        Assert.All(PlaceNames.All, place => Assert.Same(place, PlaceNames.Find(place.Name)));
+    public void All_EachName_IsTakenWhereAPlaceIs() => Assert.All(PlaceNames.All, place =>
+    {
+        Assert.Same(place, PlaceNames.Find(place.Name));
+        SurfacePlace expected = new(place.Latitude, place.Longitude, 100.0, false);
+        Assert.Equal(expected, PointingText.ParsePosition($"{place.Name},100", CelestialBody.Moon));
+        Assert.Equal(expected, PointingText.ParseTarget($"{place.Name},100", CelestialBody.Moon).Target);
+        Assert.Equal(BoresightKind.Place, PointingText.ParseTarget(place.Name, CelestialBody.Moon).Kind);
+        Assert.InRange(place.Longitude, 0.0, Math.BitDecrement(360.0));
+    });
+
+    /// <summary>Also names that begin as the words do.</summary>
+    [Theory]
+    [InlineData("Tycho")]
+    [InlineData("Sundman")]
+    [InlineData("sundman j")]
+    [InlineData("Nadiria")]
+    public void Parse_NameWithAnotherBody_IsRefused(string name)
+    {
+        CelestialBody mars = CelestialBody.Find("MARS")!;
+        const string expected = "the named places are the Moon's, but Mars is drawn. Give latitude and longitude.";
+        Assert.Contains(
+            expected, Assert.Throws<BadInputException>(() => PointingText.ParsePosition($"{name},100", mars)).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            expected, Assert.Throws<BadInputException>(() => PointingText.ParseTarget(name, mars)).Message, StringComparison.Ordinal);
+        Assert.Equal(BoresightKind.Sun, PointingText.ParseTarget("sun", mars).Kind);
+    }
 
     /// <summary>Middles and diameters of the craters of Head et al. (2010), measured by others and without names.</summary>
     [RequiresFact(Part.Craters)]
@@ -89,16 +115,16 @@ public sealed class PlaceNamesTests
 
     [Fact]
     public void ParsePosition_NameAndHeight_IsThePlace() =>
-        Assert.Equal(new SurfacePlace(-43.2958, 348.785, 80000.0, false), PointingText.ParsePosition("Tycho,80000"));
+        Assert.Equal(new SurfacePlace(-43.2958, 348.785, 80000.0, false), PointingText.ParsePosition("Tycho,80000", CelestialBody.Moon));
 
     [Fact]
     public void ParseTarget_NameAlone_IsItsGround()
     {
-        CameraPointing pointing = PointingText.ParseTarget("tycho");
+        CameraPointing pointing = PointingText.ParseTarget("tycho", CelestialBody.Moon);
 
         Assert.Equal(BoresightKind.Place, pointing.Kind);
         Assert.Equal(new SurfacePlace(-43.2958, 348.785, 0.0, true), pointing.Target);
-        Assert.Equal(100.0, PointingText.ParseTarget("tycho,terrain+100").Target.Height);
+        Assert.Equal(100.0, PointingText.ParseTarget("tycho,terrain+100", CelestialBody.Moon).Target.Height);
     }
 
     [Theory]
@@ -106,5 +132,5 @@ public sealed class PlaceNamesTests
     [InlineData("Tycho,1,2,3")]
     [InlineData("Tyco,80000")]
     public void ParsePosition_WrongName_IsRefused(string text) =>
-        Assert.Throws<BadInputException>(() => PointingText.ParsePosition(text));
+        Assert.Throws<BadInputException>(() => PointingText.ParsePosition(text, CelestialBody.Moon));
 }

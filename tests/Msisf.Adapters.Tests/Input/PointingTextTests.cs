@@ -1,5 +1,6 @@
 using Msisf.Adapters.Input;
 using Msisf.Core.Attitude;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Errors;
 using Msisf.Core.Terrain;
 using Xunit;
@@ -15,7 +16,7 @@ public class PointingTextTests
     [InlineData("-58.6,-14.5,Terrain+1.5E3", 1500.0, true)]
     [InlineData("-58.6,-14.5,terrain-2", -2.0, true)]
     public void ParsePosition_AnyHeight_IsThePlace(string text, double height, bool isOverTerrain) =>
-        Assert.Equal(new SurfacePlace(-58.6, -14.5, height, isOverTerrain), PointingText.ParsePosition(text));
+        Assert.Equal(new SurfacePlace(-58.6, -14.5, height, isOverTerrain), PointingText.ParsePosition(text, CelestialBody.Moon));
 
     [Theory]
     [InlineData("-58.6,-14.5", "'-58.6,-14.5' has 2 parts; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
@@ -29,22 +30,25 @@ public class PointingTextTests
     [InlineData("170,20,3", "The latitude (degrees) is 170; a number from -90 to 90 is needed. Are latitude and longitude swapped?")]
     [InlineData("400,20,3", "The latitude (degrees) is 400; a number from -90 to 90 is needed.")]
     public void ParsePosition_Wrong_SaysWhat(string text, string message) => Assert.StartsWith(
-        message, Assert.Throws<BadInputException>(() => PointingText.ParsePosition(text)).Message, StringComparison.Ordinal);
+        message,
+        Assert.Throws<BadInputException>(() => PointingText.ParsePosition(text, CelestialBody.Moon)).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void ParseTarget_PlaceWithoutHeight_LiesOnTheTerrain()
     {
-        Assert.Equal(new SurfacePlace(1.0, 2.0, 0.0, isOverTerrain: true), PointingText.ParseTarget("1,2").Target);
-        Assert.Equal(new SurfacePlace(1.0, 2.0, 0.0, isOverTerrain: false), PointingText.ParseTarget("1,2,0").Target);
+        Assert.Equal(new SurfacePlace(1.0, 2.0, 0.0, isOverTerrain: true), PointingText.ParseTarget("1,2", CelestialBody.Moon).Target);
+        Assert.Equal(new SurfacePlace(1.0, 2.0, 0.0, isOverTerrain: false), PointingText.ParseTarget("1,2,0", CelestialBody.Moon).Target);
     }
 
     [Fact]
     public void ParseTarget_Words_WhateverTheirCase()
     {
-        Assert.Equal(new CameraPointing(), PointingText.ParseTarget("NADIR"));
-        Assert.Equal(new CameraPointing { Kind = BoresightKind.Sun }, PointingText.ParseTarget("Sun"));
+        Assert.Equal(new CameraPointing(), PointingText.ParseTarget("NADIR", CelestialBody.Moon));
+        Assert.Equal(new CameraPointing { Kind = BoresightKind.Sun }, PointingText.ParseTarget("Sun", CelestialBody.Moon));
         Assert.Equal(
-            new CameraPointing { Kind = BoresightKind.Horizon, Azimuth = -Math.PI / 2.0 }, PointingText.ParseTarget("Horizon:-90"));
+            new CameraPointing { Kind = BoresightKind.Horizon, Azimuth = -Math.PI / 2.0 },
+            PointingText.ParseTarget("Horizon:-90", CelestialBody.Moon));
     }
 
     [Theory]
@@ -53,7 +57,9 @@ public class PointingTextTests
     [InlineData("horizon:", "the azimuth (degrees): a number is missing")]
     [InlineData("1,2,3,4", "'1,2,3,4' has 4 parts")]
     public void ParseTarget_Wrong_SaysWhat(string text, string message) => Assert.StartsWith(
-        message, Assert.Throws<BadInputException>(() => PointingText.ParseTarget(text)).Message, StringComparison.Ordinal);
+        message,
+        Assert.Throws<BadInputException>(() => PointingText.ParseTarget(text, CelestialBody.Moon)).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void ParseOffNadir_AngleAndAzimuth_InRadians()

@@ -29,15 +29,16 @@ internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
                 return known;
             }
 
-            long size = (long)model.Width * model.Height;
-            if (!HasRoom(size))
+            long room = maxSamples - ((long)model.Width * model.Height);
+            if (_kept.Where(samples => samples.IsOf(model)).Sum(Count) > room)
+            {
+                return null;
+            }
+
+            if (_kept.Sum(Count) > room)
             {
                 // Frames that are being drawn keep theirs until they are finished.
                 _kept.RemoveAll(samples => !samples.IsOf(model));
-                if (!HasRoom(size))
-                {
-                    return null;
-                }
             }
 
             LensSamples found = new();
@@ -47,5 +48,5 @@ internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
         }
     }
 
-    private bool HasRoom(long size) => _kept.Sum(static samples => (long)samples.Right.Length) + size <= maxSamples;
+    private static long Count(LensSamples samples) => samples.Right.Length;
 }

@@ -41,6 +41,18 @@ public sealed class LensCacheTests
         Assert.NotSame(left, Find(cache, one, -0.25));
     }
 
+    /// <summary>Nor is anything gained by forgetting the others.</summary>
+    [Fact]
+    public void Find_CameraThatNeverFits_LeavesTheOthers()
+    {
+        LensCache cache = new((Width * Height) + 1);
+        CameraModel camera = Camera("barrel");
+        LensSamples? known = Find(cache, camera, 0.25);
+
+        Assert.Null(Find(cache, LensCases.Of("barrel", 0.5, 2 * Width, Height), 0.25));
+        Assert.Same(known, Find(cache, camera, 0.25));
+    }
+
     [Fact]
     public void Find_ManyThreadsAtOnce_GiveAllTheSameObject()
     {
