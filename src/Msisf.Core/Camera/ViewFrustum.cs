@@ -19,22 +19,20 @@ internal sealed class ViewFrustum
     /// <param name="camera">The camera, without a lens.</param>
     /// <param name="margin">px beyond the border of the image on each side.</param>
     /// <param name="rows">The rows that are shown; null for the whole image.</param>
-    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
-    /// <param name="offsetY">px down, added to each pixel's centre.</param>
-    public ViewFrustum(FrameCamera camera, double margin, PixelRows? rows = null, double offsetX = 0.0, double offsetY = 0.0)
-        : this(camera, BorderOf(camera, margin, rows ?? new PixelRows(0, camera.Height), offsetX, offsetY))
+    public ViewFrustum(FrameCamera camera, double margin, PixelRows? rows = null)
+        : this(camera, BorderOf(camera, margin, rows ?? new PixelRows(0, camera.Height)))
     {
         _rows = rows ?? new PixelRows(0, camera.Height);
         _margin = margin;
         if (camera.Model.IsThesis)
         {
             _down = -1.0 / camera.PixelTangent * UnitUp(camera);
-            _forwardRow = (0.5 * (camera.Height - 1)) - offsetY;
+            _forwardRow = 0.5 * (camera.Height - 1);
         }
         else
         {
             _down = -camera.Model.FocalY * camera.UnitUp;
-            _forwardRow = camera.Model.PrincipalY - 1.0 - offsetY;
+            _forwardRow = camera.Model.PrincipalY - 1.0;
         }
     }
 
@@ -242,20 +240,20 @@ internal sealed class ViewFrustum
 
     /// <summary>Tangents to the borders of some rows of a pinhole's image: to the left, to the right, and two upwards.</summary>
     private static (double Left, double Right, double Top, double Bottom) BorderOf(
-        FrameCamera camera, double margin, PixelRows rows, double offsetX, double offsetY)
+        FrameCamera camera, double margin, PixelRows rows)
     {
         if (camera.Model.IsThesis)
         {
             double pixel = camera.PixelTangent;
             return (
-                ((0.5 * camera.Width) - offsetX + margin) * pixel,
-                ((0.5 * camera.Width) + offsetX + margin) * pixel,
-                ((0.5 * camera.Height) - offsetY + margin - rows.First) * pixel,
-                ((0.5 * camera.Height) - offsetY - margin - rows.End) * pixel);
+                ((0.5 * camera.Width) + margin) * pixel,
+                ((0.5 * camera.Width) + margin) * pixel,
+                ((0.5 * camera.Height) + margin - rows.First) * pixel,
+                ((0.5 * camera.Height) - margin - rows.End) * pixel);
         }
 
-        (double left, double right) = (0.5 - margin + offsetX, camera.Width + 0.5 + margin + offsetX);
-        (double top, double bottom) = (rows.First + 0.5 - margin + offsetY, rows.End + 0.5 + margin + offsetY);
+        (double left, double right) = (0.5 - margin, camera.Width + 0.5 + margin);
+        (double top, double bottom) = (rows.First + 0.5 - margin, rows.End + 0.5 + margin);
         TangentBox box = TangentBox.Nothing;
         foreach ((double x, double y) in (ReadOnlySpan<(double, double)>)[(left, top), (right, top), (left, bottom), (right, bottom)])
         {

@@ -20,7 +20,6 @@ internal sealed class FramePass : IDrawnFrame
     private readonly LightPass _light;
     private readonly PartPass _parts;
     private readonly SamplingPass _sampling;
-    private readonly GridPass _grid;
     private readonly IndirectPass _indirect;
     private VisibleSurface? _visible;
     private readonly PixelSunlight _sunlight = new();
@@ -37,7 +36,6 @@ internal sealed class FramePass : IDrawnFrame
         _light = new LightPass(surface);
         _parts = new PartPass(surface);
         _sampling = new SamplingPass(_parts);
-        _grid = new GridPass(_parts);
         _indirect = new IndirectPass(surface);
     }
 
@@ -90,33 +88,31 @@ internal sealed class FramePass : IDrawnFrame
             _indirectFactors = new double[pixels];
         }
 
-        if (options.SubsamplesPerAxis > 1 && TryDrawGrid(threads, cancellation))
+        bool isOfCentres = options.SubsamplesPerAxis == 1;
+        if (isOfCentres || options.KeepGroundTruth || options.Indirect is not null)
         {
-            return;
+            DrawCentres(isOfCentres ? 1.0 : 0.0, threads, cancellation);
+        }
+        else
+        {
+            _visibility.Prepare(camera, threads, cancellation);
         }
 
-        // With an odd number of samples per edge, the middle sample is the pixel's centre. It is drawn last, so that its result remains as
-        // the ground truth of the pixel.
-        int across = options.SubsamplesPerAxis;
-        int samples = across * across;
-        int middle = across % 2 == 1 ? samples / 2 : -1;
-        double weight = 1.0 / samples;
-        bool isFirst = true;
-        foreach (int sample in Enumerable.Range(0, samples).Where(sample => sample != middle))
+        SampledFrame work = new(
+            _visibility, light, _light, _indirect, options, _radianceFactors, options.Indirect is null ? [] : _indirectFactors, threads,
+            cancellation);
+        if (options.Adaptive is { } adaptive)
         {
-            DrawSample(Offset(sample % across, across), Offset(sample / across, across), weight, isFirst, threads, cancellation);
-            isFirst = false;
+            _sampling.Run(work, adaptive, _sunlight);
+        }
+        else if (!isOfCentres)
+        {
+            _sampling.Run(work, SamplePattern.Grid(options.SubsamplesPerAxis));
         }
 
-        if (middle >= 0 || options.KeepGroundTruth)
+        if (options.Indirect is not null)
         {
-            DrawSample(0.0, 0.0, middle >= 0 ? weight : 0.0, isFirst, threads, cancellation);
-        }
-
-        if (options.Adaptive is not null)
-        {
-            _sampling.Run(
-                _visibility, light, _light, _indirect, options, _sunlight, _radianceFactors, threads, cancellation);
+            _indirect.End();
         }
     }
 
@@ -164,43 +160,24 @@ internal sealed class FramePass : IDrawnFrame
     /// <summary>Gets the surface point at a pixel's centre, with its facet's normal.</summary>
     public bool TryGetSurface(int x, int y, out SurfaceHit hit) => KeptSurface().TryGet(x, y, out hit);
 
-    private static double Offset(int index, int across) => ((index + 0.5) / across) - 0.5;
-
-    private void DrawSample(
-        double offsetX, double offsetY, double weight, bool isFirst, int threads, CancellationToken cancellation)
+    /// <summary>Draws one sample a pixel, at its centre.</summary>
+    /// <param name="weight">1 to give the pixels its brightness; 0 to find only what it shows and its light.</param>
+    private void DrawCentres(double weight, int threads, CancellationToken cancellation)
     {
-        _visible = _visibility.Run(Camera, threads, cancellation, offsetX, offsetY);
-        bool forgetsLight = isFirst && weight == 1.0 && _options is { KeepGroundTruth: false, Adaptive: null };
-        SampleWeight sample = new(weight, isFirst, forgetsLight);
+        _visible = _visibility.Run(Camera, threads, cancellation);
+        bool forgetsLight = weight == 1.0 && _options is { KeepGroundTruth: false, Adaptive: null };
+        SampleWeight sample = new(weight, IsFirst: true, forgetsLight);
         _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
-        if (_options!.Indirect is null || weight == 0.0)
+        if (_options!.Indirect is null)
         {
             return;
         }
 
-        if (isFirst)
+        _indirect.Begin(_visible, Light, _options, threads, cancellation);
+        if (weight > 0.0)
         {
-            _indirect.Begin(_visible, Light, _options, threads, cancellation);
+            _indirect.Add(_visible, _options, weight, _radianceFactors, _indirectFactors, threads, cancellation);
         }
-
-        _indirect.Add(_visible, _options, weight, _radianceFactors, _indirectFactors, threads, cancellation);
-    }
-
-    private bool TryDrawGrid(int threads, CancellationToken cancellation)
-    {
-        int blocks = _visibility.Prepare(Camera, threads, cancellation).Count;
-        if (!GridPass.Suits(Camera, Light, _light, _options!, blocks))
-        {
-            return false;
-        }
-
-        if (_options!.KeepGroundTruth)
-        {
-            DrawSample(0.0, 0.0, weight: 0.0, isFirst: true, threads, cancellation);
-        }
-
-        _grid.Run(Shown, _visibility, Light, _light, _options, _radianceFactors, threads, cancellation);
-        return true;
     }
 
     private VisibleSurface KeptSurface() => _options is { KeepGroundTruth: true } && _visible is not null

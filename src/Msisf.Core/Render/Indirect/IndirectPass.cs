@@ -60,7 +60,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     private double[] _other = [];
     private double[] _near = [];
     private double[] _light = [];
-    private TrialGrid _trials = new(0, 0, 1);
+    private TrialGrid _trials = new(0, 0);
     private IndirectProgress? _progress;
     private int _sets;
     private int _edge;
@@ -107,6 +107,9 @@ internal sealed class IndirectPass(SurfaceModel surface)
         _shared = SharedSight.Find(image, _tree, _lights, threads, cancellation, _progress.Prepare);
     }
 
+    /// <summary>Ends a frame: all is told to be done.</summary>
+    public void End() => _progress?.Finish();
+
     /// <summary>Adds the light to radiance factors.</summary>
     /// <param name="points">The points.</param>
     /// <param name="options">The settings.</param>
@@ -137,12 +140,11 @@ internal sealed class IndirectPass(SurfaceModel surface)
         int columns = points is VisibleSurface ? _edge : PartsOfGroup;
         int strips = (points.Height + rows - 1) / rows;
         int groups = (points.Width + columns - 1) / columns;
-        _trials = new TrialGrid(groups, strips, options.SubsamplesPerAxis);
+        _trials = new TrialGrid(groups, strips);
         double effort = 0.0;
         _progress!.Begin(strips);
 
-        // With several samples a pixel the errors of each may be larger, because their mean counts.
-        double error = PartOfSamples * options.Indirect!.Error * options.SubsamplesPerAxis;
+        double error = PartOfSamples * options.Indirect!.Error;
         for (int number = 0; number < MostRounds && (number == 0 || effort > 0.0); number++)
         {
             Round round = new(points, options, rows, columns, groups, ((long)MostRounds * _sets) + number, effort);

@@ -61,10 +61,13 @@ internal sealed class IndirectProgress(NativeRenderOptions options)
         Report(0.0);
     }
 
+    /// <summary>Ends the frame.</summary>
+    public void Finish() => options.Progress?.Report(1.0);
+
     private void Report(double part)
     {
         double sets = _sets + part;
-        double all = options.Adaptive is null ? options.SubsamplesPerAxis * options.SubsamplesPerAxis : sets + 1.0; // nobody knows how many
+        double all = options is { Adaptive: null, SubsamplesPerAxis: 1 } ? 1.0 : sets + 1.0; // nobody knows how many
         options.Progress?.Report(Math.Min(1.0, TypicalPreparation + ((1.0 - TypicalPreparation) * sets / all)));
     }
 }

@@ -3,8 +3,7 @@ namespace Msisf.Core.Render.Indirect;
 /// <summary>What the samples of all groups of points have shown, and how many more they need.</summary>
 /// <param name="groups">Groups of a strip.</param>
 /// <param name="strips">Number of strips.</param>
-/// <param name="subsamples">Samples of a pixel along each axis.</param>
-internal sealed class TrialGrid(int groups, int strips, int subsamples)
+internal sealed class TrialGrid(int groups, int strips)
 {
     /// <summary>How far the groups stand whose samples tell how unsure a group is, if its own happen to agree.</summary>
     private const int Neighbours = 2;
@@ -82,7 +81,7 @@ internal sealed class TrialGrid(int groups, int strips, int subsamples)
         {
             Shared = own.Shared with { OfOne = Math.Max(own.Shared.OfOne, Math.Sqrt(shared / count)) },
             Other = own.Other with { OfOne = Math.Max(own.Other.OfOne, Math.Sqrt(other / count)) },
-            Bound = Math.Max(own.Bound, bound / count) * subsamples * subsamples, // what is left out is the same for all samples
+            Bound = Math.Max(own.Bound, bound / count),
         };
     }
 }

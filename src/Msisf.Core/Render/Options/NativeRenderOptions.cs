@@ -19,6 +19,9 @@ public sealed record NativeRenderOptions
     /// <summary>Maps of parts of the Moon that count before <see cref="Albedo"/> where they have data, the finest last.</summary>
     public IReadOnlyList<AlbedoMap> AlbedoSites { get; init; } = [];
 
+    /// <summary>Whether there is a map of the reflectance.</summary>
+    public bool HasMap => Albedo is not null || AlbedoSites.Count > 0;
+
     /// <summary>Hapke's parameters by place, which then replace <see cref="Reflectance"/>; null for the same law everywhere.</summary>
     public HapkeMap? Hapke { get; init; }
 

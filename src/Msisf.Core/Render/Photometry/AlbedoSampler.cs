@@ -23,7 +23,7 @@ internal sealed class AlbedoSampler
     /// <summary>Scales the radiance factors of a row.</summary>
     /// <param name="points">The pixels, with the law's radiance factors.</param>
     /// <param name="camera">The camera that sees them.</param>
-    /// <param name="samplesAcross">Samples along a pixel's edge.</param>
+    /// <param name="width">Width of the footprints, px.</param>
     /// <param name="factorOfReference">
     /// The law's radiance factor in the map's geometry, above 0; null if it differs from place to place
     /// (<see cref="SunlitPoints.ReferenceFactors"/>).
@@ -33,10 +33,10 @@ internal sealed class AlbedoSampler
     /// Whether only pixels count whose middles lie on the map; else also those half a pixel of a level beside it.
     /// </param>
     public void Scale(
-        SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map, double? factorOfReference, double[] ofLaw,
+        SunlitPoints points, FrameCamera camera, double width, AlbedoMap map, double? factorOfReference, double[] ofLaw,
         bool isSite = false)
     {
-        _footprints.Find(points, camera, samplesAcross, map);
+        _footprints.Find(points, camera, width, map);
         double perReference = 1.0 / (factorOfReference ?? 1.0);
         double offset = map.Offset * perReference;
         double step = map.Step * perReference;

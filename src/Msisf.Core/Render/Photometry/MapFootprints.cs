@@ -34,13 +34,13 @@ internal sealed class MapFootprints
     /// <summary>Finds the footprints of points.</summary>
     /// <param name="points">The surface points.</param>
     /// <param name="camera">The camera that sees them.</param>
-    /// <param name="samplesAcross">Samples along a pixel's edge: a sample covers as much less.</param>
-    public void Find(SunlitPoints points, FrameCamera camera, int samplesAcross, AlbedoMap map)
+    /// <param name="width">Their width, px.</param>
+    public void Find(SunlitPoints points, FrameCamera camera, double width, AlbedoMap map)
     {
         EnsureRoom(points.Count);
         for (int first = 0; first < points.Count; first += FootprintLanes.BlockPoints)
         {
-            _lanes.Find(points, first, camera, camera.PixelTangent / samplesAcross, map, this);
+            _lanes.Find(points, first, camera, camera.PixelTangent * width, map, this);
         }
     }
 

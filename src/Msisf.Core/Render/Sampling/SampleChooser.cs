@@ -93,8 +93,8 @@ internal sealed class SampleChooser
         Array.Clear(Pixels.VectorsOfRow);
         foreach (int pixel in trials)
         {
-            Pixels.Codes[pixel] = SamplePattern.MaxVectors | SampledPixels.HasBorder;
-            Pixels.VectorsOfRow[pixel / _width] += SamplePattern.MaxVectors;
+            Pixels.Codes[pixel] = SamplePattern.StratifiedVectors | SampledPixels.HasBorder;
+            Pixels.VectorsOfRow[pixel / _width] += SamplePattern.StratifiedVectors;
         }
 
         Pixels.Cut();
@@ -195,7 +195,7 @@ internal sealed class SampleChooser
     private void Begin(int width, int height, int threads)
     {
         (_width, _height) = (width, height);
-        Pixels.Prepare(width, height);
+        Pixels.Prepare(SamplePattern.Stratified, width, height);
         if (_levels.Length < width * height)
         {
             _levels = new ushort[width * height];

@@ -53,19 +53,41 @@ internal sealed class SampleTrials
     }
 
     /// <summary>Takes the brightness of each sample of a band. Several threads may call it with different bands.</summary>
-    /// <param name="parts">The samples, each a part of its own.</param>
-    public void TakeSamples(PixelParts parts, ReadOnlySpan<double> factors)
+    /// <param name="parts">The parts, each sample a receiver.</param>
+    /// <param name="factors">The brightness of the parts.</param>
+    /// <param name="indirect">The part of it that the ground's own light makes; empty for none.</param>
+    /// <param name="fractions">The visible fraction of the light at each receiver.</param>
+    public void TakeSamples(
+        PixelParts parts, ReadOnlySpan<double> factors, ReadOnlySpan<double> indirect, ReadOnlySpan<double> fractions)
     {
+        int receiver = 0;
         for (int part = 0; part < parts.Count; part++)
         {
             int index = _indices[parts.Pixels[part]];
-            int vector = parts.FirstSamples[part] / SamplePattern.Lanes;
-            for (int i = 0; i < Choices.Length; i++)
+            ReadOnlySpan<double> ofPart = fractions[receiver..parts.ReceiverEnds[part]];
+            double lit = 0.0;
+            foreach (double fraction in ofPart)
             {
-                if (vector < Choices[i])
-                {
-                    _means[i + 1][index] += factors[part] / (Choices[i] * SamplePattern.Lanes);
-                }
+                lit += fraction;
+            }
+
+            double ofGround = indirect.IsEmpty ? 0.0 : indirect[part];
+            double ofWholeLight = lit > 0.0 ? (factors[part] - ofGround) * ofPart.Length / lit : 0.0;
+            foreach (double fraction in ofPart)
+            {
+                TakeSample(index, parts.Samples[receiver] / SamplePattern.Lanes, ofGround + (fraction * ofWholeLight));
+                receiver++;
+            }
+        }
+    }
+
+    private void TakeSample(int index, int vector, double factor)
+    {
+        for (int i = 0; i < Choices.Length; i++)
+        {
+            if (vector < Choices[i])
+            {
+                _means[i + 1][index] += factor / (Choices[i] * SamplePattern.Lanes);
             }
         }
     }

@@ -1,15 +1,20 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Indirect;
 using Msisf.Core.Render.Options;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
+using Msisf.Core.Surface;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Sampling;
 
 /// <summary>
-/// Takes further samples where they matter. It starts from a frame with one sample a pixel, whose blocks of terrain it draws again, once
-/// for all samples. One object serves many frames, one at a time.
+/// Draws the further samples of pixels: a grid in each pixel, or more where they matter. The blocks of terrain are drawn once for all
+/// samples of some rows; samples on the same facet share their brightness. One object serves many frames, one at a time.
 /// </summary>
 /// <param name="pass">Finds the parts of pixels, their light and their brightness.</param>
 internal sealed class SamplingPass(PartPass pass)
@@ -17,33 +22,65 @@ internal sealed class SamplingPass(PartPass pass)
     /// <summary>Samples of the bands that are lit and shaded together; bounds the memory.</summary>
     private const long SamplesAtOnce = 1 << 20;
 
+    /// <summary>Pixels of the image in one of a map, from which on one point of it stands for a pixel's samples.</summary>
+    private const double PixelsOfEvenMap = 8.0;
+
     private readonly SampleChooser _chooser = new();
     private readonly SampleTrials _trials = new();
     private readonly List<PixelParts> _parts = [];
 
-    /// <summary>Replaces the brightness of the pixels that get further samples.</summary>
-    /// <param name="frame">The frame with one sample a pixel, at the pixels' centres.</param>
-    /// <param name="light">The Sun, or the lamp at the camera.</param>
-    /// <param name="lights">Finds light and brightness.</param>
-    /// <param name="indirect">Finds the light of the ground, if the settings ask for it; it has been begun.</param>
-    /// <param name="options">The settings; with <see cref="NativeRenderOptions.Adaptive"/>.</param>
-    /// <param name="sunlight">The light on the pixels' centres.</param>
-    /// <param name="radianceFactors">The brightness of the pixels' centres; receives that of the pixels.</param>
-    /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
-    public void Run(
-        VisibilityPass frame, SceneLight light, LightPass lights, IndirectPass indirect, NativeRenderOptions options,
-        PixelSunlight sunlight, double[] radianceFactors, int threads, CancellationToken cancellation)
+    /// <summary>Gives each pixel the same samples, and the brightness that they have.</summary>
+    /// <param name="work">The frame; its blocks are known.</param>
+    /// <param name="pattern">The samples.</param>
+    public void Run(SampledFrame work, SamplePattern pattern)
     {
-        AdaptiveSampling sampling = options.Adaptive!;
-        _chooser.Classify(frame.Surface, radianceFactors, sunlight, sampling, threads, cancellation);
-        SampledFrame work = new(frame, light, lights, indirect, options, radianceFactors, threads, cancellation);
-        List<int> trials = _chooser.ChooseTrials(sampling.Error, threads, cancellation);
-        _trials.Begin(trials, radianceFactors, _chooser.Means);
+        CameraModel model = work.Frame.View.Camera.Model;
+        _chooser.Pixels.Fill(pattern, model.Width, model.Height, hasBorders: work.Light.IsSun || work.Lights.HasMap(work.Options));
+        Draw(work with { Pieces = FindPieces(work, pattern.Count * (double)model.Width * model.Height) }, isTrial: false);
+    }
+
+    /// <summary>Chooses samples where they matter, and replaces the brightness of the pixels that get them.</summary>
+    /// <param name="work">The frame with one sample a pixel, at the pixels' centres, whose brightness it has.</param>
+    /// <param name="sampling">The error that is asked for.</param>
+    /// <param name="sunlight">The light on the pixels' centres.</param>
+    public void Run(SampledFrame work, AdaptiveSampling sampling, PixelSunlight sunlight)
+    {
+        _chooser.Classify(work.Frame.Surface, work.RadianceFactors, sunlight, sampling, work.Threads, work.Cancellation);
+        List<int> trials = _chooser.ChooseTrials(sampling.Error, work.Threads, work.Cancellation);
+        _trials.Begin(trials, work.RadianceFactors, _chooser.Means);
         _chooser.Try(trials);
         Draw(work, isTrial: true);
         byte[] codes = SampleBudget.CodesOf(_chooser.Histogram, _trials.Sum(_chooser, sampling.Grey), sampling.Error);
-        _chooser.Spread(codes, trials, radianceFactors, threads, cancellation);
+        _chooser.Spread(codes, trials, work.RadianceFactors, work.Threads, work.Cancellation);
         Draw(work, isTrial: false);
+    }
+
+    /// <summary>Finds on which pieces of facets the samples need not be looked at one by one; null if that would not be worth it.</summary>
+    /// <param name="samples">Number of samples of the image.</param>
+    private static SurePieces? FindPieces(SampledFrame work, double samples)
+    {
+        double facets = 2.0 * work.Frame.Blocks.Count * CellBlock.Size * CellBlock.Size;
+        SureLight? light = facets < samples
+            ? work.Lights.FindSureLight(
+                work.Frame.Blocks.Select(visible => visible.Block), work.Light, work.Options, work.Threads, work.Cancellation)
+            : null;
+        return work.Light.IsSun && light is null
+            ? null
+            : new SurePieces(work.Frame.View, work.Light.PositionBodyFixed, light, EvenDepth(work));
+    }
+
+    /// <summary>m: up to this depth a pixel is small beside those of all maps, so that their reflectance is linear in it.</summary>
+    private static double EvenDepth(SampledFrame work)
+    {
+        NativeRenderOptions options = work.Options;
+        if (!work.Lights.HasMap(options))
+        {
+            return double.PositiveInfinity;
+        }
+
+        IEnumerable<AlbedoMap> maps = options.Albedo is { } whole ? options.AlbedoSites.Append(whole) : options.AlbedoSites;
+        double finest = work.Lights.HasRays ? 0.0 : maps.Min(map => map.Extent.Height / map.Levels[0].Height); // rays are finer still
+        return finest * MoonConstants.ReferenceRadius / (PixelsOfEvenMap * work.Frame.View.Camera.PixelTangent);
     }
 
     /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>
@@ -77,7 +114,9 @@ internal sealed class SamplingPass(PartPass pass)
             pass.Collect(work, index, _parts[index]);
             if (isTrial)
             {
-                _trials.TakeSamples(_parts[index], pass.FactorsOf(index, _parts[index]));
+                PixelParts parts = _parts[index];
+                _trials.TakeSamples(
+                    parts, pass.FactorsOf(index, parts), pass.IndirectFactorsOf(index, parts), pass.FractionsOf(index, parts));
                 _trials.TakeMerged(_parts[count + index], pass.FactorsOf(count + index, _parts[count + index]));
             }
         }, work.Cancellation);
@@ -93,6 +132,10 @@ internal sealed class SamplingPass(PartPass pass)
         for (int next; first < end && (next = codes[first..].IndexOfAnyExcept((byte)0)) >= 0; first += next + 1)
         {
             work.RadianceFactors[first + next] = 0.0;
+            if (work.IndirectFactors.Length > 0)
+            {
+                work.IndirectFactors[first + next] = 0.0;
+            }
         }
     }
 }
@@ -101,10 +144,15 @@ internal sealed class SamplingPass(PartPass pass)
 /// <param name="Frame">Knows the blocks of terrain that the frame may show.</param>
 /// <param name="Light">The Sun, or the lamp at the camera.</param>
 /// <param name="Lights">Finds light and brightness.</param>
-/// <param name="Indirect">Finds the light of the ground; null where none is asked for.</param>
+/// <param name="Indirect">Finds the light of the ground, if the settings ask for it; it has been begun.</param>
 /// <param name="Options">The settings.</param>
 /// <param name="RadianceFactors">The brightness of the pixels.</param>
+/// <param name="IndirectFactors">The part of it that the ground's own light makes; empty if it is not asked for.</param>
 /// <param name="Threads">Maximum number of threads; the result does not depend on it.</param>
 internal sealed record SampledFrame(
-    VisibilityPass Frame, SceneLight Light, LightPass Lights, IndirectPass? Indirect, NativeRenderOptions Options,
-    double[] RadianceFactors, int Threads, CancellationToken Cancellation);
+    VisibilityPass Frame, SceneLight Light, LightPass Lights, IndirectPass Indirect, NativeRenderOptions Options,
+    double[] RadianceFactors, double[] IndirectFactors, int Threads, CancellationToken Cancellation)
+{
+    /// <summary>Knows pieces of facets of which one point stands for all; null if nobody does.</summary>
+    public IPieces? Pieces { get; init; }
+}

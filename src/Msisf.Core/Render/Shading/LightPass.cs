@@ -47,25 +47,46 @@ internal sealed class LightPass
         ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
-        bool hasDisc = HasDisc(light, options);
-        sunlight.Prepare(points.Width * points.Height, hasDisc, weight.ForgetsLight ? radianceFactors : null);
+        sunlight.Prepare(points.Width * points.Height, HasDisc(light, options), weight.ForgetsLight ? radianceFactors : null);
         FindLight(points, light, options, weight.Share > 0.0, sunlight, threads, cancellation);
         if (weight.Share > 0.0)
         {
-            _shader.Shade(points, light, sunlight, options, weight, radianceFactors, threads, cancellation);
+            Shade(points, light, options, weight, sunlight, scales: [], radianceFactors, threads, cancellation);
         }
     }
 
-    /// <summary>Whether the brightness of lit ground is the same all over a facet, and a point of it is lit or not.</summary>
-    public bool IsOfFacets(SceneLight light, NativeRenderOptions options) =>
-        light.IsSun && options.Indirect is null && !HasDisc(light, options) && _shader.IsFlat(options);
+    /// <summary>Finds the light on points; the parameters are those of <see cref="Run"/>.</summary>
+    public void FindLight(
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight, int threads,
+        CancellationToken cancellation)
+    {
+        sunlight.Prepare(points.Width * points.Height, HasDisc(light, options));
+        FindLight(points, light, options, isShaded: false, sunlight, threads, cancellation);
+    }
 
-    /// <summary>
-    /// Prepares to tell the light of pieces of facets (<see cref="IsOfFacets"/>); the parameters are those of the shadows.
-    /// </summary>
-    public SureLight FindCasters(
-        IEnumerable<CellBlock> blocks, SceneLight light, int bins, int threads, CancellationToken cancellation) =>
-        _shadows.FindCasters(blocks, light.PositionBodyFixed, bins, threads, cancellation);
+    /// <summary>Adds the brightness of points whose light is known; the other parameters are those of <see cref="Run"/>.</summary>
+    /// <param name="scales">By what maps multiply the law's radiance factors; empty to read the maps.</param>
+    public void Shade(
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight, double[] scales,
+        double[] radianceFactors, int threads, CancellationToken cancellation) =>
+        _shader.Shade(points, light, sunlight, options, weight, scales, radianceFactors, threads, cancellation);
+
+    /// <inheritdoc cref="RowShader.HasMap"/>
+    public bool HasMap(NativeRenderOptions options) => _shader.HasMap(options);
+
+    /// <inheritdoc cref="RowShader.HasRays"/>
+    public bool HasRays => _shader.HasRays;
+
+    /// <inheritdoc cref="RowShader.FindScales"/>
+    public void FindScales(
+        ISurfaceRows points, NativeRenderOptions options, double[] scales, int threads, CancellationToken cancellation) =>
+        _shader.FindScales(points, options, scales, threads, cancellation);
+
+    /// <summary>Prepares to tell the light on pieces of facets; null for a light that is no point or throws no shadows.</summary>
+    /// <param name="blocks">The blocks in which the facets lie.</param>
+    public SureLight? FindSureLight(
+        IEnumerable<CellBlock> blocks, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation) =>
+        light.IsSun && !HasDisc(light, options) ? _shadows.FindCasters(blocks, light.PositionBodyFixed, threads, cancellation) : null;
 
     /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>

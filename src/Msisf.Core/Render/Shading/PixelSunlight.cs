@@ -14,16 +14,16 @@ internal sealed class PixelSunlight
     /// <summary>Not 0 where terrain hides the whole light; for the Sun's disc also where the facet faces away from all of it.</summary>
     public byte[] Hidden { get; private set; } = [];
 
-    /// <summary>Visible fraction of the Sun's disc, 0 to 1; empty if the light is a point.</summary>
+    /// <summary>Visible fraction of the light, 0 to 1: of the Sun's disc, or for several samples together; else empty.</summary>
     public double[] VisibleFractions { get; private set; } = [];
 
     /// <summary>Mask of the points of the Sun's disc that terrain hides; empty if the light is a point.</summary>
     public ulong[] HiddenPoints { get; private set; } = [];
 
     /// <summary>Makes room for an image.</summary>
-    /// <param name="hasDisc">Whether the Sun is a disc.</param>
+    /// <param name="hasFractions">Whether the light may be visible in part, as the Sun's disc.</param>
     /// <param name="lent">Memory for <see cref="CosIncidence"/>, which the factors then replace; null for its own.</param>
-    public void Prepare(int pixels, bool hasDisc, double[]? lent = null)
+    public void Prepare(int pixels, bool hasFractions, double[]? lent = null)
     {
         if (lent is null && _ownCosines.Length < pixels)
         {
@@ -36,7 +36,7 @@ internal sealed class PixelSunlight
             Hidden = new byte[pixels];
         }
 
-        int discPixels = hasDisc ? pixels : 0;
+        int discPixels = hasFractions ? pixels : 0;
         if (VisibleFractions.Length < discPixels || discPixels == 0)
         {
             VisibleFractions = new double[discPixels];

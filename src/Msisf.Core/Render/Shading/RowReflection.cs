@@ -124,11 +124,43 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <summary>Computes the radiance factors of <see cref="Points"/>.</summary>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law and map.</param>
-    public void FindFactors(FrameCamera camera, SceneLight light, NativeRenderOptions options)
+    /// <param name="scales">By what the map multiplies the law's radiance factors, by column; empty to read the map.</param>
+    public void FindFactors(
+        FrameCamera camera, SceneLight light, NativeRenderOptions options, ReadOnlySpan<double> scales = default)
     {
         Points.FindAngles(light.PositionBodyFixed, camera.PositionBodyFixed);
         FindLawFactors(Points, options);
-        Scale(camera, options);
+        if (scales.IsEmpty)
+        {
+            Scale(camera, options);
+            return;
+        }
+
+        for (int i = 0; i < Points.Count; i++)
+        {
+            Points.Factors[i] *= scales[Points.Columns[i]];
+        }
+    }
+
+    /// <summary>Computes by what the map multiplies the law's radiance factors in a row.</summary>
+    /// <param name="visible">The surface points.</param>
+    /// <param name="row">Index of the row, from 0.</param>
+    /// <param name="scales">Receives it, by column.</param>
+    public void FindScales(ISurfaceRows visible, int row, NativeRenderOptions options, Span<double> scales)
+    {
+        visible.Read(row + 1, _row);
+        Points.Clear(visible.Width);
+        for (int i = 0; i < _row.Count; i++)
+        {
+            Vector3D normal = new(_row.NormalX[i], _row.NormalY[i], _row.NormalZ[i]);
+            Points.Add(_row.Columns[i], 1.0, new Vector3D(_row.X[i], _row.Y[i], _row.Z[i]), normal, 1.0);
+        }
+
+        FindScales(visible.View.Camera, options);
+        for (int i = 0; i < Points.Count; i++)
+        {
+            scales[Points.Columns[i]] = Points.Factors[i];
+        }
     }
 
     /// <summary>Computes by what the map multiplies the law's radiance factors of points, whatever the light; 1 without a map.</summary>
@@ -173,7 +205,7 @@ internal sealed class RowReflection(SurfaceModel surface)
         if (options.Albedo is { } map)
         {
             _albedo.Scale(
-                Points, camera, options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), hasSites ? _ofLaw : Points.Factors);
+                Points, camera, 1.0 / options.SubsamplesPerAxis, map, FactorOf(options, map.Reference), hasSites ? _ofLaw : Points.Factors);
         }
 
         surface.Brightness?.Scale(
@@ -209,7 +241,7 @@ internal sealed class RowReflection(SurfaceModel surface)
                 options.Hapke?.FindReferenceFactors(Points, site.Reference);
             }
 
-            _albedo.Scale(Points, camera, options.SubsamplesPerAxis, site, FactorOf(options, site.Reference), _ofLaw, isSite: true);
+            _albedo.Scale(Points, camera, 1.0 / options.SubsamplesPerAxis, site, FactorOf(options, site.Reference), _ofLaw, isSite: true);
         }
     }
 }

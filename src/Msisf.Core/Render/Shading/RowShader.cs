@@ -86,6 +86,7 @@ internal sealed class RowShader
     /// <param name="sunlight">The light on each pixel.</param>
     /// <param name="options">Reflectance law and kind of normals.</param>
     /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
+    /// <param name="scales">By what the map multiplies the law's radiance factors; empty to read the map.</param>
     /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; receives the sample's part.</param>
     public void Shade(
         ISurfaceRows visible,
@@ -93,6 +94,7 @@ internal sealed class RowShader
         PixelSunlight sunlight,
         NativeRenderOptions options,
         SampleWeight weight,
+        double[] scales,
         double[] radianceFactors,
         int threads,
         CancellationToken cancellation)
@@ -125,7 +127,8 @@ internal sealed class RowShader
             RowReflection reflection = Take();
             reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight.Share);
             Begin(factors, weight);
-            reflection.FindFactors(visible.View.Camera, light, options);
+            reflection.FindFactors(
+                visible.View.Camera, light, options, scales.Length > 0 ? scales.AsSpan(start, visible.Width) : default);
             SunlitPoints points = reflection.Points;
             for (int i = 0; i < points.Count; i++)
             {
@@ -135,6 +138,24 @@ internal sealed class RowShader
             _idle.Add(reflection);
         }, cancellation);
     }
+
+    /// <summary>Whether the brightness of the ground depends on its place, beside the law.</summary>
+    public bool HasMap(NativeRenderOptions options) => HasRays || options.HasMap;
+
+    /// <summary>Whether craters of invented ground have bright rays.</summary>
+    public bool HasRays => _surface.Brightness is not null;
+
+    /// <summary>Finds by what maps multiply the law's radiance factors.</summary>
+    /// <param name="visible">The surface points.</param>
+    /// <param name="scales">Receives it, row by row.</param>
+    public void FindScales(
+        ISurfaceRows visible, NativeRenderOptions options, double[] scales, int threads, CancellationToken cancellation) =>
+        WorkerTeam.Run(threads, visible.Height, (_, row) =>
+        {
+            RowReflection reflection = Take();
+            reflection.FindScales(visible, row, options, scales.AsSpan(row * visible.Width, visible.Width));
+            _idle.Add(reflection);
+        }, cancellation);
 
     /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
@@ -149,7 +170,7 @@ internal sealed class RowShader
 
     /// <summary>Whether the brightness of lit ground follows from the facet and the Sun alone.</summary>
     public bool IsFlat(NativeRenderOptions options) => _surface.Brightness is null
-        && options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, Albedo: null, Hapke: null, AlbedoSites.Count: 0 };
+        && options is { Normals: NormalModel.Facet, Reflectance.DependsOnViewer: false, HasMap: false, Hapke: null };
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 

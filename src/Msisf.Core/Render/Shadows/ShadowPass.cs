@@ -13,6 +13,9 @@ internal sealed class ShadowPass
     /// <summary>Maximum number of blocks for which sorting only the bins that they may darken is faster than sorting all bins.</summary>
     private const int FewBlocks = 128;
 
+    /// <summary>Number of bins along each edge of the grid of casters: about the pixels of an image.</summary>
+    private const int CasterBins = 1024;
+
     private SurfaceModel _surface;
     private CasterSearch _search;
     private readonly ReceiverSort _receivers = new();
@@ -71,15 +74,13 @@ internal sealed class ShadowPass
     /// <summary>Prepares to tell the light of pieces of facets, without looking at their points one by one.</summary>
     /// <param name="blocks">The blocks in which the facets lie.</param>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
-    /// <param name="bins">Number of bins along each edge of the grid of casters.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
     /// <returns>Valid until the next call.</returns>
-    public SureLight FindCasters(
-        IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, int bins, int threads, CancellationToken cancellation)
+    public SureLight FindCasters(IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, int threads, CancellationToken cancellation)
     {
         Start(sunBodyFixed, threads);
         BlockReceivers receivers = new(_surface, blocks, sunBodyFixed, _search.SolidRadius);
-        _casters.Lay(receivers.Box, bins);
+        _casters.Lay(receivers.Box, CasterBins);
         IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope: 0.0, threads, cancellation);
         WorkerTeam.Run(threads, found.Count, (worker, item) => _scans[worker].Find(found[item], receivers, _casters), cancellation);
         _casters.Finish();

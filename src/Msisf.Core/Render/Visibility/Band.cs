@@ -7,8 +7,7 @@ namespace Msisf.Core.Render.Visibility;
 /// The depth buffer of some rows of an image: for each pixel the nearest facet drawn so far. One object is used for many frames. A facet is
 /// recorded when it first becomes the nearest one at a pixel.
 /// </summary>
-/// <param name="recorded">As in <see cref="FacetRecords"/>.</param>
-internal sealed class Band(Action<ProjectedBlock, int, int>? recorded = null)
+internal sealed class Band
 {
     /// <summary>Facet number that stands for a facet that is not recorded yet.</summary>
     public const int NotRecorded = -1;
@@ -51,7 +50,7 @@ internal sealed class Band(Action<ProjectedBlock, int, int>? recorded = null)
     public int[] Facets { get; private set; } = [];
 
     /// <summary>The facets that have been the nearest one at some pixel.</summary>
-    public FacetRecords Records { get; } = new(recorded);
+    public FacetRecords Records { get; } = new();
 
     /// <summary>Empties the band for new rows; gives back memory for records that the last frames did not need.</summary>
     public void Begin(int width, int firstRow, int rows)

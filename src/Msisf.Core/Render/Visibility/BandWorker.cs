@@ -22,7 +22,7 @@ internal sealed class BandWorker
         Begin(view, band);
         foreach (VisibleBlock visible in blocks)
         {
-            if (visible.Rows.First * view.PerAxis > band.LastRow || visible.Rows.End * view.PerAxis <= band.FirstRow)
+            if (visible.Rows.First > band.LastRow || visible.Rows.End <= band.FirstRow)
             {
                 continue;
             }
@@ -57,7 +57,7 @@ internal sealed class BandWorker
         double cell = width * view.PixelsPerTangent / (_touching.Count * CellBlock.Size);
         IReadOnlyList<LensTile> tiles = lens.TilesOf(index, cell);
         band.Place(tiles, lens, ref _sampleColumns, ref _sampleRows);
-        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
+        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, lens, tile))];
         Begin(view, band);
         long sieved = 0;
         foreach (VisibleBlock visible in _touching)

@@ -4,11 +4,7 @@ using Msisf.Core.Parallel;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>The facets that have been the nearest one somewhere in a band. One object is used for many bands.</summary>
-/// <param name="recorded">
-/// Called with each facet that is recorded, the last one: its block, the index of its cell's north-western vertex, and its half. Null if
-/// nobody wants it.
-/// </param>
-internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = null)
+internal sealed class FacetRecords
 {
     private const int FirstCapacity = 1024;
 
@@ -63,7 +59,6 @@ internal sealed class FacetRecords(Action<ProjectedBlock, int, int>? recorded = 
         }
 
         block.Record(index, half, out _records[Count++]);
-        recorded?.Invoke(block, index, half);
         return Count - 1;
     }
 

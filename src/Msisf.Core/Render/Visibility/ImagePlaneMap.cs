@@ -12,16 +12,8 @@ internal readonly record struct ImagePlaneMap(
 {
     /// <summary>The map of a pinhole.</summary>
     /// <param name="model">The camera; its lens is left out.</param>
-    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
-    /// <param name="offsetY">px down.</param>
-    public static ImagePlaneMap Of(CameraModel model, double offsetX, double offsetY) => new(
-        model.FocalX, model.Skew, model.PrincipalX - 1.0 - offsetX, 0.0, model.FocalY, model.PrincipalY - 1.0 - offsetY);
-
-    /// <summary>The same plane with smaller pixels.</summary>
-    /// <param name="perAxis">How many of them lie along the edge of a pixel.</param>
-    public ImagePlaneMap Divided(int perAxis) => new(
-        perAxis * ColumnPerRight, perAxis * ColumnPerDown, (perAxis * Column0) + (0.5 * (perAxis - 1)), perAxis * RowPerRight,
-        perAxis * RowPerDown, (perAxis * Row0) + (0.5 * (perAxis - 1)));
+    public static ImagePlaneMap Of(CameraModel model) => new(
+        model.FocalX, model.Skew, model.PrincipalX - 1.0, 0.0, model.FocalY, model.PrincipalY - 1.0);
 
     /// <summary>Column of a point of the ideal plane.</summary>
     public double Column(double right, double down) => (ColumnPerRight * right) + (ColumnPerDown * down) + Column0;

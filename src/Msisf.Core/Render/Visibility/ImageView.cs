@@ -25,35 +25,24 @@ internal sealed class ImageView
 
     private readonly LensSamples? _lens;
 
-    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
-    /// <param name="offsetY">px down.</param>
     /// <param name="lens">The samples of a camera with a lens; null for a pinhole.</param>
     /// <param name="tile">The tile of the lens's image that is drawn; null for the whole image.</param>
-    /// <param name="perAxis">
-    /// Samples along the edge of a pixel of a pinhole without offset. With more than one, columns and rows are those of the samples, as
-    /// if each were a pixel.
-    /// </param>
-    public ImageView(
-        FrameCamera camera, double offsetX, double offsetY, LensSamples? lens = null, LensTile? tile = null, int perAxis = 1)
+    public ImageView(FrameCamera camera, LensSamples? lens = null, LensTile? tile = null)
     {
-        PerAxis = perAxis;
-        double firstSample = (0.5 / perAxis) - 0.5;
         _lens = lens;
         Camera = camera;
-        OffsetX = offsetX;
-        OffsetY = offsetY;
         Vector3D position = camera.PositionBodyFixed;
         Origin = new Vector3D(OnLattice(position.X), OnLattice(position.Y), OnLattice(position.Z));
         Remainder = position - Origin;
         Anchor = position.Length < FarDistance ? Origin : default;
 
         Forward = camera.ForwardBodyFixed;
-        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * perAxis * Math.Max(camera.Width, camera.Height));
+        CoordinateLimit = Math.Max(MinCoordinateLimit, 4.0 * Math.Max(camera.Width, camera.Height));
         if (!camera.Model.IsThesis)
         {
-            ImagePlaneMap map = (tile?.Map ?? ImagePlaneMap.Of(camera.Model, offsetX, offsetY)).Divided(perAxis);
+            ImagePlaneMap map = tile?.Map ?? ImagePlaneMap.Of(camera.Model);
             Distance = camera.ImagePlaneDistance;
-            PixelsPerTangent = perAxis * Math.Max(camera.Model.FocalX, camera.Model.FocalY);
+            PixelsPerTangent = Math.Max(camera.Model.FocalX, camera.Model.FocalY);
             Across = (map.ColumnPerRight * camera.UnitRight) - (map.ColumnPerDown * camera.UnitUp);
             Down = (map.RowPerRight * camera.UnitRight) - (map.RowPerDown * camera.UnitUp);
             (CentreX, CentreY) = (map.Column0, map.Row0);
@@ -65,26 +54,17 @@ internal sealed class ImageView
 
         Distance = Vector3D.Dot(camera.Direction, camera.ForwardBodyFixed);
         double aspect = (double)camera.Width / camera.Height;
-        PixelsPerTangent = perAxis * camera.Height * Distance;
+        PixelsPerTangent = camera.Height * Distance;
         Across = (PixelsPerTangent / aspect) * camera.Right;
         Down = -PixelsPerTangent * camera.Up;
-        CentreX = (((perAxis * camera.Width) - 1) / 2.0) - offsetX;
-        CentreY = (((perAxis * camera.Height) - 1) / 2.0) - offsetY;
-        FirstRay = camera.RayThrough(1.0 + offsetX + firstSample, 1.0 + offsetY + firstSample).Direction;
-        RayPerColumn = camera.Right / (perAxis * camera.Width);
-        RayPerRow = -camera.Up / (perAxis * camera.Height);
+        CentreX = (camera.Width - 1) / 2.0;
+        CentreY = (camera.Height - 1) / 2.0;
+        FirstRay = camera.RayThrough(1.0, 1.0).Direction;
+        RayPerColumn = camera.Right / camera.Width;
+        RayPerRow = -camera.Up / camera.Height;
     }
 
     public FrameCamera Camera { get; }
-
-    /// <summary>Samples along the edge of a pixel; columns and rows are those of the samples.</summary>
-    public int PerAxis { get; }
-
-    /// <summary>px to the right, added to each pixel's centre.</summary>
-    public double OffsetX { get; }
-
-    /// <summary>px down.</summary>
-    public double OffsetY { get; }
 
     /// <summary>m, MOON_ME: a point of the vertex lattice, within 2^-7 m of the camera.</summary>
     public Vector3D Origin { get; }
@@ -154,7 +134,7 @@ internal sealed class ImageView
     /// rad).
     /// </summary>
     public ViewFrustum Frustum() => _lens is null
-        ? new ViewFrustum(Camera, 0.5 + (PixelsPerTangent * 1e-14), null, OffsetX, OffsetY)
+        ? new ViewFrustum(Camera, 0.5 + (PixelsPerTangent * 1e-14))
         : ViewFrustum.Of(Camera, _lens.Tangents);
 
     private Vector3D RayAt(in ImagePlaneMap map, double column, double row)

@@ -3,12 +3,12 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Where lenses are sampled, computed once for each camera and sample offset and shared by all frames. Safe for several threads.
+/// Where lenses are sampled, computed once for each camera and shared by all frames. Safe for several threads.
 /// </summary>
 /// <param name="maxSamples">Samples that are kept, of 16 bytes each.</param>
 internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
 {
-    /// <summary>Nine for each pixel of an image of 1024 x 1024 px and of its margin for a point spread function.</summary>
+    /// <summary>Of nine images of 1024 x 1024 px with their margins for a point spread function.</summary>
     private const long DefaultMaxSamples = 10_000_000;
 
     private readonly Lock _gate = new();
@@ -16,21 +16,19 @@ internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
 
     /// <summary>Finds the samples of a camera, or computes them if there is room.</summary>
     /// <param name="model">The camera, with a lens.</param>
-    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
-    /// <param name="offsetY">px down.</param>
     /// <param name="threads">Maximum number of threads; the samples do not depend on it.</param>
     /// <returns>Null if there is no room for them, even without the samples of all other cameras.</returns>
-    public LensSamples? Find(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    public LensSamples? Find(CameraModel model, int threads, CancellationToken cancellation)
     {
         lock (_gate)
         {
-            if (_kept.Find(samples => samples.IsOf(model, offsetX, offsetY)) is { } known)
+            if (_kept.Find(samples => samples.IsOf(model)) is { } known)
             {
                 return known;
             }
 
             long room = maxSamples - ((long)model.Width * model.Height);
-            if (_kept.Where(samples => samples.IsOf(model)).Sum(Count) > room)
+            if (room < 0)
             {
                 return null;
             }
@@ -38,11 +36,11 @@ internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
             if (_kept.Sum(Count) > room)
             {
                 // Frames that are being drawn keep theirs until they are finished.
-                _kept.RemoveAll(samples => !samples.IsOf(model));
+                _kept.Clear();
             }
 
             LensSamples found = new();
-            found.Prepare(model, offsetX, offsetY, threads, cancellation);
+            found.Prepare(model, threads, cancellation);
             _kept.Add(found);
             return found;
         }

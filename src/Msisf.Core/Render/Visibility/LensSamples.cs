@@ -27,7 +27,6 @@ internal sealed class LensSamples
     private CameraModel? _model;
     private TangentBox[] _bands = [];
     private IReadOnlyList<LensTile>?[] _tiles = [];
-    private (double X, double Y) _offset;
 
     /// <summary>Tangent to the right of each pixel's sample, row by row.</summary>
     public double[] Right { get; private set; } = [];
@@ -38,18 +37,12 @@ internal sealed class LensSamples
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
 
-    /// <summary>Whether these are the samples of a camera at these offsets.</summary>
-    public bool IsOf(CameraModel model, double offsetX, double offsetY) =>
-        ReferenceEquals(_model, model) && _offset == (offsetX, offsetY);
-
-    /// <summary>Whether these are samples of a camera, at whatever offsets.</summary>
+    /// <summary>Whether these are the samples of a camera.</summary>
     public bool IsOf(CameraModel model) => ReferenceEquals(_model, model);
 
     /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
-    /// <param name="offsetX">px to the right, added to each pixel's centre.</param>
-    /// <param name="offsetY">px down.</param>
-    public void Prepare(CameraModel model, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    public void Prepare(CameraModel model, int threads, CancellationToken cancellation)
     {
         _model = null;
         int size = model.Width * model.Height;
@@ -65,7 +58,7 @@ internal sealed class LensSamples
             PixelRange pixels = PixelsOf(model, band);
             for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
             {
-                FillRow(model, row, offsetX, offsetY);
+                FillRow(model, row);
             }
 
             bands[band] = TangentsOf(model, pixels);
@@ -74,7 +67,7 @@ internal sealed class LensSamples
         _bands = bands;
         _tiles = new IReadOnlyList<LensTile>?[bands.Length * Kinds];
         Tangents = bands.Aggregate(TangentBox.Nothing, (all, band) => all.With(band));
-        (_model, _offset) = (model, (offsetX, offsetY));
+        _model = model;
     }
 
     /// <summary>The part of the ideal image plane in which the samples of a band lie.</summary>
@@ -92,7 +85,7 @@ internal sealed class LensSamples
         if (tiles is null)
         {
             List<LensTile> found = [];
-            new LensTiling(_model!, this, _offset).Divide(PixelsOf(_model!, band), Math.ScaleB(MinMargin, kind), found);
+            new LensTiling(_model!, this).Divide(PixelsOf(_model!, band), Math.ScaleB(MinMargin, kind), found);
             tiles = found;
         }
 
@@ -120,7 +113,7 @@ internal sealed class LensSamples
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void FillRow(CameraModel model, int row, double offsetX, double offsetY)
+    private void FillRow(CameraModel model, int row)
     {
         Span<double> right = Right.AsSpan(row * model.Width, model.Width);
         Span<double> down = Down.AsSpan(row * model.Width, model.Width);
@@ -129,10 +122,10 @@ internal sealed class LensSamples
         {
             for (int lane = 0; lane < columns.Length; lane++)
             {
-                columns[lane] = Math.Min(column + lane, model.Width - 1) + 1 + offsetX;
+                columns[lane] = Math.Min(column + lane, model.Width - 1) + 1;
             }
 
-            LanePoints ideal = model.ToIdeal(Vector512.Create<double>(columns), Vector512.Create(row + 1 + offsetY));
+            LanePoints ideal = model.ToIdeal(Vector512.Create<double>(columns), Vector512.Create(row + 1.0));
             for (int lane = 0; lane < columns.Length && column + lane < model.Width; lane++)
             {
                 (right[column + lane], down[column + lane]) = (ideal.X[lane], ideal.Y[lane]);

@@ -8,8 +8,7 @@ namespace Msisf.Core.Render.Visibility;
 /// Divides the image of a camera with a lens into tiles, in each of which a linear map puts the samples near the middles of their pixels.
 /// </summary>
 /// <param name="samples">Where its pixels sample the ideal image plane.</param>
-/// <param name="offset">px to the right and down, added to each pixel's centre.</param>
-internal sealed class LensTiling(CameraModel model, LensSamples samples, (double X, double Y) offset)
+internal sealed class LensTiling(CameraModel model, LensSamples samples)
 {
     /// <summary>px: tiles are not halved below this side.</summary>
     private const int MinSide = 8;
@@ -80,8 +79,8 @@ internal sealed class LensTiling(CameraModel model, LensSamples samples, (double
     /// <summary>The linear map that follows the lens from one side of a rectangle to the other.</summary>
     private ImagePlaneMap MapOf(PixelRange pixels)
     {
-        double x = (0.5 * (pixels.FirstColumn + pixels.LastColumn)) + 1.0 + offset.X;
-        double y = (0.5 * (pixels.FirstRow + pixels.LastRow)) + 1.0 + offset.Y;
+        double x = (0.5 * (pixels.FirstColumn + pixels.LastColumn)) + 1.0;
+        double y = (0.5 * (pixels.FirstRow + pixels.LastRow)) + 1.0;
 
         // The chord over 0.7 of the side leaves the smallest greatest distance from a cubic.
         double across = Math.Max(0.5, 0.35 * (pixels.LastColumn - pixels.FirstColumn));
@@ -99,8 +98,8 @@ internal sealed class LensTiling(CameraModel model, LensSamples samples, (double
         ImagePlaneMap map = new(d / determinant, -b / determinant, 0.0, -c / determinant, a / determinant, 0.0);
         return map with
         {
-            Column0 = x - 1.0 - offset.X - map.Column(middleRight, middleDown),
-            Row0 = y - 1.0 - offset.Y - map.Row(middleRight, middleDown),
+            Column0 = x - 1.0 - map.Column(middleRight, middleDown),
+            Row0 = y - 1.0 - map.Row(middleRight, middleDown),
         };
     }
 }

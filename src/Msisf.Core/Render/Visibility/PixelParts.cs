@@ -5,18 +5,32 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// The parts of pixels that show one facet each: the samples of a pixel on the same facet are one part, which stands at their mean. Where a
-/// shadow's border is near, each sample is a part of its own. One object is used for many bands.
+/// The parts of pixels that show one facet each: the samples of a pixel on the same facet are one part, which stands at their mean and has
+/// one brightness. Its light is that of its receivers: of the part itself or, where a shadow's border may be near, of each sample. One
+/// object is used for many bands.
 /// </summary>
 internal sealed class PixelParts
 {
     private const int Lanes = SamplePattern.Lanes;
     private const int FirstCapacity = 1024;
 
+    /// <summary>Samples that are looked at together: those of a larger number may show the same facet in several parts.</summary>
+    private const int SamplesAtOnce = 64;
+
     private FacetRecord[] _records = [];
     private int _recordCount;
 
-    public int Count { get; private set; }
+    /// <summary>Number of parts.</summary>
+    public int Count => Points.Count;
+
+    /// <summary>Where the parts are; their facets are indices in <see cref="Records"/>.</summary>
+    public FacetPoints Points { get; } = new();
+
+    /// <summary>Where the light on the parts is found; those of a part follow each other.</summary>
+    public FacetPoints Receivers { get; } = new();
+
+    /// <summary>Index of each receiver's sample in its pixel; of a whole part, of its first one.</summary>
+    public byte[] Samples { get; private set; } = new byte[FirstCapacity];
 
     /// <summary>The pixel of each part: row of the image times its width plus column.</summary>
     public int[] Pixels { get; private set; } = new int[FirstCapacity];
@@ -24,28 +38,18 @@ internal sealed class PixelParts
     /// <summary>Number of samples of each part over those of its pixel.</summary>
     public double[] Weights { get; private set; } = new double[FirstCapacity];
 
-    /// <summary>1/m: inverse depth of each part.</summary>
-    public double[] InverseDepths { get; private set; } = new double[FirstCapacity];
-
-    /// <summary>Each part's factor of the camera's vector to the right in its ray's direction.</summary>
-    public double[] Across { get; private set; } = new double[FirstCapacity];
-
-    /// <summary>Each part's factor of the camera's vector up, with a lens of the vector down.</summary>
-    public double[] Along { get; private set; } = new double[FirstCapacity];
-
-    /// <summary>Index of each part's first sample in its pixel.</summary>
-    public byte[] FirstSamples { get; private set; } = new byte[FirstCapacity];
-
-    /// <summary>Index of each part's facet in <see cref="Records"/>.</summary>
-    public int[] Facets { get; private set; } = new int[FirstCapacity];
+    /// <summary>Index behind each part's last receiver.</summary>
+    public int[] ReceiverEnds { get; private set; } = new int[FirstCapacity];
 
     public ReadOnlySpan<FacetRecord> Records => _records.AsSpan(0, _recordCount);
 
     /// <summary>Takes the parts of a band that was drawn.</summary>
-    /// <param name="mayBeSplit">Whether samples near a shadow's border are parts of their own.</param>
-    public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true)
+    /// <param name="mayBeSplit">Whether samples near a shadow's border are receivers of their own.</param>
+    /// <param name="pieces">Knows parts that need no receivers for their samples; null for none.</param>
+    public void Take(SubsampleBand band, CameraModel model, bool mayBeSplit = true, IPieces? pieces = null)
     {
-        Count = 0;
+        Points.Clear();
+        Receivers.Clear();
         if (_records.Length < band.Records.Count)
         {
             _records = new FacetRecord[band.Records.Count + (band.Records.Count / 4)];
@@ -57,61 +61,80 @@ internal sealed class PixelParts
         {
             (int row, int column) = Math.DivRem(pixel, band.Width);
             row += band.FirstRow;
-            TakePixel(band, model, column, row, band.VectorsOf(column, row), mayBeSplit && band.HasBorder(column, row));
+            TakePixel(band, model, column, row, mayBeSplit && band.HasBorder(column, row), pieces);
         }
     }
 
-    /// <summary>Starts without parts.</summary>
-    public void Begin() => (Count, _recordCount) = (0, 0);
-
-    /// <summary>Adds a facet and returns its number.</summary>
-    public int Add(in FacetRecord record)
+    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, bool isSplit, IPieces? pieces)
     {
-        if (_recordCount == _records.Length)
-        {
-            Array.Resize(ref _records, Math.Max(FirstCapacity, 2 * _recordCount));
-        }
-
-        _records[_recordCount] = record;
-        return _recordCount++;
-    }
-
-    /// <summary>Adds one sample of a pinhole's pixel as a part, for which <see cref="EnsureRoom"/> has made room.</summary>
-    /// <param name="pixel">As in <see cref="Pixels"/>.</param>
-    /// <param name="facet">As in <see cref="Facets"/>.</param>
-    /// <param name="weight">As in <see cref="Weights"/>.</param>
-    /// <param name="inverseDepth">As in <see cref="InverseDepths"/>.</param>
-    /// <param name="column">Column of the sample, px from the centre of the first pixel.</param>
-    public void Add(int pixel, int facet, double weight, double inverseDepth, double column, double row, CameraModel model)
-    {
-        (Pixels[Count], Facets[Count], FirstSamples[Count]) = (pixel, facet, 0);
-        (Weights[Count], InverseDepths[Count]) = (weight, inverseDepth);
-        (Across[Count], Along[Count]) = PlaceOf(column, row, model);
-        Count++;
-    }
-
-    private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, int vectors, bool isSplit)
-    {
-        EnsureRoom(vectors * Lanes);
-        int start = band.Starts[band.IndexOf(column, row)];
+        int vectors = band.VectorsOf(column, row);
+        int samples = band.SamplesIn(vectors);
         int pixel = (row * band.Width) + column;
-        double weight = 1.0 / (vectors * Lanes);
-        ulong left = ulong.MaxValue >> (64 - (vectors * Lanes));
-        while (left != 0)
+        int pixelStart = band.Starts[band.IndexOf(column, row)];
+        EnsureRoom(samples);
+        TangentBox piece = isSplit && pieces is not null ? PieceOf(band, model, column, row, pixelStart, samples) : default;
+        for (int begin = 0; begin < samples; begin += SamplesAtOnce)
         {
-            int first = BitOperations.TrailingZeroCount(left);
-            int facet = band.Facets[start + first];
-            ulong same = isSplit ? 1ul << first : SamplesOf(band, start, vectors, facet);
-            left &= ~same;
-            if (facet == Band.NotRecorded)
+            int start = pixelStart + begin;
+            int count = Math.Min(SamplesAtOnce, samples - begin);
+            ulong left = ulong.MaxValue >> (SamplesAtOnce - count);
+            while (left != 0)
             {
-                continue;
-            }
+                int first = BitOperations.TrailingZeroCount(left);
+                int facet = band.Facets[start + first];
+                ulong same = left & SamplesOf(band, start, (count + Lanes - 1) / Lanes, facet);
+                left &= ~same;
+                if (facet != Band.NotRecorded)
+                {
+                    Pixels[Count] = pixel;
+                    Weights[Count] = (double)BitOperations.PopCount(same) / samples;
+                    Add(Points, band, model, start, same, facet);
+                    double middle = Points.InverseDepths[Count - 1];
+                    if (isSplit && BitOperations.PopCount(same) > 1 && pieces?.IsEven(in _records[facet], middle, in piece) != true)
+                    {
+                        AddReceivers(band, model, start, same, begin);
+                    }
+                    else
+                    {
+                        Samples[Receivers.Count] = (byte)(begin + first);
+                        int part = Count - 1;
+                        Receivers.Add(facet, Points.InverseDepths[part], Points.Across[part], Points.Along[part]);
+                    }
 
-            Add(band, model, start, same, weight);
-            Pixels[Count] = pixel;
-            FirstSamples[Count] = (byte)first;
-            Facets[Count++] = facet;
+                    ReceiverEnds[Count - 1] = Receivers.Count;
+                }
+            }
+        }
+    }
+
+    /// <summary>The piece of the image that holds a pixel's samples.</summary>
+    private static TangentBox PieceOf(SubsampleBand band, CameraModel model, int column, int row, int start, int samples)
+    {
+        if (model.Lens is null)
+        {
+            (double left, double top) = PlaceOf(column - band.Margin, row - band.Margin, model);
+            (double right, double bottom) = PlaceOf(column + band.Margin, row + band.Margin, model);
+            return new TangentBox(left, top, right, bottom);
+        }
+
+        TangentBox box = TangentBox.Nothing;
+        for (int sample = start; sample < start + samples; sample++)
+        {
+            box = box.With(band.Right[sample], band.Down[sample]);
+        }
+
+        return box;
+    }
+
+    /// <summary>Adds each of some samples as a receiver.</summary>
+    /// <param name="begin">Number of the sample at <paramref name="start"/> in its pixel.</param>
+    private void AddReceivers(SubsampleBand band, CameraModel model, int start, ulong samples, int begin)
+    {
+        for (; samples != 0; samples &= samples - 1)
+        {
+            int sample = BitOperations.TrailingZeroCount(samples);
+            Samples[Receivers.Count] = (byte)(begin + sample);
+            Add(Receivers, band, model, start, 1ul << sample, band.Facets[start + sample]);
         }
     }
 
@@ -128,8 +151,8 @@ internal sealed class PixelParts
         return samples;
     }
 
-    /// <summary>Places a part at the mean of its samples: the inverse depth is linear in the image.</summary>
-    private void Add(SubsampleBand band, CameraModel model, int start, ulong samples, double weight)
+    /// <summary>Adds the mean of some samples: the inverse depth is linear in the image.</summary>
+    private static void Add(FacetPoints points, SubsampleBand band, CameraModel model, int start, ulong samples, int facet)
     {
         bool hasLens = model.Lens is not null;
         (double[] xs, double[] ys) = hasLens ? (band.Right, band.Down) : (band.Columns, band.Rows);
@@ -147,9 +170,8 @@ internal sealed class PixelParts
         }
 
         double perCount = 1.0 / count;
-        Weights[Count] = weight * count;
-        InverseDepths[Count] = inverse * perCount;
-        (Across[Count], Along[Count]) = hasLens ? (x * perCount, y * perCount) : PlaceOf(x * perCount, y * perCount, model);
+        (double across, double along) = hasLens ? (x * perCount, y * perCount) : PlaceOf(x * perCount, y * perCount, model);
+        points.Add(facet, inverse * perCount, across, along);
     }
 
     /// <summary>Sums up the coordinates and inverse depths of some samples.</summary>
@@ -184,25 +206,24 @@ internal sealed class PixelParts
     private static (double Across, double Along) PlaceOf(double x, double y, CameraModel model) =>
         (((2.0 * x) + 1.0 - model.Width) / (2.0 * model.Width), (model.Height - 1.0 - (2.0 * y)) / (2.0 * model.Height));
 
-    /// <summary>Makes room for further parts.</summary>
-    public void EnsureRoom(int more)
+    /// <summary>Makes room for further parts and receivers.</summary>
+    private void EnsureRoom(int more)
     {
-        if (Count + more <= Pixels.Length)
+        if (Count + more > Pixels.Length)
         {
-            return;
+            int room = Math.Max(2 * Pixels.Length, Count + more);
+            (int[] pixels, double[] weights, int[] ends) = (Pixels, Weights, ReceiverEnds);
+            Array.Resize(ref pixels, room);
+            Array.Resize(ref weights, room);
+            Array.Resize(ref ends, room);
+            (Pixels, Weights, ReceiverEnds) = (pixels, weights, ends);
         }
 
-        int room = Math.Max(2 * Pixels.Length, Count + more);
-        (int[] pixels, int[] facets, byte[] firstSamples) = (Pixels, Facets, FirstSamples);
-        (double[] weights, double[] depths, double[] across, double[] along) = (Weights, InverseDepths, Across, Along);
-        Array.Resize(ref pixels, room);
-        Array.Resize(ref facets, room);
-        Array.Resize(ref firstSamples, room);
-        Array.Resize(ref weights, room);
-        Array.Resize(ref depths, room);
-        Array.Resize(ref across, room);
-        Array.Resize(ref along, room);
-        (Pixels, Facets, FirstSamples) = (pixels, facets, firstSamples);
-        (Weights, InverseDepths, Across, Along) = (weights, depths, across, along);
+        if (Receivers.Count + more > Samples.Length)
+        {
+            byte[] samples = Samples;
+            Array.Resize(ref samples, Math.Max(2 * Samples.Length, Receivers.Count + more));
+            Samples = samples;
+        }
     }
 }

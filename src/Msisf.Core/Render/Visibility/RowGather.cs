@@ -29,7 +29,7 @@ internal sealed class RowGather
         for (int column = 0; column < _right.Length; column++)
         {
             _columns[column] = column;
-            double x = column + 1 + view.OffsetX;
+            double x = column + 1;
             _right[column] = ((2.0 * x) - 1.0 - width) / (2.0 * width);
         }
     }

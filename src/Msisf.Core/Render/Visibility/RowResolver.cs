@@ -33,13 +33,13 @@ internal sealed class RowResolver
     private double UpOf(int row)
     {
         double height = _view.Camera.Height;
-        return (1.0 + height - (2.0 * (row + 1 + _view.OffsetY))) / (2.0 * height);
+        return (1.0 + height - (2.0 * (row + 1))) / (2.0 * height);
     }
 
     /// <summary>Computes the surface point of one pixel; column and row count from 0.</summary>
     public SurfaceHit Resolve(int column, int row, double inverseDepth, in FacetRecord record)
     {
-        Vector3D direction = _view.Camera.RayThrough(column + 1 + _view.OffsetX, row + 1 + _view.OffsetY).Direction;
+        Vector3D direction = _view.Camera.RayThrough(column + 1, row + 1).Direction;
         Vector3D position = _view.Camera.PositionBodyFixed - _view.Anchor;
         double parameter = 1.0 / (inverseDepth * _view.Distance);
         Vector3D near = Stable.PointAlong(position, parameter, direction);
@@ -87,11 +87,12 @@ internal sealed class RowResolver
         }
     }
 
-    /// <summary>Computes the surface points of parts of pixels.</summary>
-    /// <param name="parts">The parts, of the same camera without offset.</param>
+    /// <summary>Computes surface points.</summary>
+    /// <param name="records">The facets.</param>
+    /// <param name="wanted">The points, of the same camera.</param>
     /// <param name="first">The first one that is wanted.</param>
     /// <param name="points">Receives them, in their order; their columns count from 0.</param>
-    public void Resolve(PixelParts parts, int first, int count, SurfaceRow points)
+    public void Resolve(ReadOnlySpan<FacetRecord> records, FacetPoints wanted, int first, int count, SurfaceRow points)
     {
         points.EnsureWidth(count);
         for (int i = 0; i < count; i++)
@@ -99,38 +100,41 @@ internal sealed class RowResolver
             points.Columns[i] = i;
         }
 
-        parts.InverseDepths.AsSpan(first, count).CopyTo(points.Parameters);
-        parts.Across.AsSpan(first, count).CopyTo(points.X);
-        parts.Along.AsSpan(first, count).CopyTo(points.Z);
-        parts.Facets.AsSpan(first, count).CopyTo(points.Facets);
+        wanted.InverseDepths.AsSpan(first, count).CopyTo(points.Parameters);
+        wanted.Across.AsSpan(first, count).CopyTo(points.X);
+        wanted.Along.AsSpan(first, count).CopyTo(points.Z);
+        wanted.Facets.AsSpan(first, count).CopyTo(points.Facets);
         points.Count = count;
-        Locate(parts, points, withNormals: true);
+        Locate(records, points, withNormals: true);
     }
 
-    /// <summary>Computes some surface points of parts of pixels, without unit normals.</summary>
-    /// <param name="first">The part in column 0.</param>
+    /// <summary>Computes some surface points, without unit normals.</summary>
+    /// <param name="records">The facets.</param>
+    /// <param name="wanted">The points.</param>
+    /// <param name="first">The point in column 0.</param>
     /// <param name="columns">The columns of those that are wanted.</param>
     /// <param name="points">Receives them.</param>
-    public void Resolve(PixelParts parts, int first, ReadOnlySpan<int> columns, SurfaceRow points)
+    public void Resolve(
+        ReadOnlySpan<FacetRecord> records, FacetPoints wanted, int first, ReadOnlySpan<int> columns, SurfaceRow points)
     {
         points.EnsureWidth(columns.Length);
         for (int i = 0; i < columns.Length; i++)
         {
-            int part = first + columns[i];
+            int point = first + columns[i];
             points.Columns[i] = columns[i];
-            points.Parameters[i] = parts.InverseDepths[part];
-            points.X[i] = parts.Across[part];
-            points.Z[i] = parts.Along[part];
-            points.Facets[i] = parts.Facets[part];
+            points.Parameters[i] = wanted.InverseDepths[point];
+            points.X[i] = wanted.Across[point];
+            points.Z[i] = wanted.Along[point];
+            points.Facets[i] = wanted.Facets[point];
         }
 
         points.Count = columns.Length;
-        Locate(parts, points, withNormals: false);
+        Locate(records, points, withNormals: false);
     }
 
-    private void Locate(PixelParts parts, SurfaceRow points, bool withNormals)
+    private void Locate(ReadOnlySpan<FacetRecord> records, SurfaceRow points, bool withNormals)
     {
-        RowGather.GatherPlanes(parts.Records, points);
+        RowGather.GatherPlanes(records, points);
         (Vector3D middle, Vector3D right, Vector3D vertical) = _view.Camera.RayAxes;
         Locate(points, middle, right, vertical, withNormals);
     }

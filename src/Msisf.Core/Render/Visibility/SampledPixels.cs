@@ -3,8 +3,8 @@ namespace Msisf.Core.Render.Visibility;
 /// <summary>How many further samples each pixel of an image gets, and whether each needs light of its own.</summary>
 internal sealed class SampledPixels
 {
-    /// <summary>The bits of a code that are the number of vectors of <see cref="SamplePattern.Lanes"/> samples: 0, 1, 2, 4 or 8.</summary>
-    public const byte Vectors = 0x0f;
+    /// <summary>The bits of a code that are the number of vectors of <see cref="SamplePattern.Lanes"/> samples.</summary>
+    public const byte Vectors = 0x3f;
 
     /// <summary>The bit of a code whose samples each get light of their own, because the border of a shadow is near.</summary>
     public const byte HasBorder = 0x80;
@@ -15,8 +15,14 @@ internal sealed class SampledPixels
     /// <summary>Vectors above which a band is divided, so that its depth buffer stays below 4 MB.</summary>
     private const int MaxVectorsOfBand = 1 << 14;
 
+    /// <summary>Vectors above which a band is divided however few its rows are: 30 MB.</summary>
+    private const int MostVectorsOfBand = 1 << 17;
+
     private readonly List<SampledBand> _bands = [];
     private int _height;
+
+    /// <summary>Where the samples of a pixel lie.</summary>
+    public SamplePattern Pattern { get; private set; } = SamplePattern.Stratified;
 
     /// <summary>The code of each pixel, row by row.</summary>
     public byte[] Codes { get; private set; } = [];
@@ -29,10 +35,21 @@ internal sealed class SampledPixels
     /// </summary>
     public IReadOnlyList<SampledBand> Bands => _bands;
 
-    /// <summary>Makes room for an image.</summary>
-    public void Prepare(int width, int height)
+    /// <summary>Gives all pixels of an image all samples of a pattern.</summary>
+    /// <param name="hasBorders">Whether each sample gets light of its own.</param>
+    public void Fill(SamplePattern pattern, int width, int height, bool hasBorders)
     {
-        _height = height;
+        Prepare(pattern, width, height);
+        Codes.AsSpan(0, width * height).Fill((byte)(pattern.Vectors | (hasBorders ? HasBorder : 0)));
+        VectorsOfRow.AsSpan(0, height).Fill(pattern.Vectors * width);
+        Cut();
+    }
+
+    /// <summary>Makes room for an image.</summary>
+    /// <param name="pattern">Where the samples of a pixel lie; at most <see cref="Vectors"/> vectors.</param>
+    public void Prepare(SamplePattern pattern, int width, int height)
+    {
+        (Pattern, _height) = (pattern, height);
         _bands.Clear();
         if (Codes.Length < width * height)
         {
@@ -63,7 +80,8 @@ internal sealed class SampledPixels
             vectors += VectorsOfRow[row];
         }
 
-        if (vectors > MaxVectorsOfBand && end - first > MinRows)
+        int minRows = vectors > MostVectorsOfBand ? 1 : MinRows;
+        if (vectors > MaxVectorsOfBand && end - first > minRows)
         {
             int middle = first + ((end - first) / 2);
             Cut(first, middle);

@@ -12,6 +12,7 @@ namespace Msisf.Core.Render.Visibility;
 internal sealed class SubsampleBand
 {
     private byte[] _codes = [];
+    private SamplePattern _pattern = SamplePattern.Stratified;
 
     /// <summary>The image's width, px.</summary>
     public int Width { get; private set; }
@@ -62,7 +63,8 @@ internal sealed class SubsampleBand
         Width = model.Width;
         (FirstRow, LastRow) = (band.FirstRow, band.LastRow);
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
-        Margin = SamplePattern.Reach;
+        _pattern = pixels.Pattern;
+        Margin = _pattern.Reach;
         Records.Clear();
         Count = band.Vectors * SamplePattern.Lanes;
         _codes = pixels.Codes;
@@ -73,8 +75,12 @@ internal sealed class SubsampleBand
         for (int pixel = NextPixel(0); pixel >= 0; pixel = NextPixel(pixel + 1))
         {
             (int row, int column) = Math.DivRem(pixel, Width);
-            int end = next + (VectorsOf(column, FirstRow + row) * SamplePattern.Lanes);
+            int vectors = VectorsOf(column, FirstRow + row);
+            int end = next + (vectors * SamplePattern.Lanes);
             Starts[pixel] = next;
+
+            // In front of what fills up the last vector no facet is ever seen.
+            InverseDepths.AsSpan((next + _pattern.SamplesIn(vectors))..end).Fill(double.PositiveInfinity);
             if (model.Lens is null)
             {
                 Place(column, FirstRow + row, next, end);
@@ -95,6 +101,9 @@ internal sealed class SubsampleBand
     /// <summary>Number of vectors of samples of a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int VectorsOf(int column, int row) => _codes[(row * Width) + column] & SampledPixels.Vectors;
+
+    /// <summary>Number of samples of a pixel with some vectors.</summary>
+    public int SamplesIn(int vectors) => _pattern.SamplesIn(vectors);
 
     /// <summary>Whether each sample of a pixel gets light of its own.</summary>
     public bool HasBorder(int column, int row) => (_codes[(row * Width) + column] & SampledPixels.HasBorder) != 0;
@@ -132,8 +141,8 @@ internal sealed class SubsampleBand
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
                 {
                     LanePoints ideal = model.ToIdeal(
-                        ArrayLanes.Load(SamplePattern.Right, sample) + Vector512.Create(column + 1.0),
-                        ArrayLanes.Load(SamplePattern.Down, sample) + Vector512.Create(row + 1.0));
+                        ArrayLanes.Load(_pattern.Right, sample) + Vector512.Create(column + 1.0),
+                        ArrayLanes.Load(_pattern.Down, sample) + Vector512.Create(row + 1.0));
                     ideal.X.StoreTo(Right, start + sample);
                     ideal.Y.StoreTo(Down, start + sample);
                     for (int lane = 0; lane < SamplePattern.Lanes; lane++)
@@ -191,9 +200,9 @@ internal sealed class SubsampleBand
     {
         for (int sample = start; sample < end; sample += SamplePattern.Lanes)
         {
-            (ArrayLanes.Load(SamplePattern.Right, sample - start) + Vector512.Create((double)column))
+            (ArrayLanes.Load(_pattern.Right, sample - start) + Vector512.Create((double)column))
                 .StoreTo(Columns, sample);
-            (ArrayLanes.Load(SamplePattern.Down, sample - start) + Vector512.Create((double)row)).StoreTo(Rows, sample);
+            (ArrayLanes.Load(_pattern.Down, sample - start) + Vector512.Create((double)row)).StoreTo(Rows, sample);
         }
     }
 

@@ -17,8 +17,10 @@ internal sealed class SubsampleWorker
     /// <param name="band">The band; with samples.</param>
     /// <param name="parts">Receives the parts.</param>
     /// <param name="merged">Receives the parts without regard to borders of shadows; null if nobody wants them.</param>
+    /// <param name="pieces">Knows parts that need no receivers for their samples; null for none.</param>
     public void Draw(
-        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null)
+        SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null,
+        IPieces? pieces = null)
     {
         ImageView view = frame.View;
         _band.Begin(pixels, view.Camera.Model, band);
@@ -31,7 +33,7 @@ internal sealed class SubsampleWorker
             DrawPinhole(surface, view, frame.Blocks);
         }
 
-        parts.Take(_band, view.Camera.Model);
+        parts.Take(_band, view.Camera.Model, mayBeSplit: true, pieces);
         merged?.Take(_band, view.Camera.Model, mayBeSplit: false);
     }
 
@@ -68,7 +70,7 @@ internal sealed class SubsampleWorker
         [
             .. lens.TilesOf(_band.FirstRow / VisibleSurface.BandRows, cell).Select(_band.Place).Where(tile => !tile.Pixels.IsEmpty),
         ];
-        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, view.OffsetX, view.OffsetY, lens, tile))];
+        ImageView[] views = [.. tiles.Select(tile => new ImageView(view.Camera, lens, tile))];
         foreach (VisibleBlock visible in _touching)
         {
             _block.Read(surface, visible.Block, view);

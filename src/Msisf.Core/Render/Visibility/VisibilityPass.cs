@@ -49,14 +49,12 @@ internal sealed class VisibilityPass
     /// <summary>Draws a frame.</summary>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Ends the work between two bands.</param>
-    /// <param name="offsetX">px to the right, added to each pixel's centre; above -0.5 and below 0.5.</param>
-    /// <param name="offsetY">px down, added to each pixel's centre; above -0.5 and below 0.5.</param>
     /// <returns>The same object each time; valid until the next call.</returns>
     /// <exception cref="OperationCanceledException">It was cancelled.</exception>
     /// <exception cref="Errors.BadInputException">The elevation model holds what can't be right.</exception>
-    public VisibleSurface Run(FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
+    public VisibleSurface Run(FrameCamera camera, int threads, CancellationToken cancellation)
     {
-        List<VisibleBlock> blocks = Prepare(camera, threads, cancellation, offsetX, offsetY);
+        List<VisibleBlock> blocks = Prepare(camera, threads, cancellation);
         (ImageView view, LensSamples? lens) = (View, Lens);
         _result.Begin(view, lens);
         while (_workers.Count < threads)
@@ -77,32 +75,30 @@ internal sealed class VisibilityPass
     }
 
     /// <summary>Finds the blocks that a frame may show, without drawing it; parameters and errors are those of <see cref="Run"/>.</summary>
-    public List<VisibleBlock> Prepare(
-        FrameCamera camera, int threads, CancellationToken cancellation, double offsetX = 0.0, double offsetY = 0.0)
+    public List<VisibleBlock> Prepare(FrameCamera camera, int threads, CancellationToken cancellation)
     {
-        Lens = LensOf(camera, offsetX, offsetY, threads, cancellation);
-        View = new ImageView(camera, offsetX, offsetY, Lens);
+        Lens = LensOf(camera, threads, cancellation);
+        View = new ImageView(camera, Lens);
         List<VisibleBlock> blocks = _culler.Find(View.Frustum(), threads, cancellation);
         Blocks = blocks;
         return blocks;
     }
 
-    private LensSamples? LensOf(FrameCamera camera, double offsetX, double offsetY, int threads, CancellationToken cancellation)
+    private LensSamples? LensOf(FrameCamera camera, int threads, CancellationToken cancellation)
     {
         if (camera.Model.Lens is null)
         {
             return null;
         }
 
-        if (_lenses.Find(camera.Model, offsetX, offsetY, threads, cancellation) is { } shared)
+        if (_lenses.Find(camera.Model, threads, cancellation) is { } shared)
         {
             return shared;
         }
 
-        // Computed again for each further offset, so that the memory is bounded.
-        if (!_unshared.IsOf(camera.Model, offsetX, offsetY))
+        if (!_unshared.IsOf(camera.Model))
         {
-            _unshared.Prepare(camera.Model, offsetX, offsetY, threads, cancellation);
+            _unshared.Prepare(camera.Model, threads, cancellation);
         }
 
         return _unshared;

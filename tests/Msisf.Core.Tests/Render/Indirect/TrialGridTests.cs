@@ -15,7 +15,7 @@ public sealed class TrialGridTests
     [InlineData(1000.0, 65536, 0)]
     public void EffortFor_GroupWithTheMostSamples_AsksNoMoreOfOthers(double unsure, int samples, int next)
     {
-        TrialGrid trials = new(groups: 8, strips: 1, subsamples: 1);
+        TrialGrid trials = new(groups: 8, strips: 1);
         trials[0, 0] = new Trial(1, default, default, 0.0, new Deviation(unsure, samples), 0.1);
         trials[0, 7] = new Trial(1, default, default, 0.0, new Deviation(1.0, 512), 0.1);
         trials.LookAround();

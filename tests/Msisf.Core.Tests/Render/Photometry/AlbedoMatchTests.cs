@@ -99,8 +99,8 @@ public sealed class AlbedoMatchTests
         points.Factors.AsSpan().Fill(2.0);
         double[] ofLaw = [.. points.Factors];
         AlbedoSampler sampler = new();
-        sampler.Scale(points, camera, 1, moon, factorOfReference: 0.5, ofLaw);
-        sampler.Scale(points, camera, 1, site, factorOfReference: 0.5, ofLaw, isSite: true);
+        sampler.Scale(points, camera, 1.0, moon, factorOfReference: 0.5, ofLaw);
+        sampler.Scale(points, camera, 1.0, site, factorOfReference: 0.5, ofLaw, isSite: true);
 
         Assert.All(places.Zip(points.Factors), pair => Assert.Equal(2.0 * pair.First.Expected / 0.5, pair.Second, Rounding.OfChains));
     }

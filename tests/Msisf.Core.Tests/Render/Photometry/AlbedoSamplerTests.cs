@@ -115,7 +115,7 @@ public class AlbedoSamplerTests
         }
 
         points.Factors.AsSpan().Fill(1.0);
-        new AlbedoSampler().Scale(points, camera, samplesAcross: 1, map, factorOfReference: 0.05, points.Factors);
+        new AlbedoSampler().Scale(points, camera, width: 1.0, map, factorOfReference: 0.05, points.Factors);
         return points.Factors[..points.Count];
     }
 

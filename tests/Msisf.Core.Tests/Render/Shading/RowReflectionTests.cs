@@ -39,7 +39,7 @@ public sealed class RowReflectionTests
         VisibleSurface visible = new VisibilityPass(surface).Run(camera, threads: 1, CancellationToken.None);
         SceneLight light = new(given.Sun, IsSun: true);
         PixelSunlight sunlight = new();
-        sunlight.Prepare(Side * Side, hasDisc: false); // nothing is hidden
+        sunlight.Prepare(Side * Side, hasFractions: false); // nothing is hidden
         Dictionary<int, double[]> early = [];
         HashSet<bool> isShared = [];
         RowReflection reflection = new(surface);

@@ -36,7 +36,7 @@ public sealed class SureLightTests(RuggedTerrain rugged) : IClassFixture<RuggedT
         {
             Vector3D sun = SurfacePoints.Sun(middle, elevation, 360.0 * random.NextDouble());
             SureLight light = shadows.FindCasters(
-                visibility.Blocks.Select(block => block.Block), sun, bins: 700, threads: 2, CancellationToken.None);
+                visibility.Blocks.Select(block => block.Block), sun, threads: 2, CancellationToken.None);
             foreach (Vector3D direction in SurfacePoints.Around(middle, 10.0, TestLength.Of(300, 30_000), random))
             {
                 Assert.True(tracer.TryTrace(new Ray(4e6 * direction, -direction), out SurfaceHit hit));

@@ -29,7 +29,7 @@ public sealed class BlockCullerTests
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, grid, 1024);
             Vector3D position = camera.PositionBodyFixed;
             HashSet<CellBlock> found = [.. culler.Find(
-                new ImageView(camera, 0.0, 0.0).Frustum(), threads: 2, CancellationToken.None).Select(block => block.Block)];
+                new ImageView(camera).Frustum(), threads: 2, CancellationToken.None).Select(block => block.Block)];
             for (int i = 0; i < facets.Length; i++)
             {
                 Vector3D toMiddle = places[i].Middle - position;

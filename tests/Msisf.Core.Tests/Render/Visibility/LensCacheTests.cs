@@ -12,33 +12,32 @@ public sealed class LensCacheTests
     private const int Height = 40;
 
     [Fact]
-    public void Find_SameCameraAndOffset_ComputesOnce()
+    public void Find_SameCamera_ComputesOnce()
     {
         LensCache cache = new();
         CameraModel camera = Camera("barrel");
 
-        LensSamples? first = Find(cache, camera, 0.25);
+        LensSamples? first = Find(cache, camera);
 
         Assert.NotNull(first);
-        Assert.NotSame(first, Find(cache, camera, -0.25));
-        Assert.Same(first, Find(cache, camera, 0.25));
-        Assert.NotSame(first, Find(cache, Camera("barrel"), 0.25));
+        Assert.True(first.IsOf(camera));
+        Assert.NotSame(first, Find(cache, Camera("barrel")));
+        Assert.Same(first, Find(cache, camera));
     }
 
     [Fact]
-    public void Find_NoRoom_ForgetsOtherCamerasOnly()
+    public void Find_NoRoom_ForgetsOtherCameras()
     {
         LensCache cache = new(2 * Width * Height);
         (CameraModel one, CameraModel two) = (Camera("barrel"), Camera("fisheye"));
-        LensSamples? left = Find(cache, one, -0.25);
-        LensSamples? right = Find(cache, one, 0.25);
+        LensSamples? ofOne = Find(cache, one);
+        LensSamples? ofTwo = Find(cache, two);
+        Assert.Same(ofOne, Find(cache, one));
+        Assert.Same(ofTwo, Find(cache, two));
 
-        Assert.Null(Find(cache, one, 0.0));
-        Assert.Same(left, Find(cache, one, -0.25));
-        Assert.Same(right, Find(cache, one, 0.25));
-
-        Assert.True(Find(cache, two, 0.0)!.IsOf(two, 0.0, 0.0));
-        Assert.NotSame(left, Find(cache, one, -0.25));
+        CameraModel three = Camera("prism");
+        Assert.True(Find(cache, three)!.IsOf(three));
+        Assert.NotSame(ofOne, Find(cache, one));
     }
 
     /// <summary>Nor is anything gained by forgetting the others.</summary>
@@ -47,10 +46,10 @@ public sealed class LensCacheTests
     {
         LensCache cache = new((Width * Height) + 1);
         CameraModel camera = Camera("barrel");
-        LensSamples? known = Find(cache, camera, 0.25);
+        LensSamples? known = Find(cache, camera);
 
-        Assert.Null(Find(cache, LensCases.Of("barrel", 0.5, 2 * Width, Height), 0.25));
-        Assert.Same(known, Find(cache, camera, 0.25));
+        Assert.Null(Find(cache, LensCases.Of("barrel", 0.5, 2 * Width, Height)));
+        Assert.Same(known, Find(cache, camera));
     }
 
     [Fact]
@@ -60,7 +59,7 @@ public sealed class LensCacheTests
         CameraModel camera = Camera("barrel");
         LensSamples?[] found = new LensSamples?[16];
 
-        System.Threading.Tasks.Parallel.For(0, found.Length, i => found[i] = Find(cache, camera, 0.125));
+        System.Threading.Tasks.Parallel.For(0, found.Length, i => found[i] = Find(cache, camera));
 
         Assert.NotNull(found[0]);
         Assert.All(found, samples => Assert.Same(found[0], samples));
@@ -68,6 +67,6 @@ public sealed class LensCacheTests
 
     private static CameraModel Camera(string lens) => LensCases.Of(lens, 0.5, Width, Height);
 
-    private static LensSamples? Find(LensCache cache, CameraModel camera, double offset) =>
-        cache.Find(camera, offset, 0.0, 1, CancellationToken.None);
+    private static LensSamples? Find(LensCache cache, CameraModel camera) =>
+        cache.Find(camera, 1, CancellationToken.None);
 }

@@ -38,7 +38,7 @@ public sealed class LensSceneTests
         FunctionGrid grid = FunctionGrid.Rugged(4);
         RenderScenes.RenderSceneCase scene = RenderScenes.Named("oblique-20km");
         VisibleSurface seen = new VisibilityPass(new SurfaceModel(grid)).Run(
-            Camera(scene, lens, grid, 77, 70), 1, CancellationToken.None, 0.25, -0.125);
+            Camera(scene, lens, grid, 77, 70), 1, CancellationToken.None);
         SurfaceRow row = new();
         int pixels = 0;
         for (int y = 1; y <= seen.Height; y++)
@@ -102,12 +102,12 @@ public sealed class LensSceneTests
         int pixels = 0;
         foreach (RenderScenes.RenderSceneCase scene in scenes.Select(RenderScenes.Named))
         {
-            FrameCamera camera = Camera(scene, lens, grid, width, height);
-            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None, offsetX, offsetY);
+            FrameCamera camera = ShiftedCamera.Of(Camera(scene, lens, grid, width, height), offsetX, offsetY);
+            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None);
             for (int pixel = 0; pixel < width * height; pixel++)
             {
                 (int x, int y) = ((pixel % width) + 1, (pixel / width) + 1);
-                Ray ray = camera.RayThrough(x + offsetX, y + offsetY);
+                Ray ray = camera.RayThrough(x, y);
                 bool isSeen = seen.TryGet(x, y, out SurfaceHit hit);
                 bool isHit = tracer.TryTrace(ray, out SurfaceHit expected);
                 surface += isSeen ? 1 : 0;

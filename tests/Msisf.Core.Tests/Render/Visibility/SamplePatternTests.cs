@@ -14,7 +14,7 @@ public sealed class SamplePatternTests
             from column in Enumerable.Range(0, 8)
             select (-0.4375 + (0.125 * column), -0.4375 + (0.125 * row));
 
-        Assert.Equal(grid.Order(), SamplePattern.Right.Zip(SamplePattern.Down).Order());
+        Assert.Equal(grid.Order(), SamplePattern.Stratified.Right.Zip(SamplePattern.Stratified.Down).Order());
     }
 
     [Theory]
@@ -24,12 +24,31 @@ public sealed class SamplePatternTests
     [InlineData(8)]
     public void Samples_OfTheFirstVectors_AreAsManyInEachRowAndColumn(int vectors)
     {
-        IEnumerable<double> right = SamplePattern.Right.Take(8 * vectors);
-        IEnumerable<double> down = SamplePattern.Down.Take(8 * vectors);
+        IEnumerable<double> right = SamplePattern.Stratified.Right.Take(8 * vectors);
+        IEnumerable<double> down = SamplePattern.Stratified.Down.Take(8 * vectors);
 
         Assert.All(right.GroupBy(x => x), column => Assert.Equal(vectors, column.Count()));
         Assert.All(down.GroupBy(y => y), row => Assert.Equal(vectors, row.Count()));
         Assert.Equal(8, right.Distinct().Count());
         Assert.Equal(8, down.Distinct().Count());
+    }
+
+    [Theory]
+    [InlineData(1, 1, 8)]
+    [InlineData(3, 9, 16)]
+    [InlineData(16, 256, 256)]
+    public void Grid_AnyNumber_HasTheMiddlesOfItsSquaresInFullVectors(int perAxis, int count, int places)
+    {
+        SamplePattern grid = SamplePattern.Grid(perAxis);
+
+        Assert.Equal(
+            from row in Enumerable.Range(0, perAxis)
+            from column in Enumerable.Range(0, perAxis)
+            select (((2 * column) + 1.0 - perAxis) / (2 * perAxis), ((2 * row) + 1.0 - perAxis) / (2 * perAxis)),
+            grid.Right.Zip(grid.Down).Take(count).Select(sample => (Math.Round(sample.First, 12), Math.Round(sample.Second, 12))),
+            (a, b) => Math.Abs(a.Item1 - b.Item1) < 1e-11 && Math.Abs(a.Item2 - b.Item2) < 1e-11);
+        Assert.Equal((count, places, places), (grid.Count, grid.Right.Length, 8 * grid.Vectors));
+        Assert.Equal((Math.Min(8, count), count), (grid.SamplesIn(1), grid.SamplesIn(grid.Vectors)));
+        Assert.Equal(0.5 - (0.5 / perAxis), grid.Reach, 15);
     }
 }

@@ -22,18 +22,30 @@ public sealed class SampledPixelsTests
     [Fact]
     public void Cut_AllSamplesInEveryPixel_BandsHave16RowsAndTogetherAllVectors()
     {
-        IReadOnlyList<SampledBand> bands = Cut(_ => SamplePattern.MaxVectors * Width).Bands;
+        IReadOnlyList<SampledBand> bands = Cut(_ => SamplePattern.StratifiedVectors * Width).Bands;
 
         Assert.All(bands, band => Assert.InRange(band.LastRow - band.FirstRow + 1, 8, 16));
-        Assert.Equal(Height * SamplePattern.MaxVectors * Width, bands.Sum(band => band.Vectors));
+        Assert.Equal(Height * SamplePattern.StratifiedVectors * Width, bands.Sum(band => band.Vectors));
         Assert.Equal(
             Enumerable.Range(0, Height), bands.SelectMany(band => Enumerable.Range(band.FirstRow, band.LastRow - band.FirstRow + 1)));
+    }
+
+    [Fact]
+    public void Fill_GridOf256_BandsHaveOneRowAtLeastAndBoundedMemory()
+    {
+        SampledPixels pixels = new();
+        pixels.Fill(SamplePattern.Grid(16), 16384, 8, hasBorders: true);
+
+        Assert.Equal(8, pixels.Bands.Count);
+        Assert.All(pixels.Bands, band => Assert.Equal(32 * 16384, band.Vectors));
+        Assert.Equal(32, pixels.Codes[0] & SampledPixels.Vectors);
+        Assert.Equal(SampledPixels.HasBorder, pixels.Codes[0] & SampledPixels.HasBorder);
     }
 
     private static SampledPixels Cut(Func<int, int> vectorsOfRow)
     {
         SampledPixels pixels = new();
-        pixels.Prepare(Width, Height);
+        pixels.Prepare(SamplePattern.Stratified, Width, Height);
         for (int row = 0; row < Height; row++)
         {
             pixels.VectorsOfRow[row] = vectorsOfRow(row);

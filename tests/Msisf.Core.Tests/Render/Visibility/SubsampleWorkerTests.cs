@@ -19,7 +19,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
     private const int OnEdges = 2;
 
     /// <summary>8 or all 64 samples of a pixel.</summary>
-    private static readonly int Vectors = TestLength.Of(1, SamplePattern.MaxVectors);
+    private static readonly int Vectors = TestLength.Of(1, SamplePattern.StratifiedVectors);
 
     public static TheoryData<string> Scenes => [.. RenderScenes.Names];
 
@@ -69,7 +69,9 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         VisibilityPass pass = new(new SurfaceModel(rugged.Grid));
         for (int sample = 0; sample < Vectors * SamplePattern.Lanes; sample++)
         {
-            VisibleSurface shifted = pass.Run(camera, 2, CancellationToken.None, SamplePattern.Right[sample], SamplePattern.Down[sample]);
+            FrameCamera there = ShiftedCamera.Of(
+                camera, SamplePattern.Stratified.Right[sample], SamplePattern.Stratified.Down[sample]);
+            VisibleSurface shifted = pass.Run(there, 2, CancellationToken.None);
             for (int pixel = 0; pixel < camera.Width * camera.Height; pixel++)
             {
                 if (shifted.TryGet((pixel % camera.Width) + 1, (pixel / camera.Width) + 1, out SurfaceHit hit))
@@ -100,7 +102,7 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
         VisibilityPass pass = new(surface);
         pass.Run(camera, 2, CancellationToken.None);
         SampledPixels pixels = new();
-        pixels.Prepare(camera.Width, camera.Height);
+        pixels.Prepare(SamplePattern.Stratified, camera.Width, camera.Height);
         Array.Fill(pixels.Codes, (byte)(Vectors | (isSplit ? SampledPixels.HasBorder : 0)));
         SubsampleWorker worker = new();
         List<(int, FacetId, Vector3D, double)> found = [];
@@ -112,17 +114,20 @@ public sealed class SubsampleWorkerTests(RuggedTerrain rugged) : IClassFixture<R
             worker.Draw(surface, pass, pixels, band, parts);
             PartRows partRows = new();
             partRows.Begin(pass.View);
-            partRows.Add(parts);
+            partRows.Add(parts, isSplit ? parts.Receivers : parts.Points);
+            int[] partOf = [.. parts.ReceiverEnds.Take(parts.Count).SelectMany((end, part) =>
+                Enumerable.Repeat(part, end - (part == 0 ? 0 : parts.ReceiverEnds[part - 1])))];
             SurfaceRow row = new();
             for (int y = 1; y <= partRows.Height; y++)
             {
                 partRows.Read(y, row);
                 for (int i = 0; i < row.Count; i++)
                 {
-                    int part = ((y - 1) * PartRows.RowLength) + i;
+                    int point = ((y - 1) * PartRows.RowLength) + i;
+                    int part = isSplit ? partOf[point] : point;
                     found.Add((
                         parts.Pixels[part], partRows.FacetOf(y, row.Facets[i]), new Vector3D(row.X[i], row.Y[i], row.Z[i]),
-                        parts.Weights[part]));
+                        isSplit ? 1.0 / (Vectors * SamplePattern.Lanes) : parts.Weights[part]));
                 }
             }
         }

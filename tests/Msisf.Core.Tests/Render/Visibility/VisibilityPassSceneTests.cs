@@ -19,11 +19,6 @@ public sealed class VisibilityPassSceneTests
     /// <summary>m: the same, across the facet: a ray that all but grazes it carries 4 ulps of a position far along.</summary>
     private const double AcrossTolerance = 1e-9;
 
-    /// <summary>Pixel centres need not be in the middle.</summary>
-    private const double OffsetX = 0.125;
-
-    private const double OffsetY = -0.375;
-
     [RequiresFact(Part.Ldem4)]
     public void Run_RealModel_ShowsWhatRaysMeet() => Compare(MemoryElevationGrid.Ldem4(), TestLength.Of(36, 100), [.. RenderScenes.Names]);
 
@@ -68,12 +63,12 @@ public sealed class VisibilityPassSceneTests
         foreach (RenderScenes.RenderSceneCase scene in scenes.Select(RenderScenes.Named))
         {
             PinholeCamera camera = scene.Camera(grid, size, size);
-            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None, OffsetX, OffsetY);
+            VisibleSurface seen = pass.Run(camera, 2, CancellationToken.None);
             for (int y = 1; y <= size; y++)
             {
                 for (int x = 1; x <= size; x++)
                 {
-                    Ray ray = camera.RayThrough(x + OffsetX, y + OffsetY);
+                    Ray ray = camera.RayThrough(x, y);
                     bool isSeen = seen.TryGet(x, y, out SurfaceHit hit);
                     bool isHit = tracer.TryTrace(ray, out SurfaceHit expected);
                     surface += isSeen ? 1 : 0;

@@ -25,7 +25,7 @@ public sealed class VisibilityPassTests
     {
         const int Size = 77; // no whole number of vectors
         VisibleSurface seen = new VisibilityPass(new SurfaceModel(Grid)).Run(
-            RenderScenes.Named(name).Camera(Grid, Size, Size), 1, CancellationToken.None, 0.25, -0.125);
+            RenderScenes.Named(name).Camera(Grid, Size, Size), 1, CancellationToken.None);
         SurfaceRow row = new();
         int pixels = 0;
         for (int y = 1; y <= Size; y++)
