@@ -17,6 +17,8 @@ public sealed class OpenedAlbedoMapTests : IDisposable
     [Theory]
     [InlineData("UNSIGNED_INTEGER", 8, 1.0, "SCALING_FACTOR = 0.001\r\n OFFSET = 0.02")]
     [InlineData("LSB_INTEGER", 16, 10.0, "SCALING_FACTOR = 0.0001\r\n OFFSET = 0.02")]
+    [InlineData("\"lsb integer\"", 16, 100.0, "SCALING_FACTOR = 1E-5\r\n OFFSET = 0.02\r\n MISSING_CONSTANT = 16#8000#")]
+    [InlineData("\"Pc Real\"", 32, 0.001, "OFFSET = 0.02\r\n MISSING_CONSTANT = 16#FF7FFFFB#")]
     [InlineData("MSB_UNSIGNED_INTEGER", 16, 100.0, "SCALING_FACTOR = 1E-5\r\n OFFSET = 0.02")]
     [InlineData("PC_REAL", 32, 0.001, "OFFSET = 0.02")]
     [InlineData("IEEE_REAL", 32, 0.001, "OFFSET = 0.02")]
