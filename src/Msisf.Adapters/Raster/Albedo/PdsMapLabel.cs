@@ -71,8 +71,8 @@ internal sealed record PdsMapLabel(
         if (PdsSampleType.Of(image) is not
             { Type: PixelType.Unsigned8 or PixelType.Signed16 or PixelType.Unsigned16 or PixelType.Real32 } type)
         {
-            throw image.WrongValue("SAMPLE_TYPE", $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not read; whole numbers of 8 or "
-                + "16 bits, or IEEE reals of 32, are needed");
+            throw image.WrongValue("SAMPLE_TYPE", $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not read; "
+                + "whole numbers of 8 or 16 bits, or IEEE reals of 32, are needed");
         }
 
         int samples = image.RequiredInteger("LINE_SAMPLES", 1, int.MaxValue);

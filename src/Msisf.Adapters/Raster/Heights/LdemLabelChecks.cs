@@ -37,7 +37,7 @@ internal static class LdemLabelChecks
             "TARGET_NAME", $"an elevation model of {string.Join(", ", CelestialBody.All.Select(body => body.CapitalName))} is needed");
 
     /// <summary>Whether the map is a polar stereographic one.</summary>
-    public static bool IsPolar(PdsObject map) => 
+    public static bool IsPolar(PdsObject map) =>
         PdsValue.WordOf(map.RequiredText("MAP_PROJECTION_TYPE")) == PdsValue.WordOf(PolarLabel.ProjectionType);
 
     /// <summary>Checks that lines and samples fill the borders at the resolution, and that the projection's offsets agree.</summary>

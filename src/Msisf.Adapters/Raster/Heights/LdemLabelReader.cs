@@ -95,8 +95,8 @@ public static class LdemLabelReader
             CoordinateSystem: map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty);
         label = label with
         {
-            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, MoonConstants.PlausibleHeights.Min) : label.Minimum,
-            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, MoonConstants.PlausibleHeights.Max) : label.Maximum,
+            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, label.Body.PlausibleHeights.Min) : label.Minimum,
+            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, label.Body.PlausibleHeights.Max) : label.Maximum,
         };
         if (label.Polar is null)
         {
@@ -113,15 +113,10 @@ public static class LdemLabelReader
         return label;
     }
 
-    /// <summary>
-    /// The sample value of a height of the Moon's, where the label names no limit; of another body that of the most relief.
-    /// </summary>
+    /// <summary>The sample value of a height, for where the label names no limit.</summary>
     private static double LimitOf(LdemLabel label, double height)
     {
-        double radius = label.Body.IsMoon
-            ? MoonConstants.ReferenceRadius + height
-            : label.Offset + Math.CopySign(MoonConstants.MaxRelief, height);
-        double limit = (radius - label.Offset) / label.ScalingFactor;
+        double limit = (label.ReferenceRadius + height - label.Offset) / label.ScalingFactor;
         return label.HasIntegers ? Math.Clamp(limit, short.MinValue, short.MaxValue) : limit;
     }
 

@@ -186,6 +186,24 @@ public class LdemLabelReaderTests
         Assert.Equal(Read(TestModel.Label), Read(text) with { CoordinateSystem = "MEAN EARTH/POLAR AXIS OF DE421" });
     }
 
+    /// <summary>Without MINIMUM and MAXIMUM a sample may have what the body's ground can: here steps of 0.5 m.</summary>
+    [Theory]
+    [InlineData("MOON", 1737400, -19000.0, 23000.0)]
+    [InlineData("MERCURY", 2439400, -14000.0, 12000.0)]
+    [InlineData("MARS", 3396190, -32768.0, 32767.0)] // the sample's own limits
+    [InlineData("EUROPA", 1560800, -12000.0, 12000.0)]
+    public void Read_WithoutLimits_TakesThoseOfTheBody(string body, int radius, double minimum, double maximum)
+    {
+        LdemLabel label = Read(TestModel.Label
+            .Replace("= MOON", $"= {body}", StringComparison.Ordinal)
+            .Replace("1737400.", $"{radius}.", StringComparison.Ordinal)
+            .Replace("= 1737.4 ", $"= {radius / 1000}.{radius % 1000:000} ", StringComparison.Ordinal)
+            .Replace("MAXIMUM               = 21008", "X = 1", StringComparison.Ordinal)
+            .Replace("MINIMUM               = -17758", "Y = 1", StringComparison.Ordinal));
+
+        Assert.Equal((minimum, maximum), (label.Minimum, label.Maximum));
+    }
+
     [Fact]
     public void Read_OffsetWithAnotherUnit_IsRefused() => Assert.Contains(
         "OFFSET = 1737.4 <km>; the unit <m> is needed",
