@@ -12,7 +12,7 @@ public interface ITerrain
     /// <summary>
     /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the body.
     /// </summary>
-    (double Min, double Max) RadiusLimits => 
+    (double Min, double Max) RadiusLimits =>
         (ReferenceRadius - MoonConstants.MaxReliefOver(ReferenceRadius), ReferenceRadius + MoonConstants.MaxReliefOver(ReferenceRadius));
 
     /// <summary>m: radius of the sphere over which heights are counted; that of the Moon unless the model is of another body.</summary>

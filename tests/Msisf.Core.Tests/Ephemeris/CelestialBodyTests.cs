@@ -52,7 +52,10 @@ public class CelestialBodyTests
         const double top = 21_229.0;
         const double cellSlack = 600.0; // m: the plateau is 4 x 4 samples of 1 degree; its facets' middles lie lower by their sagitta
         FunctionGrid mars = new(
-            1, (line, sample) => sphere + (line is > 69 and < 74 && sample is > 224 and < 229 ? top : 0.0)) { ReferenceRadius = sphere };
+            1, (line, sample) => sphere + (line is > 69 and < 74 && sample is > 224 and < 229 ? top : 0.0))
+        {
+            ReferenceRadius = sphere,
+        };
         TerrainTracer tracer = new(mars);
         Vector3D up = new SelenographicPoint(double.DegreesToRadians(18.0), double.DegreesToRadians(227.0)).ToDirectionBodyFixed();
         Vector3D north = new SelenographicPoint(double.DegreesToRadians(60.0), double.DegreesToRadians(227.0)).ToDirectionBodyFixed();
