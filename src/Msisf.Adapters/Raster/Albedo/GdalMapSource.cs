@@ -1,4 +1,5 @@
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Raster.Pds;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Terrain;
@@ -25,6 +26,11 @@ internal sealed class GdalMapSource : MapSource
         GdalImage file = GdalImage.Open(path, libraryPath);
         try
         {
+            if (file.Driver == "PDS")
+            {
+                PdsLongitudes.RequireGdals(path);
+            }
+
             return new GdalMapSource(file, MapWarp.Of(path, file) ?? file);
         }
         catch

@@ -101,6 +101,8 @@ internal sealed record PdsMapLabel(
         {
             throw projection.WrongValue("MAP_PROJECTION_TYPE", "an equirectangular map with the equator as centre is needed");
         }
+
+        PdsLongitudes.RequireEast(projection);
     }
 
     private static BadInputException Missing(string path, string what) =>

@@ -21,7 +21,7 @@ internal static class LdemLabelChecks
                 : "SIMPLE CYLINDRICAL is needed for other bodies than the Moon");
         }
 
-        map.CheckText("POSITIVE_LONGITUDE_DIRECTION", "EAST", "EAST is needed");
+        PdsLongitudes.RequireEast(map);
         map.CheckNumber("MAP_PROJECTION_ROTATION", 0.0);
         if (isMoon && !PdsValue.WordOf(map.RequiredText("COORDINATE_SYSTEM_NAME")).Contains("MEAN_EARTH", StringComparison.Ordinal))
         {
