@@ -132,6 +132,25 @@ public sealed class OpenedAlbedoMapTests : IDisposable
             "POSITIVE_LONGITUDE_DIRECTION = WEST <X>; EAST is needed", Refused(path, new MapProperties()), StringComparison.Ordinal);
     }
 
+    /// <summary>Parts of a coordinate system that move or scale a map of the reflectance count as they do for heights.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("s, t = '+proj=longlat +R=1737400', [30, 0.01, 0, 20, 0, -0.01]", 30.0)]
+    [InlineData("s, t = '+proj=longlat +R=1737400 +pm=10', [20, 0.01, 0, 20, 0, -0.01]", 30.0)]
+    [InlineData("k = 0.303233504; s, t = '+proj=eqc +R=1737400 +units=km', [3000 * k, k, 0, 2000 * k, 0, -k]", 30.0)]
+    [InlineData("k = 303.233504; s, t = '+proj=eqc +R=1737400 +pm=25', [500 * k, k, 0, 2000 * k, 0, -k]", 30.0)]
+    public void Open_MeridianAndUnit_AreThoseOfTheFile(string then, double west)
+    {
+        string path = Heights.TestRaster.Write(_folder, "site.tif", then);
+        MapProperties given = MapProperties.Parse("scale=1e-4,incidence=60,emission=0,phase=60");
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, given, 643, _folder["cache"], gdalPath: null);
+
+        const double rounded = 1e-6; // degrees: the pixels of the files in m have nine digits
+        Assert.Equal(west, double.RadiansToDegrees(map.Map.Extent.West), rounded);
+        Assert.Equal(20.0, double.RadiansToDegrees(map.Map.Extent.North), rounded);
+        Assert.Equal(3.0, double.RadiansToDegrees(map.Map.Extent.Width), rounded);
+    }
+
     /// <summary>A map of the Moon whose file says that it is of the Earth: the advised program writes the right system into it.</summary>
     [RequiresFact(Part.Gdal, Part.GdalLibrary)]
     public void Open_MapOfAnotherSphere_IsReadAsAdvised()
