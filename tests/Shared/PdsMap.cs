@@ -40,7 +40,7 @@ internal static class PdsMap
         {
             Span<byte> sample = bytes.AsSpan(LabelBytes + (i * bits / 8));
             double value = valueOf(i % width, i / width);
-            switch (type, bits)
+            switch (type.Trim('"').Replace(' ', '_').ToUpperInvariant(), bits)
             {
                 case (_, 8): sample[0] = (byte)value; break;
                 case ("LSB_INTEGER", 16): BinaryPrimitives.WriteInt16LittleEndian(sample, (short)value); break;

@@ -23,13 +23,13 @@ final class LdemLabelChecks
     public static function checkKind(PdsObject $root, PdsObject $map): void
     {
         self::checkText($root, 'TARGET_NAME', 'MOON', 'an elevation model of the MOON is needed');
-        $isPolar = str_contains($map->requiredText('MAP_PROJECTION_TYPE'), 'POLAR');
+        $isPolar = str_contains(PdsValue::wordOf($map->requiredText('MAP_PROJECTION_TYPE')), 'POLAR');
         self::checkText($map, 'MAP_PROJECTION_TYPE', 'SIMPLE CYLINDRICAL', $isPolar
             ? "polar products can't be used; take a SIMPLE CYLINDRICAL one (LDEM_4, LDEM_16, LDEM_64)"
             : 'SIMPLE CYLINDRICAL is needed');
         self::checkText($map, 'POSITIVE_LONGITUDE_DIRECTION', 'EAST', 'EAST is needed');
         self::checkNumber($map, 'MAP_PROJECTION_ROTATION', 0.0);
-        if (!str_contains($map->requiredText('COORDINATE_SYSTEM_NAME'), 'MEAN EARTH')) {
+        if (!str_contains(PdsValue::wordOf($map->requiredText('COORDINATE_SYSTEM_NAME')), 'MEAN_EARTH')) {
             throw $map->unfit(
                 'COORDINATE_SYSTEM_NAME',
                 $map->required('COORDINATE_SYSTEM_NAME'),
@@ -49,16 +49,16 @@ final class LdemLabelChecks
         $resolution = $label->pixelsPerDegree;
         self::checkCount($image, 'LINES', $label->lines, $label->northDegrees - $label->southDegrees, $resolution);
         self::checkCount($image, 'LINE_SAMPLES', $label->lineSamples, $label->eastDegrees - $label->westDegrees, $resolution);
-        self::checkNumber($map, 'LINE_FIRST_PIXEL', 1.0, PdsUnits::PIXELS);
-        self::checkNumber($map, 'LINE_LAST_PIXEL', (float) $label->lines, PdsUnits::PIXELS);
-        self::checkNumber($map, 'SAMPLE_FIRST_PIXEL', 1.0, PdsUnits::PIXELS);
-        self::checkNumber($map, 'SAMPLE_LAST_PIXEL', (float) $label->lineSamples, PdsUnits::PIXELS);
-        $centreLatitude = $map->requiredNumber('CENTER_LATITUDE', PdsUnits::DEGREES);
-        $centreLongitude = $map->requiredNumber('CENTER_LONGITUDE', PdsUnits::DEGREES);
+        self::checkNumber($map, 'LINE_FIRST_PIXEL', 1.0, PdsUnit::PIXEL);
+        self::checkNumber($map, 'LINE_LAST_PIXEL', (float) $label->lines, PdsUnit::PIXEL);
+        self::checkNumber($map, 'SAMPLE_FIRST_PIXEL', 1.0, PdsUnit::PIXEL);
+        self::checkNumber($map, 'SAMPLE_LAST_PIXEL', (float) $label->lineSamples, PdsUnit::PIXEL);
+        $centreLatitude = $map->requiredNumber('CENTER_LATITUDE', PdsUnit::DEGREE);
+        $centreLongitude = $map->requiredNumber('CENTER_LONGITUDE', PdsUnit::DEGREE);
         $lineOffset = (($label->northDegrees - $centreLatitude) * $resolution) - 0.5;
         $sampleOffset = (($centreLongitude - $label->westDegrees) * $resolution) - 0.5;
-        self::checkNumber($map, 'LINE_PROJECTION_OFFSET', $lineOffset, PdsUnits::PIXELS);
-        self::checkNumber($map, 'SAMPLE_PROJECTION_OFFSET', $sampleOffset, PdsUnits::PIXELS);
+        self::checkNumber($map, 'LINE_PROJECTION_OFFSET', $lineOffset, PdsUnit::PIXEL);
+        self::checkNumber($map, 'SAMPLE_PROJECTION_OFFSET', $sampleOffset, PdsUnit::PIXEL);
     }
 
     /**
@@ -91,7 +91,7 @@ final class LdemLabelChecks
             );
         }
         foreach (['A_AXIS_RADIUS', 'B_AXIS_RADIUS', 'C_AXIS_RADIUS'] as $axis) {
-            $radius = $map->optionalNumber($axis, PdsUnits::KILOMETRES);
+            $radius = $map->optionalNumber($axis, PdsUnit::KILOMETRE);
             if ($radius !== null && abs((1000.0 * $radius) - $label->offset) > self::RADIUS_TOLERANCE) {
                 throw $map->unfit($axis, $map->required($axis), "the heights are over a sphere of $label->offset m (OFFSET)");
             }
@@ -154,15 +154,14 @@ final class LdemLabelChecks
     private static function checkText(PdsObject $holder, string $keyword, string $expected, string $need): void
     {
         $value = $holder->find($keyword);
-        if ($value !== null && (string) $value !== $expected) {
+        if ($value !== null && $value->word() !== PdsValue::wordOf($expected)) {
             throw $holder->unfit($keyword, $value, $need);
         }
     }
 
-    /** @param list<string> $units */
-    private static function checkNumber(PdsObject $holder, string $keyword, float $expected, array $units = []): void
+    private static function checkNumber(PdsObject $holder, string $keyword, float $expected, ?string $unit = null): void
     {
-        $number = $holder->optionalNumber($keyword, $units);
+        $number = $holder->optionalNumber($keyword, $unit);
         if ($number !== null && $number !== $expected) {
             throw $holder->unfit($keyword, $holder->required($keyword), "the rest of the label needs $expected");
         }

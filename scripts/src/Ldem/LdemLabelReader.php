@@ -48,7 +48,7 @@ final class LdemLabelReader
         $recordBytes = $file->optionalInteger('RECORD_BYTES', 1, self::INTEGER_LIMIT);
         $records = $file->optionalInteger('FILE_RECORDS', 1, self::INTEGER_LIMIT);
         $pointer = LdemImagePointer::read($file, $recordBytes);
-        $metresPerUnit = self::metresPerUnit($image);
+        [$unit, $metresPerUnit] = self::unitOf($image);
         $label = new LdemLabel(
             labelPath: $labelPath,
             imagePath: $pointer->fileName === null ? $labelPath : self::beside($labelPath, $pointer->fileName),
@@ -59,14 +59,14 @@ final class LdemLabelReader
             lines: $image->requiredInteger('LINES', 1, self::LINE_LIMIT),
             lineSamples: $image->requiredInteger('LINE_SAMPLES', 1, 2 * self::LINE_LIMIT),
             sampleType: self::sampleTypeOf($image),
-            scalingFactor: $metresPerUnit * $image->requiredNumber('SCALING_FACTOR'),
-            offset: $metresPerUnit * $image->requiredNumber('OFFSET'),
+            scalingFactor: $metresPerUnit * $image->requiredNumber('SCALING_FACTOR', $unit),
+            offset: $metresPerUnit * $image->requiredNumber('OFFSET', $unit),
             minimum: $image->requiredNumber('MINIMUM'),
             maximum: $image->requiredNumber('MAXIMUM'),
-            northDegrees: $map->requiredNumber('MAXIMUM_LATITUDE', PdsUnits::DEGREES),
-            southDegrees: $map->requiredNumber('MINIMUM_LATITUDE', PdsUnits::DEGREES),
-            westDegrees: $map->requiredNumber('WESTERNMOST_LONGITUDE', PdsUnits::DEGREES),
-            eastDegrees: $map->requiredNumber('EASTERNMOST_LONGITUDE', PdsUnits::DEGREES),
+            northDegrees: $map->requiredNumber('MAXIMUM_LATITUDE', PdsUnit::DEGREE),
+            southDegrees: $map->requiredNumber('MINIMUM_LATITUDE', PdsUnit::DEGREE),
+            westDegrees: $map->requiredNumber('WESTERNMOST_LONGITUDE', PdsUnit::DEGREE),
+            eastDegrees: $map->requiredNumber('EASTERNMOST_LONGITUDE', PdsUnit::DEGREE),
             sha256: hash('sha256', $pointer->fileName === null ? substr($text, 0, $pointer->offset) : $text),
         );
         LdemLabelChecks::checkCover($label, $image, $map);
@@ -106,11 +106,12 @@ final class LdemLabelReader
         return $root;
     }
 
-    private static function metresPerUnit(PdsObject $image): float
+    /** @return array{string, float} the unit of the heights, and its metres */
+    private static function unitOf(PdsObject $image): array
     {
-        return match ($image->requiredText('UNIT')) {
-            'METER', 'METERS', 'M' => 1.0,
-            'KILOMETER', 'KILOMETERS', 'KM' => 1000.0,
+        return match (PdsUnit::of($image->requiredText('UNIT'))) {
+            PdsUnit::METRE => [PdsUnit::METRE, 1.0],
+            PdsUnit::KILOMETRE => [PdsUnit::KILOMETRE, 1000.0],
             default => throw $image->unfit('UNIT', $image->required('UNIT'), 'METER or KILOMETER is needed'),
         };
     }
@@ -118,23 +119,18 @@ final class LdemLabelReader
     private static function sampleTypeOf(PdsObject $image): SampleType
     {
         $bits = $image->requiredInteger('SAMPLE_BITS', 1, 64);
+        $image->requiredText('SAMPLE_TYPE');
 
-        return match ([$image->requiredText('SAMPLE_TYPE'), $bits]) {
-            ['LSB_INTEGER', 16] => SampleType::Int16LittleEndian,
-            ['MSB_INTEGER', 16] => SampleType::Int16BigEndian,
-            ['PC_REAL', 32] => SampleType::Float32LittleEndian,
-            ['IEEE_REAL', 32] => SampleType::Float32BigEndian,
-            default => throw $image->unfit(
-                'SAMPLE_TYPE',
-                $image->required('SAMPLE_TYPE'),
-                "with SAMPLE_BITS = $bits it is not known; 16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"
-            ),
-        };
+        return SampleType::find($image->required('SAMPLE_TYPE')->word(), $bits) ?? throw $image->unfit(
+            'SAMPLE_TYPE',
+            $image->required('SAMPLE_TYPE'),
+            "with SAMPLE_BITS = $bits it is not known; 16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"
+        );
     }
 
     private static function resolutionOf(PdsObject $map): int
     {
-        $map->requiredNumber('MAP_RESOLUTION', PdsUnits::PIXELS_PER_DEGREE);
+        $map->requiredNumber('MAP_RESOLUTION', PdsUnit::PIXELS_PER_DEGREE);
 
         return $map->requiredInteger('MAP_RESOLUTION', 1, intdiv(self::LINE_LIMIT, 180));
     }

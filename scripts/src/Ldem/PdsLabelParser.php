@@ -37,7 +37,7 @@ final class PdsLabelParser
     public static function parse(string $text, string $file): PdsObject
     {
         $parser = new self($text, $file);
-        if ($parser->token->kind !== PdsTokenKind::Word || !in_array($parser->token->text, self::FIRST_KEYWORDS, true)) {
+        if ($parser->token->kind !== PdsTokenKind::Word || !in_array(strtoupper($parser->token->text), self::FIRST_KEYWORDS, true)) {
             throw BadInputException::inFile(
                 $file,
                 'not a PDS3 label (it does not begin with PDS_VERSION_ID). Give the .LBL file that belongs to the elevation model.'
@@ -56,7 +56,8 @@ final class PdsLabelParser
         }
         while (true) {
             $keyword = $this->take(PdsTokenKind::Word, 'a keyword');
-            if (in_array($keyword->text, ['END', 'END_OBJECT', 'END_GROUP'], true)) {
+            $word = strtoupper($keyword->text);
+            if (in_array($word, ['END', 'END_OBJECT', 'END_GROUP'], true)) {
                 $this->readEnd($keyword, $target, $closing);
                 $this->depth--;
 
@@ -64,9 +65,9 @@ final class PdsLabelParser
             }
             $this->takeSign('=', "'=' after $keyword->text");
             $value = $this->readValue();
-            if ($keyword->text === 'OBJECT' || $keyword->text === 'GROUP') {
+            if ($word === 'OBJECT' || $word === 'GROUP') {
                 $child = new PdsObject($this->file, $value->text, $keyword->line);
-                $this->readStatements($child, 'END_' . $keyword->text);
+                $this->readStatements($child, 'END_' . $word);
                 $target->addObject($child);
             } else {
                 $target->addValue($keyword->text, $value);
@@ -77,13 +78,13 @@ final class PdsLabelParser
     private function readEnd(PdsToken $keyword, PdsObject $target, ?string $closing): void
     {
         $need = "$closing = $target->name is needed first (line $target->line opens it)";
-        if ($keyword->text !== ($closing ?? 'END')) {
+        if (strtoupper($keyword->text) !== ($closing ?? 'END')) {
             throw $this->wrong($keyword, $closing === null ? 'no object is open here' : $need);
         }
         if ($closing !== null && $this->token->isSign('=')) {
             $this->advance();
             $name = $this->take(PdsTokenKind::Word, "an object's name");
-            if ($name->text !== $target->name) {
+            if (strcasecmp($name->text, $target->name) !== 0) {
                 throw $this->wrong($name, $need);
             }
         }

@@ -6,11 +6,17 @@ namespace Msisf\Scripts\Ldem;
 
 use Msisf\Scripts\Exception\BadInputException;
 
-/** An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it. */
+/**
+ * An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it. Names are the same in small
+ * letters and in capitals.
+ */
 final class PdsObject
 {
     /** @var array<string, PdsValue> */
     private array $values = [];
+
+    /** @var array<string, PdsValue> second values of keywords, which differ from the first */
+    private array $contradictions = [];
 
     /** @var list<PdsObject> */
     private array $children = [];
@@ -23,17 +29,27 @@ final class PdsObject
     {
     }
 
-    /** The value of a keyword of this object itself; null if it has none. */
+    /**
+     * The value of a keyword of this object itself; null if it has none.
+     *
+     * @throws BadInputException the object has it twice, with values that contradict each other
+     */
     public function find(string $keyword): ?PdsValue
     {
-        return $this->values[$keyword] ?? null;
+        $value = $this->values[strtoupper($keyword)] ?? null;
+        $second = $this->contradictions[strtoupper($keyword)] ?? null;
+        if ($second !== null) {
+            throw $this->unfit($keyword, $second, "line $value->line of the same object says $value");
+        }
+
+        return $value;
     }
 
     /** The first object of a name, in the order of the label, however deep; null if there is none. */
     public function findObject(string $name): ?self
     {
         foreach ($this->children as $child) {
-            $found = $child->name === $name ? $child : $child->findObject($name);
+            $found = strcasecmp($child->name, $name) === 0 ? $child : $child->findObject($name);
             if ($found !== null) {
                 return $found;
             }
@@ -63,24 +79,23 @@ final class PdsObject
     }
 
     /**
-     * @param list<string> $units spellings of its unit, if it has one
+     * @param string|null $unit one of PdsUnit, which its unit must be if it has one
      * @throws BadInputException it is missing, no finite number, or has another unit
      */
-    public function requiredNumber(string $keyword, array $units = []): float
+    public function requiredNumber(string $keyword, ?string $unit = null): float
     {
-        return $this->number($keyword, $this->required($keyword), $units);
+        return $this->number($keyword, $this->required($keyword), $unit);
     }
 
     /**
-     * @param list<string> $units
      * @return float|null null if it is missing or 'N/A'
      * @throws BadInputException it is no finite number, or has another unit
      */
-    public function optionalNumber(string $keyword, array $units = []): ?float
+    public function optionalNumber(string $keyword, ?string $unit = null): ?float
     {
         $value = $this->find($keyword);
 
-        return $value === null || $value->text === 'N/A' ? null : $this->number($keyword, $value, $units);
+        return $value === null || $value->word() === 'N/A' ? null : $this->number($keyword, $value, $unit);
     }
 
     /** @throws BadInputException it is missing, no whole number, or out of range */
@@ -106,12 +121,13 @@ final class PdsObject
         return BadInputException::atLine($this->file, $value->line, "$keyword = $value; $need.");
     }
 
-    /** @throws BadInputException the object has the keyword already, with another value */
+    /** Adds a keyword while the label is read. A second value counts only when somebody asks for the keyword. */
     public function addValue(string $keyword, PdsValue $value): void
     {
-        $earlier = $this->values[$keyword] ??= $value;
-        if ((string) $earlier !== (string) $value) {
-            throw $this->unfit($keyword, $value, "line $earlier->line of the same object says $earlier");
+        $name = strtoupper($keyword);
+        $this->values[$name] ??= $value;
+        if ((string) $this->values[$name] !== (string) $value) {
+            $this->contradictions[$name] ??= $value;
         }
     }
 
@@ -120,15 +136,14 @@ final class PdsObject
         $this->children[] = $child;
     }
 
-    /** @param list<string> $units */
-    private function number(string $keyword, PdsValue $value, array $units): float
+    private function number(string $keyword, PdsValue $value, ?string $unit): float
     {
         $isNumber = preg_match('/^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$/D', $value->text) === 1;
         if ($value->items !== null || $value->isQuoted || !$isNumber || !is_finite((float) $value->text)) {
             throw $this->unfit($keyword, $value, 'a finite number is needed');
         }
-        if ($units !== [] && $value->unit !== null && !in_array(strtolower($value->unit), $units, true)) {
-            throw $this->unfit($keyword, $value, "the unit <$units[0]> is needed");
+        if ($unit !== null && $value->unit !== null && PdsUnit::of($value->unit) !== $unit) {
+            throw $this->unfit($keyword, $value, "the unit <$unit> is needed");
         }
 
         return (float) $value->text;
@@ -136,7 +151,7 @@ final class PdsObject
 
     private function integer(string $keyword, PdsValue $value, int $minimum, int $maximum): int
     {
-        $number = $this->number($keyword, $value, []);
+        $number = $this->number($keyword, $value, unit: null);
         if ($number !== floor($number) || $number < $minimum || $number > $maximum) {
             throw $this->unfit($keyword, $value, "a whole number from $minimum to $maximum is needed");
         }

@@ -23,6 +23,21 @@ final class PdsValue
     ) {
     }
 
+    /**
+     * The text as a word of the standard: capitals, with one underscore for blanks, hyphens and underscores. "Band Sequential" is
+     * BAND_SEQUENTIAL.
+     */
+    public function word(): string
+    {
+        return self::wordOf($this->text);
+    }
+
+    /** A text as word() has it. */
+    public static function wordOf(string $text): string
+    {
+        return trim(preg_replace('/[\s_-]+/', '_', strtoupper($text)), '_');
+    }
+
     /** As the label writes it, on one line. */
     public function __toString(): string
     {

@@ -19,6 +19,20 @@ enum SampleType
     /** IEEE_REAL, 32 bits. */
     case Float32BigEndian;
 
+    /** The type of SAMPLE_TYPE, as a word, and SAMPLE_BITS; null if it is none of these. All machines' names of a type are the same. */
+    public static function find(string $word, int $bits): ?self
+    {
+        // Reals of a VAX are not those of IEEE 754.
+        $isKnown = preg_match('/^(?:(MSB|MAC|SUN|IEEE)_|(LSB|PC)_|(VAX)_(?=INTEGER$))?(INTEGER|REAL|FLOAT)$/D', $word, $name) === 1;
+        $isLittle = $isKnown && ($name[2] !== '' || $name[3] !== '');
+
+        return match ([$isKnown ? $name[4] : '', $bits]) {
+            ['INTEGER', 16] => $isLittle ? self::Int16LittleEndian : self::Int16BigEndian,
+            ['REAL', 32], ['FLOAT', 32] => $isLittle ? self::Float32LittleEndian : self::Float32BigEndian,
+            default => null,
+        };
+    }
+
     public function isInteger(): bool
     {
         return $this === self::Int16LittleEndian || $this === self::Int16BigEndian;

@@ -44,6 +44,50 @@ public sealed class InstrumentKernel
     /// <summary>The instrument's frame.</summary>
     public string Frame { get; }
 
+    /// <summary>
+    /// The camera that a cube's own keywords state: those that ISIS took from the kernels. What ISIS knows without a kernel, or counts in
+    /// its own way, is added: the detector's size, and of Kaguya's cameras CENTER by BORESIGHT_SAMPLE, which counts from 0.
+    /// </summary>
+    /// <param name="keywords">The numbers of the cube's NaifKeywords.</param>
+    /// <param name="number">NAIF's number of the instrument.</param>
+    /// <param name="samples">px: of the detector.</param>
+    /// <param name="lines">px: of the detector.</param>
+    /// <param name="source">The cube, for messages.</param>
+    /// <returns>Null if the keywords are not all there, or no row of the table has the instrument.</returns>
+    public static InstrumentKernel? OfCube(
+        IEnumerable<KeyValuePair<string, double[]>> keywords, int number, int samples, int lines, string source)
+    {
+        KernelPool pool = new();
+        string prefix = Invariant($"INS{number}_");
+        foreach ((string name, double[] numbers) in keywords.Where(pair => pair.Key.StartsWith(prefix, StringComparison.Ordinal)))
+        {
+            pool.Assign(name, new KernelVariable(numbers, [], source));
+        }
+
+        string[] always = ["FOCAL_LENGTH", "ITRANSS", "ITRANSL", "BORESIGHT_SAMPLE"];
+        if (InstrumentOptics.Of(number) is not { } optics || always.Concat(optics.Keywords).Any(item => pool.Find(prefix + item) is null))
+        {
+            return null;
+        }
+
+        if (optics.Center is { } center)
+        {
+            Assign(center, pool.Numbers($"{prefix}BORESIGHT_SAMPLE", 1)[0] + 1.0, 1.0);
+        }
+
+        if (pool.Find($"{prefix}PIXEL_PITCH") is { Numbers: [double pitch] })
+        {
+            Assign(optics.Pitch, pitch);
+        }
+
+        Assign("PIXEL_SAMPLES", samples);
+        Assign("PIXEL_LINES", lines);
+        pool.Assign($"{prefix}FOV_FRAME", new KernelVariable([], [optics.Family], source));
+        return new InstrumentKernel(pool, number.ToString(CultureInfo.InvariantCulture));
+
+        void Assign(string item, params double[] numbers) => pool.Assign(prefix + item, new KernelVariable(numbers, [], source));
+    }
+
     private bool IsLine => _optics is { IsLine: true } || (_keywords.Find("PIXEL_LINES") is not null && Lines == 1);
 
     private int Samples => _optics?.Window?.Samples ?? (_optics?.Size is { } size && _keywords.Find("PIXEL_SAMPLES") is null
@@ -80,14 +124,19 @@ public sealed class InstrumentKernel
     /// A keyword is missing, of a form that is not known, or turns rays in a way that is not known.
     /// </exception>
     /// <remarks>A kernel without a focal length, but with a field of view, describes a pinhole with that.</remarks>
-    public CameraFile Camera(InstrumentAxes? given = null)
+    public CameraFile Camera(InstrumentAxes? given = null) =>
+        CameraFileReader.Parse(Encoding.UTF8.GetBytes(CameraText(given)), $"{Frame}.yaml", mayNameFiles: false);
+
+    /// <summary>The text of that file.</summary>
+    /// <inheritdoc cref="Camera" path="/param"/>
+    /// <inheritdoc cref="Camera" path="/exception"/>
+    public string CameraText(InstrumentAxes? given = null)
     {
         bool isOfField = _keywords.Find("FOCAL_LENGTH") is null && _keywords.Find("FOV_SHAPE") is not null;
         _keywords.RefuseUnread(isOfField ? [] : _optics?.Read ?? []);
-        string text = isOfField
+        return isOfField
             ? Head(1) + new InstrumentField(_pool, _keywords.Prefix).CameraText(given ?? Axes(), Samples, Lines)
-            : CameraText(given);
-        return CameraFileReader.Parse(Encoding.UTF8.GetBytes(text), $"{Frame}.yaml", mayNameFiles: false);
+            : TextOfLens(given);
     }
 
     private FocalPlane? Transforms() => FocalPlane.OfTransforms(_keywords, IsLine, _optics?.Pitch ?? "PIXEL_PITCH");
@@ -96,7 +145,7 @@ public sealed class InstrumentKernel
         $"description: {Frame} by its instrument kernel{(summed == 1 ? string.Empty : Invariant($", {summed} x {summed} px summed"))}\n")
             + Invariant($"width: {Samples / summed}\nheight: {Math.Max(1, Lines / summed)}\npixel-convention: isis\n");
 
-    private string CameraText(InstrumentAxes? given)
+    private string TextOfLens(InstrumentAxes? given)
     {
         InstrumentAxes axes = given ?? Axes();
         if (_optics?.Keywords.Contains("BORESIGHT") != true)

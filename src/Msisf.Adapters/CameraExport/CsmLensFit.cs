@@ -3,7 +3,9 @@ using Msisf.Core.Camera;
 
 namespace Msisf.Adapters.CameraExport;
 
-/// <summary>The nearest of USGSCSM's lenses for one that it has not: RADTAN or TRANSVERSE, by least squares over the image.</summary>
+/// <summary>
+/// The nearest of USGSCSM's lenses for one that it has not, by least squares over the image: RADTAN or TRANSVERSE, of one row KAGUYALISM.
+/// </summary>
 internal static class CsmLensFit
 {
     /// <summary>px: a lens that is farther off somewhere in the image is none.</summary>
@@ -21,9 +23,24 @@ internal static class CsmLensFit
         double down = camera.FocalY / camera.FocalX;
         CsmLens tangential = Tangential(samples, camera.FocalX, down);
 
-        // One row says nothing of the second coordinate.
-        CsmLens transverse = camera.Height == 1 ? tangential : Transverse(samples, down);
-        return transverse.Misfit < tangential.Misfit ? transverse : tangential;
+        // One row says nothing of the second coordinate, but lies along the one that KAGUYALISM knows.
+        CsmLens other = camera.Height == 1 ? AlongRow(camera, samples, down) : Transverse(samples, down);
+        return other.Misfit < tangential.Misfit ? other : tangential;
+    }
+
+    private static CsmLens AlongRow(CameraModel camera, Sample[] samples, double down)
+    {
+        double scale = samples.Max(one => Math.Abs(one.X));
+        double[][] terms = [.. samples.Select(one => new[] { 1.0, one.X / scale, Math.Pow(one.X / scale, 2), Math.Pow(one.X / scale, 3) })];
+        double[] x = Solve(terms, [.. samples.Select(one => one.IdealX - one.X)]);
+        double[] y = Solve(terms, [.. samples.Select(one => one.IdealY - one.Y)]);
+        return CsmLens.AlongRow(
+            camera, [.. x.Select((number, power) => number / Math.Pow(scale, power))],
+            [.. y.Select((number, power) => number / Math.Pow(scale, power))]) with
+        {
+            Misfit = samples.Zip(terms, (one, term) => double.Hypot(
+                one.X + Dot(x, term) - one.IdealX, down * (one.Y + Dot(y, term) - one.IdealY))).Max(),
+        };
     }
 
     private static IEnumerable<Sample> Samples(CameraModel camera)

@@ -160,7 +160,9 @@ internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
     /// <summary>
     /// Of one row, polynomials of x are KAGUYALISM's of the distance from a zero that lies in the row, left of all its pixels.
     /// </summary>
-    private static CsmLens AlongRow(CameraModel camera, double[] x, double[] y)
+    /// <param name="x">px along a row that are added to it, by powers of the distance from the principal point.</param>
+    /// <param name="y">px that are added across it.</param>
+    public static CsmLens AlongRow(CameraModel camera, double[] x, double[] y)
     {
         double zeroY = (1.0 - camera.PrincipalY) * camera.FocalX / camera.FocalY;
         double first = 1.0 - camera.PrincipalX - (camera.Skew / camera.FocalX * zeroY);

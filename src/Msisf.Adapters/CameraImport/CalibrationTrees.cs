@@ -89,7 +89,9 @@ internal sealed record CalibrationTree(string Program, string Path, FileTree Roo
             null or "" or "plumb_bob" or "rational_polynomial" or "radtan" or "radial-tangential" or "radial_tangential" or "opencv"
                 or "thin_prism" => Lens(isFisheye: false, coefficients),
             "equidistant" or "equi" or "fisheye" or "kannala_brandt" => Lens(isFisheye: true, coefficients),
-            "none" => [],
+            "none" when coefficients?.Numbers() is not { } numbers || numbers.All(number => number == 0.0) => [],
+            "none" => throw Wrong(
+                coefficients!, $"the lens is 'none', but '{coefficients!.Name}' are not 0. Name the lens, or make them 0"),
             _ => throw Wrong(model, $"the lens {NumberText.Shown(model.Value)} has no counterpart in msis. Calibrate with plumb_bob "
                     + $"(radtan), "
                 + "rational_polynomial or equidistant"),

@@ -22,6 +22,14 @@ internal static class CsmCamera
     private static readonly string[] Lenses =
         ["radial", "transverse", "kaguyalism", "dawnfc", "lrolrocnac", "cahvor", "lunarorbiter", "radtan"];
 
+    private static readonly Names InState = new(
+        "USGSCSM", "mdetectorsamplesumming", "mdetectorlinesumming", "mstartingdetectorsample", "mstartingdetectorline", "mnsamples",
+        "mnlines", "mframeletheight", "minterframedelay", "mframeletsorderreversed", "minttimes", 0);
+
+    private static readonly Names InIsd = new(
+        "ALE", "detectorsamplesumming", "detectorlinesumming", "startingdetectorsample", "startingdetectorline", "imagesamples",
+        "imagelines", "frameletheight", "interframedelay", "frameletorderreversed", "linescanrate", 2);
+
     public static bool IsState(string text) => text.StartsWith("USGS_ASTRO_", StringComparison.Ordinal)
         || (text.TrimStart() is ['{', ..] && text.Contains("\"m_modelName\"", StringComparison.Ordinal));
 
@@ -40,26 +48,12 @@ internal static class CsmCamera
     private static ImportedCamera OfState(Members state)
     {
         ScanKind? scan = KindOf(state, state.Word("mmodelname"));
-        (double lines, double samples) = (state.Number("mdetectorlinesumming"), state.Number("mdetectorsamplesumming"));
         double[] center = scan is null
             ? state.Numbers("mccdcenter", 2)
             : [state.Number("mdetectorlineorigin"), state.Number("mdetectorsampleorigin")];
         return Plane(
-            state, "USGSCSM", scan, state.Number("mfocallength"), (state.Numbers("mitranss", 3), state.Numbers("mitransl", 3)),
-            (center[1], center[0]), (state.Number("mstartingdetectorsample"), state.Number("mstartingdetectorline")), (samples, lines),
-            (state.Number("mnsamples"), scan switch
-            {
-                null => state.Number("mnlines"),
-                ScanKind.PushFrame => state.Number("mframeletheight"),
-                _ => 1.0,
-            }),
-            scan switch
-            {
-                ScanKind.LineScan => state.Numbers("minttimes", null)[0],
-                ScanKind.PushFrame => Signed(state.Number("minterframedelay"), state.Flag("mframeletsorderreversed")),
-                _ => 0.0,
-            },
-            ((int)state.Number("mdistortiontype"), state.Numbers("mopticaldistcoeffs", null))).Camera();
+            state, InState, scan, state.Number("mfocallength"), (state.Numbers("mitranss", 3), state.Numbers("mitransl", 3)),
+            (center[1], center[0]), ((int)state.Number("mdistortiontype"), state.Numbers("mopticaldistcoeffs", null))).Camera();
     }
 
     private static ImportedCamera OfIsd(Members isd)
@@ -67,23 +61,8 @@ internal static class CsmCamera
         ScanKind? scan = KindOf(isd, isd.Word("namemodel"));
         Members center = isd.Below("detectorcenter");
         return Plane(
-            isd, "ALE", scan, isd.Below("focallengthmodel").Number("focallength"),
-            (isd.Numbers("focal2pixelsamples", 3), isd.Numbers("focal2pixellines", 3)),
-            (center.Number("sample"), center.Number("line")),
-            (isd.Number("startingdetectorsample"), isd.Number("startingdetectorline")),
-            (isd.Number("detectorsamplesumming"), isd.Number("detectorlinesumming")),
-            (isd.Number("imagesamples"), scan switch
-            {
-                null => isd.Number("imagelines"),
-                ScanKind.PushFrame => isd.Number("frameletheight"),
-                _ => 1.0,
-            }),
-            scan switch
-            {
-                ScanKind.LineScan => isd.Numbers("linescanrate", null)[2],
-                ScanKind.PushFrame => Signed(isd.Number("interframedelay"), isd.Flag("frameletorderreversed")),
-                _ => 0.0,
-            },
+            isd, InIsd, scan, isd.Below("focallengthmodel").Number("focallength"),
+            (isd.Numbers("focal2pixelsamples", 3), isd.Numbers("focal2pixellines", 3)), (center.Number("sample"), center.Number("line")),
             LensOf(isd)).Camera();
     }
 
@@ -102,33 +81,46 @@ internal static class CsmCamera
         });
     }
 
-    private static double Signed(double period, bool isReversed) => isReversed ? -period : period;
-
     private static ScanKind? KindOf(Members members, string model) => Kinds.TryGetValue(model, out ScanKind? kind)
         ? kind
         : throw members.Wrong($"the sensor model '{model}' is not read; {string.Join(", ", Kinds.Keys)} are");
 
     private static FocalPlane Plane(
-        Members members, string program, ScanKind? scan, double focal, (double[] S, double[] L) factors,
-        (double Sample, double Line) center, (double Sample, double Line) start, (double Sample, double Line) summing,
-        (double Width, double Height) size, double period,
+        Members file, Names names, ScanKind? scan, double focal, (double[] S, double[] L) factors, (double Sample, double Line) center,
         (int Type, double[] Coefficients) lens)
     {
         const double middleOfLine = 0.5; // px: a line-scan's origin is that of the middle of its row
-        return new FocalPlane(
-            program, members.Path, focal,
-            [factors.S[0] / summing.Sample, factors.S[1] / summing.Sample, factors.S[2] / summing.Sample],
-            [factors.L[0] / summing.Line, factors.L[1] / summing.Line, factors.L[2] / summing.Line],
-            ((center.Sample - start.Sample) / summing.Sample,
-                ((center.Line - start.Line) / summing.Line) + (scan == ScanKind.LineScan ? middleOfLine : 0.0)))
+        (double samples, double lines) = (file.Number(names.SampleSumming), file.Number(names.LineSumming));
+        double height = scan switch
         {
-            Size = ((int)size.Width, (int)size.Height),
+            null => file.Number(names.Height),
+            ScanKind.PushFrame => file.Number(names.FrameletHeight),
+            _ => 1.0,
+        };
+        return new FocalPlane(
+            names.Program, file.Path, focal, [.. factors.S.Select(factor => factor / samples)],
+            [.. factors.L.Select(factor => factor / lines)],
+            ((center.Sample - file.Number(names.StartSample)) / samples,
+                ((center.Line - file.Number(names.StartLine)) / lines) + (scan == ScanKind.LineScan ? middleOfLine : 0.0)))
+        {
+            Size = ((int)file.Number(names.Width), (int)height),
             Scan = scan,
-            Period = period,
+            Period = scan switch
+            {
+                ScanKind.LineScan => file.Numbers(names.LineTimes, null)[names.LineTime],
+                ScanKind.PushFrame => (file.Flag(names.IsReversed) ? -1.0 : 1.0) * file.Number(names.FrameletTime),
+                _ => 0.0,
+            },
             LensType = lens.Type,
             Coefficients = lens.Coefficients,
         };
     }
+
+    /// <summary>What a state and image support data call the same; compared without capitals and underscores.</summary>
+    /// <param name="LineTime">The place of the first line's time among the line times.</param>
+    private sealed record Names(
+        string Program, string SampleSumming, string LineSumming, string StartSample, string StartLine, string Width, string Height,
+        string FrameletHeight, string FrameletTime, string IsReversed, string LineTimes, int LineTime);
 
     /// <summary>The members of a JSON object.</summary>
     private sealed record Members(FileTree Root, string Path)

@@ -32,8 +32,7 @@ public static class ImageLabelReader
         });
         string start = text.TrimStart('\uFEFF', 'ï', '»', '¿', ' ', '\r', '\n', '\t');
         return start.StartsWith("Object = IsisCube", StringComparison.OrdinalIgnoreCase) ? CubeLabel.Read(text, path)
-            : start.StartsWith("PDS_VERSION_ID", StringComparison.Ordinal)
-                || start.StartsWith("CCSD3ZF", StringComparison.Ordinal) ? Pds3ImageLabel.Read(start, path)
+            : PdsLabelParser.IsLabel(text) ? Pds3ImageLabel.Read(start, path)
             : start.StartsWith('<') ? Pds4ImageLabel.Read(Xml(path), path)
             : throw new BadInputException(
                 $"{path}: it begins as none of the labels that are known: an ISIS cube (Object = IsisCube), PDS3 (PDS_VERSION_ID), PDS4 "

@@ -6,18 +6,6 @@ namespace Msisf.Adapters.RealImages;
 /// <remarks>Planetary Data System Standards Reference 3.8, appendix A.19 (IMAGE).</remarks>
 internal static class Pds3ImageLabel
 {
-    /// <summary>The machines of which a number's type is named, and whether they put the most significant byte first.</summary>
-    private static readonly Dictionary<string, bool> Machines = new(StringComparer.Ordinal)
-    {
-        ["MSB_"] = true,
-        ["MAC_"] = true,
-        ["SUN_"] = true,
-        ["IEEE_"] = true,
-        ["LSB_"] = false,
-        ["PC_"] = false,
-        ["VAX_"] = false,
-    };
-
     private static readonly string[] NoValue =
         ["MISSING_CONSTANT", "MISSING", "INVALID_CONSTANT", "INVALID_VALUE", "NOT_APPLICABLE_CONSTANT", "NULL", "CORE_NULL"];
 
@@ -58,13 +46,14 @@ internal static class Pds3ImageLabel
         (int bands, int lines, int samples) = (
             image.OptionalInteger("BANDS", 1, most) ?? 1, image.RequiredInteger("LINES", 1, most),
             image.RequiredInteger("LINE_SAMPLES", 1, most));
-        (PixelType type, bool isBigEndian) = TypeOf(image);
+        PdsSampleType type = PdsSampleType.Of(image) ?? throw image.WrongValue(
+            "SAMPLE_TYPE", "integers of 8, 16 or 32 bits and IEEE reals of 32 or 64 bits are read");
         (string file, long offset) = PointerOf(holder, image, path, label);
-        PixelLayout layout = new(file, offset, type, isBigEndian, (bands, lines, samples), default)
+        PixelLayout layout = new(file, offset, type.Type, type.IsBigEndian, (bands, lines, samples), default)
         {
             Base = image.OptionalNumber("OFFSET") ?? 0.0,
             Multiplier = image.OptionalNumber("SCALING_FACTOR") ?? 1.0,
-            IsMissing = MissingOf(image),
+            IsMissing = MissingOf(image, type),
         };
         long bytes = layout.Bytes;
         long around = (image.OptionalInteger("LINE_PREFIX_BYTES", 0, most) ?? 0)
@@ -84,26 +73,6 @@ internal static class Pds3ImageLabel
                     "BAND_STORAGE_TYPE", "BAND_SEQUENTIAL, LINE_INTERLEAVED or SAMPLE_INTERLEAVED is needed"),
             },
         };
-    }
-
-    private static (PixelType Type, bool IsBigEndian) TypeOf(PdsObject image)
-    {
-        string name = image.Required("SAMPLE_TYPE").Word;
-        string machine = Machines.Keys.FirstOrDefault(key => name.StartsWith(key, StringComparison.Ordinal)) ?? string.Empty;
-        bool isBigEndian = Machines.GetValueOrDefault(machine, true);
-        string number = name[machine.Length..];
-        bool isUnsigned = number == "UNSIGNED_INTEGER";
-        PixelType type = (number, image.RequiredInteger("SAMPLE_BITS", 1, 64)) switch
-        {
-            // LROC's labels say LSB_INTEGER of 8 bits, which count from 0 to 255.
-            ("INTEGER" or "UNSIGNED_INTEGER", 8) => PixelType.Unsigned8,
-            ("INTEGER" or "UNSIGNED_INTEGER", 16) => isUnsigned ? PixelType.Unsigned16 : PixelType.Signed16,
-            ("INTEGER", 32) => PixelType.Signed32,
-            ("REAL" or "FLOAT", 32) when machine != "VAX_" => PixelType.Real32,
-            ("REAL" or "FLOAT", 64) when machine != "VAX_" => PixelType.Real64,
-            _ => throw image.WrongValue("SAMPLE_TYPE", "integers of 8, 16 or 32 bits and IEEE reals of 32 or 64 bits are read"),
-        };
-        return (type, isBigEndian);
     }
 
     private static (string File, long Offset) PointerOf(PdsObject holder, PdsObject image, string path, PdsObject label)
@@ -129,12 +98,10 @@ internal static class Pds3ImageLabel
 
     private static bool IsPlace(PdsValue value) => !value.IsQuoted && uint.TryParse(value.Text, out uint number) && number > 0;
 
-    private static Func<double, bool> MissingOf(PdsObject image)
+    private static Func<double, bool> MissingOf(PdsObject image, PdsSampleType type)
     {
         double[] values = [.. NoValue.Select(image.Find).OfType<PdsValue>().SelectMany(value => value.Items ?? [value])
-            .Select(item => double.TryParse(item.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
-                ? number
-                : double.NaN)];
+            .Select(item => type.Constant(item.Text)).OfType<double>()];
         return number => values.Contains(number);
     }
 }

@@ -1,5 +1,6 @@
 using System.Xml;
 using System.Xml.Linq;
+using Msisf.Adapters.Raster.Pds;
 
 namespace Msisf.Adapters.RealImages;
 

@@ -1,28 +1,7 @@
 using System.Buffers.Binary;
+using Msisf.Adapters.Raster.Pds;
 
 namespace Msisf.Adapters.RealImages;
-
-/// <summary>Numbers of which pixels are.</summary>
-public enum PixelType
-{
-    /// <summary>8 bits without sign.</summary>
-    Unsigned8,
-
-    /// <summary>16 bits with sign.</summary>
-    Signed16,
-
-    /// <summary>16 bits without sign.</summary>
-    Unsigned16,
-
-    /// <summary>32 bits with sign.</summary>
-    Signed32,
-
-    /// <summary>32 bits, IEEE 754.</summary>
-    Real32,
-
-    /// <summary>64 bits, IEEE 754.</summary>
-    Real64,
-}
 
 /// <summary>Where and how the pixels of an image lie in a file.</summary>
 /// <param name="Offset">Bytes before the first pixel.</param>
@@ -47,13 +26,7 @@ public sealed record PixelLayout(
     public Func<double, bool> IsMissing { get; init; } = static _ => false;
 
     /// <summary>Bytes of a number.</summary>
-    public int Bytes => Type switch
-    {
-        PixelType.Unsigned8 => 1,
-        PixelType.Signed16 or PixelType.Unsigned16 => 2,
-        PixelType.Real64 => 8,
-        _ => 4,
-    };
+    public int Bytes => new PdsSampleType(Type, IsBigEndian).Bytes;
 
     /// <summary>Bytes that the file has at least if it is whole.</summary>
     private long End => Tile is { } tile

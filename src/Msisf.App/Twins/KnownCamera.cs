@@ -1,4 +1,3 @@
-using System.Text.RegularExpressions;
 using Msisf.Adapters.RealImages;
 
 namespace Msisf.App.Twins;
@@ -12,7 +11,7 @@ namespace Msisf.App.Twins;
 /// <param name="Times">When it took the first line, framelet or image, and the seconds from one to the next.</param>
 /// <remarks>The camera models of USGS's ISIS: LroNarrowAngleCamera, LroWideAngleCamera, Chandrayaan1M3Camera, UvvisCamera,
 /// KaguyaTcCamera.</remarks>
-internal sealed partial record KnownCamera(
+internal sealed record KnownCamera(
     string Name, Func<ImageLabel, bool> Is, Func<ImageLabel, double?, string> Preset, Func<ImageLabel, string> Axes,
     Func<ImageLabel, int> Instrument, Func<ImageLabel, TwinClock, TwinTimes> Times)
 {
@@ -30,11 +29,8 @@ internal sealed partial record KnownCamera(
     /// <summary>What of its products can't be drawn; null for nothing.</summary>
     public Func<ImageLabel, string?> Problem { get; init; } = static _ => null;
 
-    /// <summary>
-    /// The keywords of a cube's instrument that the twin takes, each with the place of its number in the preset's file: those whose meaning
-    /// is the file's.
-    /// </summary>
-    public IReadOnlyList<(string Keyword, Regex Place)> Keywords { get; init; } = [("FOCAL_LENGTH", FocalLength)];
+    /// <summary>Whether the lens is the one that a cube's own keywords state.</summary>
+    public bool HasOwnLens { get; init; } = true;
 
     public static IReadOnlyList<KnownCamera> All { get; } =
     [
@@ -45,7 +41,6 @@ internal sealed partial record KnownCamera(
             label => IsLeft(label) ? -85600 : -85610, NacTimes)
         {
             Spacecraft = -85,
-            Keywords = [("FOCAL_LENGTH", FocalLength), ("OD_K", FactorOfLens)],
             Summing = label => (int)(label.Number("SPATIALSUMMING") ?? label.Number("CROSSTRACKSUMMING") ?? 1.0),
             FirstSample = label => (int)(label.Number("SAMPLEFIRSTPIXEL") ?? 0.0),
         },
@@ -57,7 +52,7 @@ internal sealed partial record KnownCamera(
                     $"{label.Path}: a band of {nanometres} nm; the WAC's visible ones are {string.Join(", ", WacBands)}."),
             _ => "+y,-x", _ => -85621, WacTimes)
         {
-            Keywords = [], // each of its bands has a lens of its own
+            HasOwnLens = false, // each of its bands has a lens of its own
             Spacecraft = -85,
             Problem = label => label.Text("INSTRUMENTMODEID") is not ("COLOR" or "VIS") and var mode
                 ? $"its mode is {mode}; COLOR and VIS are known"
@@ -77,7 +72,8 @@ internal sealed partial record KnownCamera(
         },
         new(
             "Clementine UVVIS",
-            label => label.Text("INSTRUMENTID") == "UVVIS", (_, _) => "clementine-uvvis", _ => "+x,+y", _ => -40021,
+            label => label.Text("INSTRUMENTID") == "UVVIS", (_, _) => "clementine-uvvis", _ => "+x,+y",
+            label => (int)(label.Number("NAIFFRAMECODE") ?? -40021),
             (label, clock) => new TwinTimes(clock.OfUtc("STARTTIME") + (0.5 * (label.Seconds("EXPOSUREDURATION") ?? 0.0)), 0.0))
         {
             Spacecraft = -40,
@@ -103,18 +99,12 @@ internal sealed partial record KnownCamera(
             (label, _) => label.Path, _ => "+x,+y", label => (int)(label.Number("NAIFFRAMECODE") ?? 0.0), IdealTimes)
         {
             Spacecraft = -999,
-            Keywords = [], // the cube is the camera file
+            HasOwnLens = false, // the cube is the camera file
             Problem = label => label.Tables is null ? "only its cubes have a camera" : null,
         },
     ];
 
     public static KnownCamera? Of(ImageLabel label) => All.FirstOrDefault(camera => camera.Is(label));
-
-    [GeneratedRegex(@"(?<=(?m)^focal-length:\s*)[-+.\deE]+")]
-    private static partial Regex FocalLength { get; }
-
-    [GeneratedRegex(@"(?<=(?m)^\s+k:\s*\[)[-+.\deE]+(?=\])")]
-    private static partial Regex FactorOfLens { get; }
 
     private static bool IsNac(ImageLabel label) => label.Text("INSTRUMENTID") is "NACL" or "NACR"
         || (label.Text("INSTRUMENTID") == "LROC" && label.Text("FRAMEID") is "LEFT" or "RIGHT")

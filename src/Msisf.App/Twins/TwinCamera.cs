@@ -1,3 +1,4 @@
+using System.Text;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.IO;
@@ -13,7 +14,7 @@ namespace Msisf.App.Twins;
 /// <param name="Known">What is known of such products; null for a camera of the user's.</param>
 /// <param name="Word">What <c>--camera</c> is given.</param>
 /// <param name="AxesText">How the image lies in the frame of the instrument, as <c>--instrument-axes</c> has it.</param>
-internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile File, string AxesText)
+internal sealed partial record TwinCamera(KnownCamera? Known, string Word, CameraFile File, string AxesText)
 {
     private static readonly string[] NamesOfCamera = ["SPACECRAFTNAME", "INSTRUMENTHOSTNAME", "INSTRUMENTID", "INSTRUMENTNAME"];
 
@@ -22,8 +23,17 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
 
     public string Name => Known is null ? File.Name : $"{Known.Name}, {Word}";
 
+    /// <summary>Whether the user says how the image lies in the frame of the instrument.</summary>
+    public bool HasGivenAxes { get; init; }
+
+    /// <summary>The camera file by the cube's own keywords; null if there is none.</summary>
+    public string? OwnText { get; init; }
+
+    /// <summary>How the image lies there by the cube's own keywords; null for how the preset lies.</summary>
+    public InstrumentAxes? OwnAxes { get; init; }
+
     /// <summary>How the image lies in the frame of the instrument.</summary>
-    public InstrumentAxes Axes => InstrumentAxes.Parse(AxesText);
+    public InstrumentAxes Axes => OwnAxes ?? InstrumentAxes.Parse(AxesText);
 
     /// <param name="nanometres">Wavelength of its band; null if the label does not say it.</param>
     /// <param name="values">The options; they name the renderer.</param>
@@ -55,6 +65,7 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
             MissionOptions.InstrumentAxes.ReadIfGiven(values) ?? known?.Axes(label) ?? "+x,+y")
         {
             IsGiven = given is not null,
+            HasGivenAxes = MissionOptions.InstrumentAxes.ReadIfGiven(values) is not null,
         };
     }
 
@@ -82,42 +93,63 @@ internal sealed record TwinCamera(KnownCamera? Known, string Word, CameraFile Fi
             clock.OfUtc("STARTTIME") + (0.5 * (File.Scan.Kind == ScanKind.LineScan ? period : exposure)), period);
     }
 
-    /// <summary>
-    /// The same camera with the focal length and the lens that a cube's own keywords state, as a camera file of its own; this one if they
-    /// are the same, or the label has none.
-    /// </summary>
-    /// <param name="makePath">The file that is written; asked only if one is.</param>
-    /// <param name="note">Receives a sentence about what is used.</param>
-    /// <exception cref="MsisfException">The keywords make no camera, or the file can't be written.</exception>
-    public TwinCamera WithKeywords(ImageLabel label, Func<string> makePath, Action<string> note)
+    /// <summary>The same camera with the optics that a cube's own keywords state, as a camera file of its own.</summary>
+    /// <param name="path">The file, which <see cref="Save"/> writes.</param>
+    /// <param name="hasKernels">Whether the attitude is that of kernels, in whose frame the image lies as the preset does.</param>
+    /// <returns>
+    /// This one for a camera of the user's, for a label that does not have all of these keywords, and where the image lies otherwise.
+    /// </returns>
+    /// <exception cref="MsisfException">The keywords make no camera.</exception>
+    public TwinCamera WithKeywords(ImageLabel label, string path, bool hasKernels)
     {
-        const double same = 1e-9; // relative: keywords are printed with ten digits or more
-        if (Known is null || IsGiven)
+        if (Known is not { HasOwnLens: true } || IsGiven || label.Tables is null)
         {
             return this;
         }
 
-        string code = $"INS{Known.Instrument(label).ToString(CultureInfo.InvariantCulture)}";
-        string text = System.IO.File.ReadAllText(File.Path);
-        List<string> changed = [];
-        foreach ((string keyword, Regex place) in Known.Keywords)
-        {
-            if (label.NaifNumbers($"{code}_{keyword}") is [double stated] && place.Match(text) is { Success: true } found
-                && Math.Abs((double.Parse(found.Value, CultureInfo.InvariantCulture) / stated) - 1.0) > same)
-            {
-                text = $"{text[..found.Index]}{stated.ToString("R", CultureInfo.InvariantCulture)}{text[(found.Index + found.Length)..]}";
-                changed.Add(Invariant($"{keyword} {stated:R}"));
-            }
-        }
-
-        if (changed.Count == 0)
+        int instrument = Known.Instrument(label);
+        string prefix = Invariant($"INS{instrument}_");
+        if (InstrumentKernel.OfCube(
+            label.Naif.Keys.Where(key => key.StartsWith(prefix, StringComparison.Ordinal))
+                .Select(key => KeyValuePair.Create(key, label.NaifNumbers(key)!)),
+            instrument, File.Model.Width, File.Model.Height, label.Path) is not { } kernel || (hasKernels && kernel.Axes() != Axes))
         {
             return this;
         }
 
-        string path = makePath();
-        note($"{label.Path}: its own keywords state {string.Join(" and ", changed)}, which the twin has: {path}.");
-        AtomicFile.WriteText(path, writer => writer.Write(text));
-        return this with { Word = path, File = CameraFileReader.Read(path) };
+        string text = WithSections(kernel.CameraText(), System.IO.File.ReadAllText(File.Path));
+        return this with
+        {
+            Word = path,
+            File = CameraFileReader.Parse(Encoding.UTF8.GetBytes(text), path, Word),
+            OwnText = text,
+            OwnAxes = HasGivenAxes ? null : kernel.Axes(),
+        };
     }
+
+    /// <summary>Writes the camera file of a cube's own keywords, if there is one.</summary>
+    /// <param name="note">Receives a sentence about it.</param>
+    /// <exception cref="MsisfException">It can't be written.</exception>
+    public void Save(Action<string> note)
+    {
+        if (OwnText is { } text)
+        {
+            AtomicFile.WriteText(Word, writer => writer.Write(text));
+            note($"The twin has the optics that the cube's own keywords state: {Word}.");
+        }
+    }
+
+    /// <summary>A camera file with the sections of the preset that it does not have, but for the lens: scan, detector.</summary>
+    private static string WithSections(string own, string preset)
+    {
+        HashSet<string> keys = [.. Section().Split(own).Select(KeyOf), "distortion"];
+        return own + string.Concat(Section().Split(preset).Where(section => KeyOf(section).Length > 0 && !keys.Contains(KeyOf(section))));
+    }
+
+    /// <summary>The key of a section; empty for comments above the first.</summary>
+    private static string KeyOf(string section) =>
+        section is ['#', ..] || !section.Contains(':', StringComparison.Ordinal) ? string.Empty : section.Split(':')[0];
+
+    [GeneratedRegex(@"(?m)^(?=[\w-]+:)")]
+    private static partial Regex Section();
 }

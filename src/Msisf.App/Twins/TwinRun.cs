@@ -52,8 +52,14 @@ internal sealed class TwinRun
         TwinBand band = TwinBand.Of(_label, values);
         TwinCamera camera = TwinCamera.Of(_label, band.Nanometres, values);
         float[]? real = null;
-        camera = camera.WithKeywords(_label, () => Path.Combine(MadeFolder(), $"{_name}.camera.yaml"), _host.Log.Note);
+        camera = camera.WithKeywords(_label, Path.Combine(_folder, $"{_name}.camera.yaml"), TwinOptions.ReadHasKernels(values));
         (TwinPlan plan, OptionValues ofRun, double? sunOffset) = Plan(TwinOptionValues.WithBand(values, band.Nanometres), camera);
+        if (camera.OwnText is not null)
+        {
+            MadeFolder();
+            camera.Save(_host.Log.Note);
+        }
+
         RenderSettings settings = RenderSettingsReader.Read(ofRun, geoTiffs: _host.GeoTiffs);
         if (_label.Pixels.AreThere())
         {

@@ -100,7 +100,7 @@ public sealed record FramePreview(
     private static double RadiusBelow(Vector3D position, ITerrain? terrain)
     {
         double reference = terrain?.ReferenceRadius ?? MoonConstants.ReferenceRadius;
-        return terrain is not null && position.Length - reference < MoonConstants.MaxRelief
+        return terrain is not null && position.Length - reference < MoonConstants.MaxReliefOver(reference)
             ? TerrainHeight.RadiusBelow(terrain, position)
             : reference;
     }

@@ -55,12 +55,12 @@ internal sealed class NodeReader
         Extremes found = Extremes.None;
         Read(new ReadOnlySpan<CellRange>(in cells), new Span<Extremes>(ref found));
         double reference = _mesh.Grid.ReferenceRadius;
-        if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxRelief))
+        if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxReliefOver(reference)))
         {
             throw new BadInputException(Invariant(
                 $"{_mesh.Grid.ProductId} has radii from {found.Min:R} to {found.Max:R} m around line {cells.FirstLine + 2}, "
-                    + $"sample {cells.FirstSample + 1}; a surface within {MoonConstants.MaxRelief:R} m of "
-                    + $"{reference:R} m is needed. Check the model and its label."));
+                    + $"sample {cells.FirstSample + 1}; a surface within "
+                    + $"{MoonConstants.MaxReliefOver(reference):R} m of {reference:R} m is needed. Check the model and its label."));
         }
 
         return found.ToBounds();

@@ -10,9 +10,10 @@ public interface ITerrain
     GridResolution Resolution { get; }
 
     /// <summary>
-    /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the Moon.
+    /// Minimum and maximum radius that samples can have, m, known without reading any. The default is the maximum relief of the body.
     /// </summary>
-    (double Min, double Max) RadiusLimits => (ReferenceRadius - MoonConstants.MaxRelief, ReferenceRadius + MoonConstants.MaxRelief);
+    (double Min, double Max) RadiusLimits =>
+        (ReferenceRadius - MoonConstants.MaxReliefOver(ReferenceRadius), ReferenceRadius + MoonConstants.MaxReliefOver(ReferenceRadius));
 
     /// <summary>m: radius of the sphere over which heights are counted; that of the Moon unless the model is of another body.</summary>
     double ReferenceRadius => MoonConstants.ReferenceRadius;

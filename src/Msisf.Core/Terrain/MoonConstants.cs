@@ -15,6 +15,14 @@ public static class MoonConstants
     /// </summary>
     public const double MaxRelief = 20_000.0;
 
+    /// <summary>m: how far the surface of another body may be from the sphere of its heights; Mars's is 29 km.</summary>
+    private const double MaxReliefOfOthers = 30_000.0;
+
+    /// <summary>m: how far a surface may be from the sphere of its heights.</summary>
+    /// <param name="referenceRadius">m: of the sphere.</param>
+    public static double MaxReliefOver(double referenceRadius) =>
+        referenceRadius == ReferenceRadius ? MaxRelief : MaxReliefOfOthers;
+
     /// <summary>
     /// m over the reference radius: heights beyond these are none. The Moon's ground lies from -9.2 to +10.8 km, with its steepest steps
     /// (D. E. Smith et al., Icarus 283 (2017) 70); fill values such as -9999 and -32768 lie beyond.

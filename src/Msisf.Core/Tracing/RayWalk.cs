@@ -41,7 +41,7 @@ internal ref struct RayWalk
     {
         _surface = surface;
         _stopsAtAnyHit = stopsAtAnyHit;
-        _top = surface.ReferenceRadius + MoonConstants.MaxRelief + 1.0;
+        _top = surface.ReferenceRadius + MoonConstants.MaxReliefOver(surface.ReferenceRadius) + 1.0;
         (_near, _offset) = ShiftedRay.From(ray, _top);
         _length = ray.Direction.Length;
         Vector3D direction = ray.Direction / _length;
@@ -53,7 +53,8 @@ internal ref struct RayWalk
         _unitDirection = direction;
         _part = surface.Parts[0];
         _sagitta = _part.Geometry.Sagitta;
-        _bottom = surface.SolidRadius(surface.ReferenceRadius - MoonConstants.MaxRelief - 1.0);
+        _bottom = surface.SolidRadius(
+            surface.ReferenceRadius - MoonConstants.MaxReliefOver(surface.ReferenceRadius) - 1.0);
         _parameter = endParameter - _offset;
         _farthest = PlaceOf(_parameter) + Tolerances.VertexLattice;
     }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text.RegularExpressions;
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Ephemeris;
+using Msisf.Adapters.Tests.CameraExport;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
@@ -254,6 +255,26 @@ public sealed class InstrumentOpticsTests : IDisposable
         Assert.Equal((608, 1), (model.Width, model.Height));
         AssertPixels(model, kernel.Axes(), Line(608), pixel => M3Direction(pixel.Sample));
     }
+
+    /// <summary>The lens of USGSCSM that a camera by its kernel gets, and px that it is off; beyond 0.05 it is refused.</summary>
+    [RequiresTheory(Part.LroNac)]
+    [InlineData(-85600, 4, 0.0, "")]
+    [InlineData(-85610, 4, 0.0, "")]
+    [InlineData(-85634, 1, 226.0, "k3 (its RADIAL")] // the whole detector, most of which no band uses
+    [InlineData(-85641, 7, 0.076, "k3 (its RADIAL")]
+    [InlineData(-85642, 7, 0.044, "k3 (its RADIAL")]
+    [InlineData(-131351, 2, 0.0, "")]
+    [InlineData(-86520, 2, 0.008, "corrections about a centre")]
+    [InlineData(-40024, 1, 0.001, "corrections about a centre")]
+    public void Camera_OfAKernel_GoesThroughUsgscsm(int id, int type, double misfit, string missing) => CsmSensorTests.AssertLens(
+        (id switch
+        {
+            -131351 => Kernel(id, Tc),
+            -86520 => Kernel(id, M3),
+            -40024 => Kernel(id, Uvvis),
+            _ => Lroc(id),
+        }).Camera().Model,
+        type, missing, misfit);
 
     /// <summary>Samples against x and lines along y: the image is right if the camera looks along -z. The film is summed to fit.</summary>
     [Theory]

@@ -130,7 +130,8 @@ public sealed class CsmSensorTests
     private static CameraModel Preset(string name) =>
         CameraFileReader.Read(Path.Combine(TestParts.RepositoryRoot, "cameras", name + ".yaml"), name).Model;
 
-    private static void AssertLens(CameraModel camera, int? type, string missing, double misfit)
+    /// <summary>Checks which lens of USGSCSM a camera gets, how far off it is, and that states with it go both ways.</summary>
+    internal static void AssertLens(CameraModel camera, int? type, string missing, double misfit)
     {
         if (type is null)
         {

@@ -216,6 +216,8 @@ public sealed class CameraFormatsTests
     [InlineData("cam0:\n  camera_model: pinhole\n  distortion_model: fov\n  distortion_coeffs: [0.9]\n"
             + "  intrinsics: [70, 71, 31, 23]\n  resolution: [64, 48]\n",
         "camera.txt, line 3, column 3: the lens 'fov' has no counterpart")]
+    [InlineData("height: 48\nwidth: 64\ndistortion_model: none\nD: [-0.1, 0, 0, 0, 0]\nK: [70, 0, 31, 0, 71, 23, 0, 0, 1]\n",
+        "camera.txt, line 4, column 1: the lens is 'none', but 'D' are not 0. Name the lens, or make them 0")]
     [InlineData("height: 48\nwidth: 64\nbinning_x: 2\nD: []\nK: [70, 0, 31, 0, 71, 23, 0, 0, 1]\n",
         "camera.txt, line 3, column 1: 'binning_x' above 1")]
     [InlineData("height: 48\nwidth: 64\nD: []\nK: [70, 2, 31, 0, 71, 23, 0, 0, 1]\n",

@@ -10,19 +10,19 @@ namespace Msisf.Integration.Tests.Twins;
 /// <summary><c>msis twin</c> on cubes that numpy makes from the camera models of real images; twins.py has ISIS's formulas.</summary>
 public sealed partial class TwinTests(TwinCubes cubes) : IClassFixture<TwinCubes>, IDisposable
 {
-    /// <summary>The lens of M3 is a polynomial fit to 0.008 px.</summary>
-    private const double Tolerance = 0.008;
+    /// <summary>px: the largest is that of NAC's, with 0.5 m a pixel and positions of the layer in float.</summary>
+    private const double Tolerance = 0.001;
 
     private readonly TemporaryFolder _folder = new();
 
     public void Dispose() => _folder.Dispose();
 
     [RequiresTheory(Part.Ldem4, Part.Numpy, Part.LroNac)]
-    [InlineData("clementine", 288 * 384, "clementine-uvvis")]
-    [InlineData("kaguya", 6 * 4096, "kaguya-tc1")]
-    [InlineData("nac", 6 * 5064, "lroc-nac-l")]
-    [InlineData("m3", 5 * 608, "chandrayaan-m3")]
-    public void Tables_OfARealImage_LookWhereIsissFormulasSay(string name, int pixels, string preset)
+    [InlineData("clementine", 288 * 384)]
+    [InlineData("kaguya", 6 * 4096)]
+    [InlineData("nac", 6 * 5064)]
+    [InlineData("m3", 5 * 608)]
+    public void Tables_OfARealImage_LookWhereIsissFormulasSay(string name, int pixels)
     {
         Twin(name);
         string command = Json($"{name}/{name}.twin.layers.json").GetProperty("commandLine").GetString()!;
@@ -32,13 +32,14 @@ public sealed partial class TwinTests(TwinCubes cubes) : IClassFixture<TwinCubes
             : ["--fixed-state", FixedState().Match(command).Value];
         Succeed(
         [
-            "--camera", Word(command, "--camera"), .. exposures, "--renderer", "native", "--layers", "position", "--layers-format", "npy",
+            "--camera", _folder[$"{name}/{name}.twin.camera.yaml"], .. exposures, "--renderer", "native", "--layers", "position",
+            "--layers-format", "npy",
             "--output-dir", _folder["again"], "--output-name", "p", "--batch",
         ]);
 
         string[] found = TwinCubes.Numpy("check", TwinCubes.Models, name, _folder["again/p.position.npy"], "-").Split(' ');
 
-        Assert.Equal(preset, Word(command, "--camera"));
+        Assert.StartsWith($"{name}.twin.camera.yaml", Word(command, "--camera"), StringComparison.Ordinal);
         Assert.Equal(pixels, int.Parse(found[1], CultureInfo.InvariantCulture));
         Assert.True(double.Parse(found[0], CultureInfo.InvariantCulture) < Tolerance, found[0]);
     }

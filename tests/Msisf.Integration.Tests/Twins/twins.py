@@ -104,15 +104,44 @@ def tables_of(model):
             rotation("BodyRotation", model["body_rotation"]), position("SunPosition", model["sun_position"])]
 
 
+# The optics that ISIS takes over from the kernels of these cameras, and that stand in its cubes. Clementine's are those of filter D, NAC's
+# and Kaguya's have a lens twice and ten times as strong as the real one, so that another lens than the cube's own is seen.
+OPTICS = {
+    "clementine": "-40024", "kaguya": "-131351", "nac": "-85600", "m3": "-86520",
+}
+KEYWORDS = {
+    "clementine": "FOCAL_LENGTH = 89.991267|PIXEL_PITCH = 0.023|BORESIGHT_SAMPLE = 192.5|BORESIGHT_LINE = 144.5|"
+                  "TRANSX = (0.0, 0.023, 0.0)|TRANSY = (0.0, 0.0, 0.023)|ITRANSS = (0.0, 43.47826087, 0.0)|"
+                  "ITRANSL = (0.0, 0.0, 43.47826087)|PP = (0.0, 0.0)|OD_K = (0.0, -2.398624e-05, 0.0)|"
+                  "DECENTER = (1.414502e-05, -1.372645e-04)",
+    "kaguya": "FOCAL_LENGTH = 72.45|PIXEL_PITCH = 0.007|BORESIGHT_SAMPLE = 2047.5|BORESIGHT_LINE = 0.0|"
+              "TRANSX = (0.0, 0.0, -0.007)|TRANSY = (0.0, -0.007, 0.0)|ITRANSS = (0.0, 0.0, -142.857142857)|"
+              "ITRANSL = (0.0, -142.857142857, 0.0)|BORESIGHT = (-0.0725, 0.0214, 72.45)|"
+              "DISTORTION_COEF_X = (-9.6499e-4, 9.8441e-4, 8.5773e-5, -3.7438e-6)|"
+              "DISTORTION_COEF_Y = (-1.3796e-3, 1.3502e-5, 2.7251e-5, -6.1938e-6)",
+    "nac": "FOCAL_LENGTH = 699.62|PIXEL_PITCH = 0.007|BORESIGHT_SAMPLE = 2548.0|BORESIGHT_LINE = 0.0|"
+           "TRANSX = (0.0, 0.0, 0.0)|TRANSY = (0.0, 0.007, 0.0)|ITRANSS = (0.0, 0.0, 142.857142857)|"
+           "ITRANSL = (0.0, -142.857142857, 0.0)|OD_K = 3.62e-05",
+    "m3": "FOCAL_LENGTH = 39.63|PIXEL_PITCH = 0.027|BORESIGHT_SAMPLE = 304.5|BORESIGHT_LINE = 0.0|"
+          "TRANSX = (-0.64, -0.0000400552916405788, 0.0269999702883839)|"
+          "TRANSY = (-0.052, -0.0269999702883839, -0.0000400552916405788)|"
+          "ITRANSS = (-1.96108894601637, -0.0549455303711644, -37.036996280362)|"
+          "ITRANSL = (23.7008204518524, 37.036996280362, -0.0549455303711644)|PP = (0.0, 0.0)|"
+          "OD_K = (0.000379921103637315, 0.000213226448051461, -4.01862878758592E-08)|DECENTER = (0.004047, -0.000005)",
+}
+
+
 def naif_of(name, model):
+    """Keywords of the clock and of the optics."""
+    clock = ""
     if name == "nac":
         preroll = model["starting_ephemeris_time"] - 1024.0 * 1.0288e-3 * 1.0045
-        return f"  CLOCK_ET_-85_1/270649237:07208_COMPUTED = {struct.pack('<d', preroll).hex()}\n  INS-85600_FOCAL_LENGTH = 699.62\n"
+        clock = f"  CLOCK_ET_-85_1/270649237:07208_COMPUTED = {struct.pack('<d', preroll).hex()}\n"
     if name == "m3":
-        return f"  CLOCK_ET_-86_12/1759056.764_COMPUTED = {struct.pack('<d', model['starting_ephemeris_time']).hex()}\n"
+        clock = f"  CLOCK_ET_-86_12/1759056.764_COMPUTED = {struct.pack('<d', model['starting_ephemeris_time']).hex()}\n"
     if name == "kaguya":
-        return "  CLOCK_ET_-131_922997380.174174_COMPUTED = eeabd213246bb141\n"  # as ISIS's own cube of the image has it
-    return ""
+        clock = "  CLOCK_ET_-131_922997380.174174_COMPUTED = eeabd213246bb141\n"  # as ISIS's own cube of the image has it
+    return clock + "".join(f"  INS{OPTICS[name]}_{keyword}\n" for keyword in KEYWORDS[name].split("|"))
 
 
 def write_cube(path, name, model, pixels):
@@ -126,7 +155,8 @@ def write_cube(path, name, model, pixels):
     label = (f"Object = IsisCube\n  Object = Core\n    StartByte = {LABEL_BYTES + 1}\n    Format = BandSequential\n    Group = Dimensions\n"
              f"      Samples = {samples}\n      Lines = {lines}\n      Bands = 1\n    End_Group\n    Group = Pixels\n      Type = Real\n"
              "      ByteOrder = Lsb\n      Base = 0.0\n      Multiplier = 1.0\n    End_Group\n  End_Object\n  Group = Instrument\n"
-             f"{GROUPS[name]}    TargetName = Moon\n  End_Group\nEnd_Object\nObject = Label\n  Bytes = {LABEL_BYTES}\nEnd_Object\n"
+             f"{GROUPS[name]}    TargetName = Moon\n  End_Group\n  Group = Kernels\n"
+             f"    NaifFrameCode = {OPTICS[name]}\n  End_Group\nEnd_Object\nObject = Label\n  Bytes = {LABEL_BYTES}\nEnd_Object\n"
              f"{''.join(texts)}Object = NaifKeywords\n{naif_of(name, model)}End_Object\nEnd\n")
     path.write_bytes(label.encode().ljust(LABEL_BYTES, b"\0") + pixels.astype("<f4").tobytes() + b"".join(data for _, data in parts))
 
@@ -171,15 +201,19 @@ def sight(name, samples):
     if name == "clementine":
         lines = np.arange(1, 289)[:, None]
         x = np.broadcast_to((samples - 192.5) * 0.023, (288, len(samples)))
-        return np.stack([x, np.broadcast_to((lines - 144.5) * 0.023, x.shape), np.full(x.shape, 89.874444)], axis=-1), 1 / 0.023
+        y = np.broadcast_to((lines - 144.5) * 0.023, x.shape)
+        rr = x * x + y * y
+        ux = x - 2.398624e-05 * rr * x + 1.414502e-05 * (rr + 2 * x * x) - 2 * 1.372645e-04 * x * y
+        uy = y - 2.398624e-05 * rr * y + 2 * 1.414502e-05 * x * y - 1.372645e-04 * (rr + 2 * y * y)
+        return np.stack([ux, uy, np.full(x.shape, 89.991267)], axis=-1), 1 / 0.023
     if name == "kaguya":
         r = -(samples - 2048.5) * 0.007
-        x = -0.0725 - 9.6499e-4 + 9.8441e-4 * r + 8.5773e-6 * r**2 - 3.7438e-6 * r**3
-        y = 0.0214 + r - 1.3796e-3 + 1.3502e-5 * r + 2.7251e-6 * r**2 - 6.1938e-6 * r**3
+        x = -0.0725 - 9.6499e-4 + 9.8441e-4 * r + 8.5773e-5 * r**2 - 3.7438e-6 * r**3
+        y = 0.0214 + r - 1.3796e-3 + 1.3502e-5 * r + 2.7251e-5 * r**2 - 6.1938e-6 * r**3
         return np.stack([x, y, np.full(x.shape, 72.45)], axis=-1)[None], 1 / 0.007
     if name == "nac":
         y = (samples - 2548.0) * 0.007
-        return np.stack([0 * y, y / (1 + 1.81e-5 * y * y), np.full(y.shape, 699.62)], axis=-1)[None], 1 / 0.007
+        return np.stack([0 * y, y / (1 + 3.62e-5 * y * y), np.full(y.shape, 699.62)], axis=-1)[None], 1 / 0.007
     x = -0.64 - 4.00552916405788e-05 * (samples - 304.5)
     y = -0.052 - 0.0269999702883839 * (samples - 304.5)
     rr = x * x + y * y

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Raster.Pds;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Terrain;
@@ -25,6 +26,11 @@ internal sealed class GdalMapSource : MapSource
         GdalImage file = GdalImage.Open(path, libraryPath);
         try
         {
+            if (file.Driver == "PDS")
+            {
+                PdsLongitudes.RequireGdals(path);
+            }
+
             return new GdalMapSource(file, MapWarp.Of(path, file) ?? file);
         }
         catch
@@ -57,7 +63,7 @@ internal sealed class GdalMapSource : MapSource
         _file.Dispose();
     }
 
-    /// <summary>The extent of an image whose map coordinates are degrees, or metres on the reference sphere.</summary>
+    /// <summary>The extent of an image whose map coordinates are degrees, or lengths on the reference sphere.</summary>
     private static MapExtent? ExtentOf(GdalImage image)
     {
         if (image.GeoTransform() is not [double left, > 0.0 and double across, 0.0, double top, 0.0, < 0.0 and double down])
@@ -68,8 +74,8 @@ internal sealed class GdalMapSource : MapSource
         (double width, double height) = (image.Width * across, image.Height * -down);
         ProjText? proj = image.Projection() is { } projection ? new ProjText(projection) : null;
         bool isDegrees = proj is null ? Math.Max(width, height * 2.0) <= 360.0 * (1.0 + UnitTolerance) : proj.Name == "longlat";
-        double perUnit = isDegrees ? Math.PI / 180.0 : 1.0 / (proj?.Radius ?? MoonConstants.ReferenceRadius);
-        double west = (left * perUnit) + double.DegreesToRadians(isDegrees ? 0.0 : proj?.Number("lon_0") ?? 0.0);
+        double perUnit = isDegrees ? Math.PI / 180.0 : (proj?.MetresPerUnit ?? 1.0) / (proj?.Radius ?? MoonConstants.ReferenceRadius);
+        double west = (left * perUnit) + double.DegreesToRadians(proj?.MiddleLongitude ?? 0.0);
         MapExtent extent = new(west, top * perUnit, width * perUnit, height * perUnit);
         return extent.Width <= 2.0 * Math.PI * (1.0 + UnitTolerance) && extent.Height <= Math.PI * (1.0 + UnitTolerance) ? extent : null;
     }
@@ -99,6 +105,13 @@ internal static class MapWarp
         }
 
         ProjText proj = new(projection);
+        if (proj.Unread is { } unread)
+        {
+            throw new BadInputException(
+                $"{path}: its coordinate system has {unread}, which is not read. If it means nothing for this map, write it anew without: "
+                    + $"gdal_translate -a_srs '{proj.WithoutUnread}'.");
+        }
+
         if (IsOfLatitude(proj) && transform is [_, > 0.0, 0.0, _, 0.0, < 0.0])
         {
             return null;

@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Runtime.InteropServices;
+using Msisf.Adapters.Raster.Pds;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Adapters.Raster.Albedo;
@@ -79,7 +80,7 @@ internal sealed class TiledMapSource : MapSource
     /// <summary>Opens the images of all tiles.</summary>
     /// <exception cref="Core.Errors.BadInputException">An image is missing, unreadable, or shorter than its label says.</exception>
     public TiledMapSource(MapTileLayout layout)
-        : base(layout.Width, layout.Height, layout.Extent, isBytes: layout.Tiles[0].Label.SampleBits == 8)
+        : base(layout.Width, layout.Height, layout.Extent, isBytes: layout.Tiles[0].Label.SampleType.Bytes == 1)
     {
         _layout = layout;
         try
@@ -132,12 +133,12 @@ internal sealed class PdsMapSource : MapSource
     /// <summary>Opens the image of a label.</summary>
     /// <exception cref="BadInputException">The image is missing, unreadable, or shorter than the label says.</exception>
     public PdsMapSource(PdsMapLabel label)
-        : base(label.LineSamples, label.Lines, label.Extent, isBytes: label.SampleBits == 8)
+        : base(label.LineSamples, label.Lines, label.Extent, isBytes: label.SampleType.Bytes == 1)
     {
         _label = label;
         _stream = FileErrors.ToBadInput(
             $"{label.ImagePath}: can't be read", () => new FileStream(label.ImagePath, FileMode.Open, FileAccess.Read, FileShare.Read));
-        long needed = label.ImageOffset + ((long)label.Lines * label.LineSamples * label.SampleBits / 8);
+        long needed = label.ImageOffset + ((long)label.Lines * label.LineSamples * label.SampleType.Bytes);
         long found = _stream.Length;
         if (found < needed)
         {
@@ -151,7 +152,7 @@ internal sealed class PdsMapSource : MapSource
     /// <inheritdoc/>
     public override void Read(int first, int count, Span<float> values)
     {
-        int sampleBytes = _label.SampleBits / 8;
+        int sampleBytes = _label.SampleType.Bytes;
         int length = count * Width * sampleBytes;
         Array.Resize(ref _bytes, Math.Max(_bytes.Length, length));
         FileErrors.ToBadInput($"{_label.ImagePath}: can't be read", () =>
@@ -175,23 +176,23 @@ internal sealed class PdsMapSource : MapSource
     {
         Span<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
         Span<uint> words = MemoryMarshal.Cast<byte, uint>(bytes);
-        bool isReversed = _label.IsMostSignificantFirst == BitConverter.IsLittleEndian;
-        switch (_label.SampleBits)
+        bool isReversed = _label.SampleType.IsBigEndian == BitConverter.IsLittleEndian;
+        switch (_label.SampleType.Bytes)
         {
-            case 8:
+            case 1:
                 for (int i = 0; i < values.Length; i++)
                 {
                     values[i] = bytes[i];
                 }
 
                 break;
-            case 16:
+            case 2:
                 if (isReversed)
                 {
                     BinaryPrimitives.ReverseEndianness(numbers, numbers);
                 }
 
-                bool isSigned = _label.IsSigned;
+                bool isSigned = _label.SampleType.Type == PixelType.Signed16;
                 for (int i = 0; i < values.Length; i++)
                 {
                     values[i] = isSigned ? (short)numbers[i] : numbers[i];

@@ -26,7 +26,6 @@ internal sealed record MapTileLayout(IReadOnlyList<PlacedMapTile> Tiles, int Wid
             labels, label => label.LabelPath, "tile", "map",
             ("MAP_RESOLUTION", label => label.PixelsPerDegree),
             ("SAMPLE_TYPE", label => label.SampleType),
-            ("SAMPLE_BITS", label => label.SampleBits),
             ("SCALING_FACTOR", label => label.ScalingFactor),
             ("OFFSET", label => label.Offset),
             ("UNIT", label => label.Unit));

@@ -9,8 +9,7 @@ namespace Msisf.Adapters.Raster.Albedo;
 /// <param name="ImageOffset">Bytes before the first sample.</param>
 /// <param name="Lines">Pixels from north to south.</param>
 /// <param name="LineSamples">Pixels from west to east.</param>
-/// <param name="SampleType">SAMPLE_TYPE, e.g. "PC_REAL".</param>
-/// <param name="SampleBits">8 or 16 for whole numbers, 32 for real ones.</param>
+/// <param name="SampleType">SAMPLE_TYPE with SAMPLE_BITS: whole numbers of 8 or 16 bits, or real ones of 32.</param>
 /// <param name="ScalingFactor">A step of the stored value.</param>
 /// <param name="Offset">The stored value 0.</param>
 /// <param name="MissingConstant">The value of samples without data; null if the label has none.</param>
@@ -19,16 +18,11 @@ namespace Msisf.Adapters.Raster.Albedo;
 /// <param name="WestDegrees">East longitude of the left edge, degrees.</param>
 /// <param name="NorthDegrees">Latitude of the upper edge, degrees.</param>
 internal sealed record PdsMapLabel(
-    PdsMapHead Head, string ImagePath, long ImageOffset, int Lines, int LineSamples, string SampleType, int SampleBits,
+    PdsMapHead Head, string ImagePath, long ImageOffset, int Lines, int LineSamples, PdsSampleType SampleType,
     double ScalingFactor, double Offset, double? MissingConstant, string Unit, double PixelsPerDegree, double WestDegrees,
     double NorthDegrees)
 {
     public string LabelPath => Head.LabelPath;
-
-    public bool IsSigned => !SampleType.Contains("UNSIGNED", StringComparison.Ordinal);
-
-    public bool IsMostSignificantFirst =>
-        !((string[])["LSB", "PC", "VAX"]).Any(start => SampleType.StartsWith(start, StringComparison.Ordinal));
 
     /// <summary>What the map shows.</summary>
     public MapExtent Extent => new(
@@ -48,9 +42,9 @@ internal sealed record PdsMapLabel(
     {
         PdsObject projection = ProjectionOf(head);
         CheckProjection(projection);
-        double perDegree = projection.RequiredNumber("MAP_RESOLUTION", "PIX/DEG", "PIXEL/DEG", "PIXEL/DEGREE", "PIXELS/DEGREE");
-        double west = projection.RequiredNumber("WESTERNMOST_LONGITUDE", "DEG", "DEGREE");
-        double north = projection.RequiredNumber("MAXIMUM_LATITUDE", "DEG", "DEGREE");
+        double perDegree = projection.RequiredNumber("MAP_RESOLUTION", PdsUnit.PixelsPerDegree);
+        double west = projection.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnit.Degree);
+        double north = projection.RequiredNumber("MAXIMUM_LATITUDE", PdsUnit.Degree);
         PdsMapLabel map = ReadImage(head) with { PixelsPerDegree = perDegree, WestDegrees = west, NorthDegrees = north };
         double slack = 1.0 / perDegree;
         return perDegree > 0.0 && map.LineSamples / perDegree <= 360.0 + slack && map.Lines / perDegree <= 180.0 + slack
@@ -74,11 +68,11 @@ internal sealed record PdsMapLabel(
         PdsObject image = label.FindObject("IMAGE") ?? throw Missing(labelPath, "IMAGE");
         PdsImagePointer pointer = PdsImagePointer.Read(label, label.OptionalInteger("RECORD_BYTES", 1, int.MaxValue));
         string imagePath = pointer.PathBeside(labelPath);
-        string type = image.RequiredText("SAMPLE_TYPE");
-        int bits = image.RequiredInteger("SAMPLE_BITS", 8, 32);
-        if (type.EndsWith("REAL", StringComparison.Ordinal) ? bits != 32 : bits is not (8 or 16))
+        if (PdsSampleType.Of(image) is not
+            { Type: PixelType.Unsigned8 or PixelType.Signed16 or PixelType.Unsigned16 or PixelType.Real32 } type)
         {
-            throw image.WrongValue("SAMPLE_BITS", "whole numbers of 8 or 16 bits, or real ones of 32, are read");
+            throw image.WrongValue("SAMPLE_TYPE", $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not read; "
+                + "whole numbers of 8 or 16 bits, or IEEE reals of 32, are needed");
         }
 
         int samples = image.RequiredInteger("LINE_SAMPLES", 1, int.MaxValue);
@@ -92,10 +86,9 @@ internal sealed record PdsMapLabel(
             Lines: lines,
             LineSamples: samples,
             SampleType: type,
-            SampleBits: bits,
             ScalingFactor: image.OptionalNumber("SCALING_FACTOR") ?? 1.0,
             Offset: image.OptionalNumber("OFFSET") ?? 0.0,
-            MissingConstant: Constant(image, "MISSING_CONSTANT"),
+            MissingConstant: image.Find("MISSING_CONSTANT") is { Items: null } value ? type.Constant(value.Text) : null,
             Unit: image.Find("UNIT")?.Text ?? string.Empty,
             PixelsPerDegree: 0.0,
             WestDegrees: 0.0,
@@ -108,13 +101,9 @@ internal sealed record PdsMapLabel(
         {
             throw projection.WrongValue("MAP_PROJECTION_TYPE", "an equirectangular map with the equator as centre is needed");
         }
-    }
 
-    /// <summary>A number of the label; null if it is missing or written as bits, as the special values of real numbers are.</summary>
-    private static double? Constant(PdsObject image, string keyword) => image.Find(keyword) is { IsQuoted: false, Items: null } value
-        && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
-            ? number
-            : null;
+        PdsLongitudes.RequireEast(projection);
+    }
 
     private static BadInputException Missing(string path, string what) =>
         new($"{path}: a PDS3 label without {what}. Give the label of an equirectangular map.");
@@ -158,9 +147,9 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
 
     /// <summary>Whether a map is equirectangular with the equator as centre.</summary>
     public static bool IsOfLatitude(PdsObject projection) =>
-        projection.RequiredText("MAP_PROJECTION_TYPE").Replace('_', ' ').ToUpperInvariant() is var kind
-        && (kind == "SIMPLE CYLINDRICAL"
-            || (kind == "EQUIRECTANGULAR" && (projection.OptionalNumber("CENTER_LATITUDE", "DEG", "DEGREE") ?? 0.0) == 0.0));
+        PdsValue.WordOf(projection.RequiredText("MAP_PROJECTION_TYPE")) is var kind
+        && (kind == "SIMPLE_CYLINDRICAL"
+            || (kind == "EQUIRECTANGULAR" && (projection.OptionalNumber("CENTER_LATITUDE", PdsUnit.Degree) ?? 0.0) == 0.0));
 
     /// <summary>Whether a product's name has a centre; if not, its map is in one file.</summary>
     public static bool IsTile(string product) => Centre().IsMatch(product);
@@ -179,7 +168,7 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
             using FileStream stream = File.OpenRead(labelPath);
             return PdsLabelParser.TextOf(stream, LongestLabel);
         });
-        return text.StartsWith("PDS_VERSION_ID", StringComparison.Ordinal)
+        return PdsLabelParser.IsLabel(text)
             ? new PdsMapHead(labelPath, PdsLabelParser.Parse(text, labelPath))
             : null;
     }
@@ -198,7 +187,7 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
         }
     }
 
-    private double? AngleOf(string name) => Label.OptionalNumber(name, "DEG", "DEGREE", "DEGREES");
+    private double? AngleOf(string name) => Label.OptionalNumber(name, PdsUnit.Degree);
 
     [GeneratedRegex(@"_(\d{3})NM")]
     private static partial Regex BandInName();

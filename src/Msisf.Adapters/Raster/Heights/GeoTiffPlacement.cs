@@ -137,8 +137,9 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             map = (map.Left / map.Across * exact, map.Top / map.Down * exact, exact, map.Down / map.Across * exact);
         }
 
-        double west = ((map.Left - (proj.Number("x_0") ?? 0.0)) * unit) + proj.MiddleLongitude;
-        double firstLine = (90.0 - ((map.Top - (proj.Number("y_0") ?? 0.0)) * unit)) * resolution;
+        // False eastings and northings are in metres, whatever the unit of the map is.
+        double west = ((map.Left - ((proj.Number("x_0") ?? 0.0) / proj.MetresPerUnit)) * unit) + proj.MiddleLongitude;
+        double firstLine = (90.0 - ((map.Top - ((proj.Number("y_0") ?? 0.0) / proj.MetresPerUnit)) * unit)) * resolution;
         double firstSample = (west - (360.0 * Math.Floor(west / 360.0))) * resolution;
         double turn = 360.0 * resolution;
         firstSample = Math.Abs(firstSample - turn) <= SamePixel ? 0.0 : firstSample;

@@ -21,9 +21,9 @@ internal static class LdemLabelChecks
                 : "SIMPLE CYLINDRICAL is needed for other bodies than the Moon");
         }
 
-        map.CheckText("POSITIVE_LONGITUDE_DIRECTION", "EAST", "EAST is needed");
+        PdsLongitudes.RequireEast(map);
         map.CheckNumber("MAP_PROJECTION_ROTATION", 0.0);
-        if (isMoon && !map.RequiredText("COORDINATE_SYSTEM_NAME").Contains("MEAN EARTH", StringComparison.Ordinal))
+        if (isMoon && !PdsValue.WordOf(map.RequiredText("COORDINATE_SYSTEM_NAME")).Contains("MEAN_EARTH", StringComparison.Ordinal))
         {
             throw map.WrongValue("COORDINATE_SYSTEM_NAME", "the MEAN EARTH/POLAR AXIS frame is needed");
         }
@@ -33,11 +33,12 @@ internal static class LdemLabelChecks
     /// <exception cref="BadInputException">It is none that can be drawn.</exception>
     public static CelestialBody BodyOf(PdsObject root) => root.Find("TARGET_NAME") is not { } target
         ? CelestialBody.Moon
-        : CelestialBody.Find(target.ToString()) ?? throw root.WrongValue(
+        : CelestialBody.Find(target.Word) ?? throw root.WrongValue(
             "TARGET_NAME", $"an elevation model of {string.Join(", ", CelestialBody.All.Select(body => body.CapitalName))} is needed");
 
     /// <summary>Whether the map is a polar stereographic one.</summary>
-    public static bool IsPolar(PdsObject map) => map.RequiredText("MAP_PROJECTION_TYPE") == PolarLabel.ProjectionType;
+    public static bool IsPolar(PdsObject map) =>
+        PdsValue.WordOf(map.RequiredText("MAP_PROJECTION_TYPE")) == PdsValue.WordOf(PolarLabel.ProjectionType);
 
     /// <summary>Checks that lines and samples fill the borders at the resolution, and that the projection's offsets agree.</summary>
     /// <exception cref="BadInputException">They don't.</exception>
@@ -46,22 +47,22 @@ internal static class LdemLabelChecks
         CheckCount(image, "LINES", label.Lines, label.NorthDegrees - label.SouthDegrees, label.PixelsPerDegree);
         CheckCount(image, "LINE_SAMPLES", label.LineSamples, label.EastDegrees - label.WestDegrees, label.PixelsPerDegree);
         CheckPixels(label, map);
-        double centreLatitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnits.Degrees);
-        double centreLongitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnits.Degrees);
+        double centreLatitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnit.Degree);
+        double centreLongitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnit.Degree);
         map.CheckNumber(
-            "LINE_PROJECTION_OFFSET", ((label.NorthDegrees - centreLatitude) * label.PixelsPerDegree) - 0.5, PdsUnits.Pixels);
+            "LINE_PROJECTION_OFFSET", ((label.NorthDegrees - centreLatitude) * label.PixelsPerDegree) - 0.5, PdsUnit.Pixel);
         map.CheckNumber(
-            "SAMPLE_PROJECTION_OFFSET", ((centreLongitude - label.WestDegrees) * label.PixelsPerDegree) - 0.5, PdsUnits.Pixels);
+            "SAMPLE_PROJECTION_OFFSET", ((centreLongitude - label.WestDegrees) * label.PixelsPerDegree) - 0.5, PdsUnit.Pixel);
     }
 
     /// <summary>Checks that the map has the lines and samples of the image.</summary>
     /// <exception cref="BadInputException">It has others.</exception>
     public static void CheckPixels(LdemLabel label, PdsObject map)
     {
-        map.CheckNumber("LINE_FIRST_PIXEL", 1, PdsUnits.Pixels);
-        map.CheckNumber("LINE_LAST_PIXEL", label.Lines, PdsUnits.Pixels);
-        map.CheckNumber("SAMPLE_FIRST_PIXEL", 1, PdsUnits.Pixels);
-        map.CheckNumber("SAMPLE_LAST_PIXEL", label.LineSamples, PdsUnits.Pixels);
+        map.CheckNumber("LINE_FIRST_PIXEL", 1, PdsUnit.Pixel);
+        map.CheckNumber("LINE_LAST_PIXEL", label.Lines, PdsUnit.Pixel);
+        map.CheckNumber("SAMPLE_FIRST_PIXEL", 1, PdsUnit.Pixel);
+        map.CheckNumber("SAMPLE_LAST_PIXEL", label.LineSamples, PdsUnit.Pixel);
     }
 
     /// <summary>
@@ -96,7 +97,7 @@ internal static class LdemLabelChecks
 
         foreach (string axis in new[] { "A_AXIS_RADIUS", "B_AXIS_RADIUS", "C_AXIS_RADIUS" })
         {
-            if (map.OptionalNumber(axis, PdsUnits.Kilometres) is { } radius
+            if (map.OptionalNumber(axis, PdsUnit.Kilometre) is { } radius
                 && Math.Abs((1000.0 * radius) - label.Offset) > Tolerances.LabelRadius)
             {
                 throw map.WrongValue(axis, Invariant($"the heights are over a sphere of {label.Offset:R} m (OFFSET)"));

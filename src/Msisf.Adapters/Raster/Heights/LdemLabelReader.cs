@@ -71,7 +71,7 @@ public static class LdemLabelReader
         PdsObject file = FileHolder(root);
         int? recordBytes = file.OptionalInteger("RECORD_BYTES", 1, int.MaxValue);
         PdsImagePointer pointer = PdsImagePointer.Read(file, recordBytes);
-        double metresPerUnit = MetresPerUnit(image);
+        (string unit, double metresPerUnit) = UnitOf(image);
         LdemLabel label = new(
             LabelPath: labelPath,
             ImagePath: pointer.PathBeside(labelPath),
@@ -84,19 +84,19 @@ public static class LdemLabelReader
             Lines: image.RequiredInteger("LINES", 1, LineLimit),
             LineSamples: image.RequiredInteger("LINE_SAMPLES", 1, 2 * LineLimit),
             SampleType: SampleTypeOf(image),
-            ScalingFactor: metresPerUnit * image.RequiredNumber("SCALING_FACTOR"),
-            Offset: metresPerUnit * image.RequiredNumber("OFFSET"),
-            Minimum: image.OptionalNumber("MINIMUM", []) ?? double.NegativeInfinity,
-            Maximum: image.OptionalNumber("MAXIMUM", []) ?? double.PositiveInfinity,
-            NorthDegrees: map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnits.Degrees),
-            SouthDegrees: map.RequiredNumber("MINIMUM_LATITUDE", PdsUnits.Degrees),
-            WestDegrees: map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnits.Degrees),
-            EastDegrees: map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnits.Degrees),
+            ScalingFactor: metresPerUnit * image.RequiredNumber("SCALING_FACTOR", unit),
+            Offset: metresPerUnit * image.RequiredNumber("OFFSET", unit),
+            Minimum: image.OptionalNumber("MINIMUM") ?? double.NegativeInfinity,
+            Maximum: image.OptionalNumber("MAXIMUM") ?? double.PositiveInfinity,
+            NorthDegrees: map.RequiredNumber("MAXIMUM_LATITUDE", PdsUnit.Degree),
+            SouthDegrees: map.RequiredNumber("MINIMUM_LATITUDE", PdsUnit.Degree),
+            WestDegrees: map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnit.Degree),
+            EastDegrees: map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnit.Degree),
             CoordinateSystem: map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty);
         label = label with
         {
-            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, MoonConstants.PlausibleHeights.Min) : label.Minimum,
-            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, MoonConstants.PlausibleHeights.Max) : label.Maximum,
+            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, label.Body.PlausibleHeights.Min) : label.Minimum,
+            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, label.Body.PlausibleHeights.Max) : label.Maximum,
         };
         if (label.Polar is null)
         {
@@ -113,15 +113,10 @@ public static class LdemLabelReader
         return label;
     }
 
-    /// <summary>
-    /// The sample value of a height of the Moon's, where the label names no limit; of another body that of the most relief.
-    /// </summary>
+    /// <summary>The sample value of a height, for where the label names no limit.</summary>
     private static double LimitOf(LdemLabel label, double height)
     {
-        double radius = label.Body.IsMoon
-            ? MoonConstants.ReferenceRadius + height
-            : label.Offset + Math.CopySign(MoonConstants.MaxRelief, height);
-        double limit = (radius - label.Offset) / label.ScalingFactor;
+        double limit = (label.ReferenceRadius + height - label.Offset) / label.ScalingFactor;
         return label.HasIntegers ? Math.Clamp(limit, short.MinValue, short.MaxValue) : limit;
     }
 
@@ -130,32 +125,28 @@ public static class LdemLabelReader
         new[] { root.FindObject("UNCOMPRESSED_FILE"), root.FindObject("FILE") }
             .FirstOrDefault(candidate => candidate?.Find("^IMAGE") is not null) ?? root;
 
-    private static double MetresPerUnit(PdsObject image) => image.RequiredText("UNIT").ToUpperInvariant() switch
+    private static (string Unit, double Metres) UnitOf(PdsObject image) => PdsUnit.Of(image.RequiredText("UNIT")) switch
     {
-        "METER" or "METERS" or "M" => 1.0,
-        "KILOMETER" or "KILOMETERS" or "KM" => 1000.0,
+        PdsUnit.Metre => (PdsUnit.Metre, 1.0),
+        PdsUnit.Kilometre => (PdsUnit.Kilometre, 1000.0),
         _ => throw image.WrongValue("UNIT", "METER or KILOMETER is needed"),
     };
 
-    private static LdemSampleType SampleTypeOf(PdsObject image)
+    private static LdemSampleType SampleTypeOf(PdsObject image) => PdsSampleType.Of(image) switch
     {
-        int bits = image.RequiredInteger("SAMPLE_BITS", 1, 64);
-        return (image.RequiredText("SAMPLE_TYPE"), bits) switch
-        {
-            ("LSB_INTEGER", 16) => LdemSampleType.Int16LittleEndian,
-            ("MSB_INTEGER", 16) => LdemSampleType.Int16BigEndian,
-            ("PC_REAL", 32) => LdemSampleType.Float32LittleEndian,
-            ("IEEE_REAL", 32) => LdemSampleType.Float32BigEndian,
-            _ => throw image.WrongValue(
-                "SAMPLE_TYPE",
-                $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
-                    + $"16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
-        };
-    }
+        (PixelType.Signed16, false) => LdemSampleType.Int16LittleEndian,
+        (PixelType.Signed16, true) => LdemSampleType.Int16BigEndian,
+        (PixelType.Real32, false) => LdemSampleType.Float32LittleEndian,
+        (PixelType.Real32, true) => LdemSampleType.Float32BigEndian,
+        _ => throw image.WrongValue(
+            "SAMPLE_TYPE",
+            $"with SAMPLE_BITS = {image.Required("SAMPLE_BITS")} it is not known; "
+                + $"16-bit LSB_INTEGER or MSB_INTEGER, or 32-bit PC_REAL or IEEE_REAL are needed"),
+    };
 
     private static int ResolutionOf(PdsObject map)
     {
-        map.RequiredNumber("MAP_RESOLUTION", PdsUnits.PixelsPerDegree);
+        map.RequiredNumber("MAP_RESOLUTION", PdsUnit.PixelsPerDegree);
         return map.RequiredInteger("MAP_RESOLUTION", 1, LineLimit / 180);
     }
 

@@ -1,4 +1,5 @@
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Raster.Pds;
 
 namespace Msisf.Adapters.Raster.Heights;
 
@@ -121,6 +122,11 @@ internal sealed class OpenedRaster : IDisposable
             path, libraryPath, "Give an elevation model in PDS3, or in GeoTIFF or another format of maps that GDAL reads.");
         try
         {
+            if (file.Driver == PdsDriver)
+            {
+                PdsLongitudes.RequireGdals(path);
+            }
+
             GeoTiffPlacement? placement = GeoTiffPlacement.Find(
                 path, file.Width, file.Height, file.GeoTransform(), file.Projection(), out string otherForm, file.Driver == PdsDriver);
             return placement is not null ? new OpenedRaster(file, placement, resampled: null)

@@ -37,13 +37,13 @@ public static class PolarLabel
     /// <exception cref="BadInputException">It is incomplete, or not one of LOLA's polar products.</exception>
     internal static PolarStereographic ProjectionOf(PdsObject map)
     {
-        double latitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnits.Degrees);
+        double latitude = map.RequiredNumber("CENTER_LATITUDE", PdsUnit.Degree);
         if (Math.Abs(latitude) != 90.0)
         {
             throw map.WrongValue("CENTER_LATITUDE", "a pole, -90 or 90, is needed");
         }
 
-        double longitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnits.Degrees);
+        double longitude = map.RequiredNumber("CENTER_LONGITUDE", PdsUnit.Degree);
         if (longitude != 0.0)
         {
             throw map.WrongValue("CENTER_LONGITUDE", "0, as LOLA's polar maps have it, is needed");
@@ -51,7 +51,7 @@ public static class PolarLabel
 
         // On another sphere the same directions lie farther apart, in proportion to its radius.
         double scale = ScaleOf(map);
-        double radius = 1000.0 * map.OptionalNumber("A_AXIS_RADIUS", PdsUnits.Kilometres) ?? MoonConstants.ReferenceRadius;
+        double radius = 1000.0 * map.OptionalNumber("A_AXIS_RADIUS", PdsUnit.Kilometre) ?? MoonConstants.ReferenceRadius;
         CheckResolution(map, scale, radius);
         return new PolarStereographic(
             latitude < 0.0, scale * (MoonConstants.ReferenceRadius / radius), OffsetOf(map, LineOffset), OffsetOf(map, SampleOffset));
@@ -87,12 +87,12 @@ public static class PolarLabel
     {
         (string near, string far) = label.Polar!.IsSouth ? (South, North) : (North, South);
         double sign = label.Polar.IsSouth ? -1.0 : 1.0;
-        if (map.OptionalNumber(near, PdsUnits.Degrees) is { } poleward && !(sign * poleward is > 0.0 and <= 90.0))
+        if (map.OptionalNumber(near, PdsUnit.Degree) is { } poleward && !(sign * poleward is > 0.0 and <= 90.0))
         {
             throw map.WrongValue(near, $"CENTER_LATITUDE = {map.Required("CENTER_LATITUDE")} needs a latitude of that hemisphere");
         }
 
-        if (map.OptionalNumber(far, PdsUnits.Degrees) is not { } outermost)
+        if (map.OptionalNumber(far, PdsUnit.Degree) is not { } outermost)
         {
             return;
         }
@@ -129,18 +129,17 @@ public static class PolarLabel
 
     private static double ScaleOf(PdsObject map)
     {
-        bool isInKilometres = map.Required(Scale).Unit is { } unit
-            && PdsUnits.KilometresPerPixel.Contains(unit, StringComparer.OrdinalIgnoreCase);
+        bool isInKilometres = map.Required(Scale).Unit is { } unit && PdsUnit.Of(unit) == PdsUnit.KilometresPerPixel;
         double scale = isInKilometres
-            ? 1000.0 * map.RequiredNumber(Scale, PdsUnits.KilometresPerPixel)
-            : map.RequiredNumber(Scale, PdsUnits.MetresPerPixel);
+            ? 1000.0 * map.RequiredNumber(Scale, PdsUnit.KilometresPerPixel)
+            : map.RequiredNumber(Scale, PdsUnit.MetresPerPixel);
         return scale is >= MinScale and <= MaxScale ? scale : throw map.WrongValue(Scale, Invariant(
             $"{MinScale:R} to {MaxScale:R} m a pixel are needed"));
     }
 
     private static double OffsetOf(PdsObject map, string keyword)
     {
-        double offset = map.RequiredNumber(keyword, PdsUnits.Pixels);
+        double offset = map.RequiredNumber(keyword, PdsUnit.Pixel);
         return Math.Abs(offset) <= OffsetLimit
             ? offset
             : throw map.WrongValue(keyword, "the pole's place in the image, px, is needed");
@@ -150,7 +149,7 @@ public static class PolarLabel
     {
         const string Keyword = "MAP_RESOLUTION";
         double expected = radius * Math.PI / 180.0 / scale;
-        if (map.OptionalNumber(Keyword, PdsUnits.PixelsPerDegree) is { } given
+        if (map.OptionalNumber(Keyword, PdsUnit.PixelsPerDegree) is { } given
             && !(Math.Abs(given - expected) <= ResolutionRounding * expected))
         {
             throw map.WrongValue(Keyword, Invariant(

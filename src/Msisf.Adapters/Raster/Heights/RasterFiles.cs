@@ -1,5 +1,6 @@
 using System.Text;
 using Msisf.Adapters.Interop;
+using Msisf.Adapters.Raster.Pds;
 
 namespace Msisf.Adapters.Raster.Heights;
 
@@ -11,9 +12,6 @@ public static class RasterFiles
 
     /// <summary>Bytes in which a file says what it is.</summary>
     private const int HeadBytes = 64;
-
-    /// <summary>With what the PDS3 labels begin that <see cref="Pds.PdsLabelParser"/> reads.</summary>
-    private static readonly string[] PdsHeads = ["PDS_VERSION_ID", "CCSD3ZF"];
 
     /// <summary>With what files of other formats begin whose names end like those of PDS3.</summary>
     private static readonly string[] OtherHeads = ["EHFA_HEADER_TAG", "Object = IsisCube"];
@@ -75,8 +73,7 @@ public static class RasterFiles
     /// <summary>An image or label of PDS3 that is damaged is told by the reader of such files.</summary>
     private static bool IsNameOfPdsFile(string path) => Path.GetExtension(path).ToUpperInvariant() is ".IMG" or ".LBL" or ".LAB";
 
-    private static bool IsPdsLabel(string path) =>
-        Array.Exists(PdsHeads, start => Head(path).TrimStart().StartsWith(start, StringComparison.Ordinal));
+    private static bool IsPdsLabel(string path) => PdsLabelParser.IsLabel(Head(path));
 
     /// <summary>
     /// Whether a file named like one of PDS3 is of another format after all: ERDAS's files end in .img too, labels of ISIS in .lbl.

@@ -28,7 +28,9 @@ internal sealed class ResampledMap : IDisposable
     private double[] _columns = [];
     private double[] _rows = [];
     private float[] _pixels = [];
-    private Neighbours[] _across = [];
+    private int[] _left = [];
+    private int[] _right = [];
+    private double[] _across = [];
 
     private ResampledMap(GdalImage map, MapPlane plane, GeoTiffPlacement placement)
     {
@@ -99,26 +101,46 @@ internal sealed class ResampledMap : IDisposable
         }
 
         UndeclaredGaps found = ReadBox(box, rule);
-        Span<Neighbours> across = Sized(ref _across, columns.Length);
+        Span<int> left = Sized(ref _left, columns.Length);
+        Span<int> right = Sized(ref _right, columns.Length);
+        Span<double> across = Sized(ref _across, columns.Length);
         for (int i = 0; i < columns.Length; i++)
         {
-            across[i] = Neighbours.Of(columns[i], box.Column, _plane.Width, _plane.IsRing);
+            PixelNeighbours of = PixelNeighbours.Of(columns[i], box.Column, _plane.Width, _plane.IsRing);
+            (left[i], right[i], across[i]) = (of.First, of.Second, of.Part);
         }
 
         for (int i = 0; i < lines; i++)
         {
             Span<float> row = values.Slice(i * stride, samples);
-            Neighbours down = _isLattice ? DownAt(rows[i]) : default;
+            if (_isLattice)
+            {
+                Blend(row, rows[i], left, right, across);
+                continue;
+            }
+
             for (int j = 0; j < samples; j++)
             {
-                int place = _isLattice ? j : (i * samples) + j;
-                row[j] = Between(box.Columns, _isLattice ? down : DownAt(rows[place]), across[place]);
+                int place = (i * samples) + j;
+                Blend(row.Slice(j, 1), rows[place], left.Slice(place, 1), right.Slice(place, 1), across.Slice(place, 1));
             }
         }
 
         return found;
 
-        Neighbours DownAt(double row) => Neighbours.Of(row, box.Row, _plane.Height, isRing: false);
+        void Blend(Span<float> target, double row, ReadOnlySpan<int> before, ReadOnlySpan<int> behind, ReadOnlySpan<double> part)
+        {
+            PixelNeighbours down = PixelNeighbours.Of(row, box.Row, _plane.Height, isRing: false);
+            if (double.IsNaN(down.Part) || box.IsEmpty)
+            {
+                target.Fill(float.NaN);
+                return;
+            }
+
+            Bilinear.Blend(
+                target, _pixels.AsSpan(down.First * box.Columns, box.Columns), _pixels.AsSpan(down.Second * box.Columns, box.Columns),
+                down.Part, before, behind, part);
+        }
     }
 
     private UndeclaredGaps Halves(int line, int lines, int sample, int samples, Span<float> values, int stride, HeightRule rule)
@@ -195,55 +217,10 @@ internal sealed class ResampledMap : IDisposable
         return found;
     }
 
-    private float Between(int columns, Neighbours down, Neighbours across)
-    {
-        if (down.First < 0 || across.First < 0)
-        {
-            return float.NaN;
-        }
-
-        int first = (down.First * columns) + across.First;
-        double upper = Along(first, across.Part);
-        return (float)(down.Part == 0.0 ? upper : upper + (down.Part * (Along(first + columns, across.Part) - upper)));
-    }
-
-    private double Along(int first, double right)
-    {
-        double left = _pixels[first];
-        return right == 0.0 ? left : left + (right * (_pixels[first + 1] - left));
-    }
-
     private static Span<T> Sized<T>(ref T[] buffer, int count)
     {
         buffer = buffer.Length < count ? new T[count] : buffer;
         return buffer.AsSpan(0, count);
-    }
-
-    /// <summary>The two rows or columns between which a place lies.</summary>
-    /// <param name="First">The first of them, counted in the box that is read; -1 of a place beside the map.</param>
-    /// <param name="Part">How far it lies behind that: 0 on it, below 1.</param>
-    private readonly record struct Neighbours(int First, double Part)
-    {
-        /// <summary>px: a place so far beside a border lies on it; GDAL's pixels are as wide as labels round them.</summary>
-        private const double OnBorder = 0.05;
-
-        /// <summary>1: a part below is rounding; the place is that of a pixel.</summary>
-        private const double OnPixel = 1e-9;
-
-        public static Neighbours Of(double place, int origin, int size, bool isRing)
-        {
-            if (!(place >= -0.5 - OnBorder && place <= size - 0.5 + OnBorder) && !(isRing && double.IsFinite(place)))
-            {
-                return new Neighbours(-1, 0.0);
-            }
-
-            place = isRing ? place : Math.Clamp(place, 0.0, size - 1.0);
-            double first = Math.Floor(place);
-            double part = place - first;
-            return part > 1.0 - OnPixel
-                ? new Neighbours((int)first + 1 - origin, 0.0)
-                : new Neighbours((int)first - origin, part < OnPixel ? 0.0 : part);
-        }
     }
 
     /// <summary>Pixels around places.</summary>

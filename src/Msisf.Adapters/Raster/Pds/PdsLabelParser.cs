@@ -9,6 +9,8 @@ namespace Msisf.Adapters.Raster.Pds;
 /// <remarks>Planetary Data System Standards Reference 3.8, chapters 5 and 12.</remarks>
 internal sealed class PdsLabelParser
 {
+    private static readonly string[] FirstKeywords = ["PDS_VERSION_ID", "CCSD3ZF0000100000001NJPL3IF0PDSX00000001"];
+
     private readonly PdsTokenizer _tokens;
     private readonly string _file;
     private PdsToken _token;
@@ -29,6 +31,14 @@ internal sealed class PdsLabelParser
         return Encoding.Latin1.GetString(bytes, 0, stream.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false));
     }
 
+    /// <summary>Whether a text begins as a PDS3 label, with or without the mark of a standard formatted data unit.</summary>
+    public static bool IsLabel(string text)
+    {
+        string start = text.TrimStart('\uFEFF', 'ï', '»', '¿', ' ', '\r', '\n', '\t');
+        return start.StartsWith("PDS_VERSION_ID", StringComparison.OrdinalIgnoreCase)
+            || start.StartsWith("CCSD3ZF", StringComparison.OrdinalIgnoreCase);
+    }
+
     /// <summary>Reads a label up to its END.</summary>
     /// <param name="text">The label; what follows END (an attached image) is not looked at.</param>
     /// <param name="file">Name for messages.</param>
@@ -36,9 +46,9 @@ internal sealed class PdsLabelParser
     public static PdsObject Parse(string text, string file)
     {
         PdsLabelParser parser = new(text, file);
-        if (parser._token is not { Kind: PdsTokenKind.Word, Text: "PDS_VERSION_ID" or "CCSD3ZF0000100000001NJPL3IF0PDSX00000001" })
+        if (parser._token.Kind != PdsTokenKind.Word || !FirstKeywords.Contains(parser._token.Text, StringComparer.OrdinalIgnoreCase))
         {
-            bool isIsis2 = text.StartsWith("CCSD3ZF", StringComparison.Ordinal) && text.Contains("^QUBE", StringComparison.Ordinal);
+            bool isIsis2 = IsLabel(text) && text.Contains("^QUBE", StringComparison.Ordinal);
             throw new BadInputException(isIsis2
                 ? $"{file}: a cube of ISIS 2, which is not read. Give the PDS product that it was made from, or a cube of ISIS 3 or later."
                 : $"{file}: not a PDS3 label (it does not begin with PDS_VERSION_ID). Give the .LBL file that belongs to it.");
@@ -101,7 +111,7 @@ internal sealed class PdsLabelParser
         {
             Advance();
             PdsToken name = Take(PdsTokenKind.Word, "an object's name");
-            if (name.Text != target.Name)
+            if (!name.Text.Equals(target.Name, StringComparison.OrdinalIgnoreCase))
             {
                 throw Wrong(name, need);
             }

@@ -12,7 +12,10 @@ internal sealed record PdsValue(string Text, bool IsQuoted, string? Unit, IReadO
     /// The text as a word of the standard: capitals, with one underscore for blanks, hyphens and underscores. "Band Sequential" is
     /// BAND_SEQUENTIAL.
     /// </summary>
-    public string Word => string.Join('_', Text.ToUpperInvariant().Split(
+    public string Word => WordOf(Text);
+
+    /// <summary>A text as <see cref="Word"/> has it.</summary>
+    public static string WordOf(string text) => string.Join('_', text.ToUpperInvariant().Split(
         (char[])[' ', '\t', '\r', '\n', '-', '_'], StringSplitOptions.RemoveEmptyEntries));
 
     /// <summary>As the label writes it, on one line.</summary>
@@ -21,27 +24,15 @@ internal sealed record PdsValue(string Text, bool IsQuoted, string? Unit, IReadO
         : $"({string.Join(", ", Items)})";
 }
 
-/// <summary>The spellings of units that labels use; the first is NASA's in LDEM labels.</summary>
-internal static class PdsUnits
-{
-    public static readonly string[] Degrees = ["deg", "degree", "degrees"];
-    public static readonly string[] PixelsPerDegree = ["pix/deg", "pixel/deg", "pixel/degree", "pixels/degree"];
-    public static readonly string[] Pixels = ["pix", "pixel", "pixels"];
-    public static readonly string[] MetresPerPixel = ["m/pix", "m/pixel", "meter/pix", "meter/pixel", "meters/pix", "meters/pixel"];
-    public static readonly string[] KilometresPerPixel =
-        ["km/pix", "km/pixel", "kilometer/pix", "kilometer/pixel", "kilometers/pix", "kilometers/pixel"];
-
-    public static readonly string[] Kilometres = ["km", "kilometer", "kilometers"];
-}
-
 /// <summary>An OBJECT or GROUP of a PDS3 label, or the label itself: keywords with their values, and objects inside it.</summary>
 /// <param name="file">Name of the label's file for messages.</param>
 /// <param name="name">Name of the object, e.g. "IMAGE_MAP_PROJECTION".</param>
 /// <param name="line">Line where it begins, from 1.</param>
+/// <remarks>Names of keywords and objects are the same in small letters and in capitals.</remarks>
 internal sealed class PdsObject(string file, string name, int line)
 {
-    private readonly Dictionary<string, PdsValue> _values = new(StringComparer.Ordinal);
-    private readonly Dictionary<string, PdsValue> _contradictions = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, PdsValue> _values = new(StringComparer.OrdinalIgnoreCase);
+    private readonly Dictionary<string, PdsValue> _contradictions = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<PdsObject> _children = [];
 
     public string Name => name;
@@ -55,8 +46,9 @@ internal sealed class PdsObject(string file, string name, int line)
         : _values.GetValueOrDefault(keyword);
 
     /// <summary>The first object of a name, in the order of the label, however deep; null if there is none.</summary>
-    public PdsObject? FindObject(string wanted) =>
-        _children.Select(child => child.Name == wanted ? child : child.FindObject(wanted)).FirstOrDefault(found => found is not null);
+    public PdsObject? FindObject(string wanted) => _children
+        .Select(child => child.Name.Equals(wanted, StringComparison.OrdinalIgnoreCase) ? child : child.FindObject(wanted))
+        .FirstOrDefault(found => found is not null);
 
     /// <summary>This object and all below it, in the order of the label.</summary>
     public IEnumerable<PdsObject> All => _children.SelectMany(child => child.All).Prepend(this);
@@ -81,20 +73,22 @@ internal sealed class PdsObject(string file, string name, int line)
         return value.Items is null && value.Text.Length > 0 ? value.ToString() : throw WrongValue(keyword, "one text is needed");
     }
 
-    /// <summary>The number of a keyword that must be there; its unit, if it has one, must be one of the given spellings.</summary>
+    /// <summary>
+    /// The number of a keyword that must be there; its unit, if it has one, must be the given one of <see cref="PdsUnit"/>.
+    /// </summary>
     /// <exception cref="BadInputException">It is missing, no finite number, or has another unit.</exception>
-    public double RequiredNumber(string keyword, params string[] units) => Number(keyword, Required(keyword), units);
+    public double RequiredNumber(string keyword, string? unit = null) => Number(keyword, Required(keyword), unit);
 
     /// <summary>The number of a keyword; null if it is missing or 'N/A'.</summary>
     /// <exception cref="BadInputException">It is no finite number, or has another unit.</exception>
-    public double? OptionalNumber(string keyword, params string[] units) =>
-        Find(keyword) is { Text: not "N/A" } value ? Number(keyword, value, units) : null;
+    public double? OptionalNumber(string keyword, string? unit = null) =>
+        Find(keyword) is { } value && value.Word != "N/A" ? Number(keyword, value, unit) : null;
 
     /// <summary>The whole number of a keyword that must be there.</summary>
     /// <exception cref="BadInputException">It is missing, no whole number, or out of range.</exception>
     public int RequiredInteger(string keyword, int minimum, int maximum)
     {
-        double number = Number(keyword, Required(keyword), []);
+        double number = Number(keyword, Required(keyword), unit: null);
         return number == Math.Floor(number) && number >= minimum && number <= maximum
             ? (int)number
             : throw WrongValue(keyword, $"a whole number from {minimum} to {maximum} is needed");
@@ -105,11 +99,11 @@ internal sealed class PdsObject(string file, string name, int line)
     public int? OptionalInteger(string keyword, int minimum, int maximum) =>
         Find(keyword) is null ? null : RequiredInteger(keyword, minimum, maximum);
 
-    /// <summary>Checks that a text, if the label has it, is the expected one.</summary>
+    /// <summary>Checks that a word, if the label has it, is the expected one.</summary>
     /// <exception cref="BadInputException">It is another one.</exception>
     public void CheckText(string keyword, string expected, string need)
     {
-        if (Find(keyword) is { } value && value.ToString() != expected)
+        if (Find(keyword) is { } value && value.Word != PdsValue.WordOf(expected))
         {
             throw WrongValue(keyword, need);
         }
@@ -117,9 +111,9 @@ internal sealed class PdsObject(string file, string name, int line)
 
     /// <summary>Checks that a number, if the label has it, is the expected one.</summary>
     /// <exception cref="BadInputException">It is another one.</exception>
-    public void CheckNumber(string keyword, double expected, params string[] units)
+    public void CheckNumber(string keyword, double expected, string? unit = null)
     {
-        if (OptionalNumber(keyword, units) is { } number && number != expected)
+        if (OptionalNumber(keyword, unit) is { } number && number != expected)
         {
             throw WrongValue(keyword, Invariant($"the rest of the label needs {expected:R}"));
         }
@@ -145,13 +139,13 @@ internal sealed class PdsObject(string file, string name, int line)
     /// <summary>Adds an object while the label is read.</summary>
     public void Add(PdsObject child) => _children.Add(child);
 
-    private double Number(string keyword, PdsValue value, string[] units) =>
+    private double Number(string keyword, PdsValue value, string? unit) =>
         value.Items is not null || value.IsQuoted || !double.TryParse(
             value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !double.IsFinite(number)
             ? throw WrongValue(keyword, value, "a finite number is needed")
-            : units.Length == 0 || value.Unit is null || units.Contains(value.Unit, StringComparer.OrdinalIgnoreCase)
+            : unit is null || value.Unit is null || PdsUnit.Of(value.Unit) == unit
                 ? number
-                : throw WrongValue(keyword, value, $"the unit <{units[0]}> is needed");
+                : throw WrongValue(keyword, value, $"the unit <{unit}> is needed");
 }
 
 /// <summary>Checks that the labels of one product's files say the same.</summary>

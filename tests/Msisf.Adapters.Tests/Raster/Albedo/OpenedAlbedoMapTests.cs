@@ -17,6 +17,8 @@ public sealed class OpenedAlbedoMapTests : IDisposable
     [Theory]
     [InlineData("UNSIGNED_INTEGER", 8, 1.0, "SCALING_FACTOR = 0.001\r\n OFFSET = 0.02")]
     [InlineData("LSB_INTEGER", 16, 10.0, "SCALING_FACTOR = 0.0001\r\n OFFSET = 0.02")]
+    [InlineData("\"lsb integer\"", 16, 100.0, "SCALING_FACTOR = 1E-5\r\n OFFSET = 0.02\r\n MISSING_CONSTANT = 16#8000#")]
+    [InlineData("\"Pc Real\"", 32, 0.001, "OFFSET = 0.02\r\n MISSING_CONSTANT = 16#FF7FFFFB#")]
     [InlineData("MSB_UNSIGNED_INTEGER", 16, 100.0, "SCALING_FACTOR = 1E-5\r\n OFFSET = 0.02")]
     [InlineData("PC_REAL", 32, 0.001, "OFFSET = 0.02")]
     [InlineData("IEEE_REAL", 32, 0.001, "OFFSET = 0.02")]
@@ -101,12 +103,70 @@ public sealed class OpenedAlbedoMapTests : IDisposable
     {
         string path = PdsMap.Write(_folder, "SOME_MAP", "PC_REAL", 32, 1, (_, _) => 0.1);
 
-        Assert.Contains(
-            "its incidence, emission and phase angle is not known", Refused(path, new MapProperties()), StringComparison.Ordinal);
+        string unknown = Refused(path, new MapProperties());
+        Assert.Contains("its incidence, emission and phase angle is not known", unknown, StringComparison.Ordinal);
+        MapProperties advised = MapProperties.Parse(unknown[unknown.IndexOf("scale=", StringComparison.Ordinal)..].TrimEnd('.'));
+        using (OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, advised, 643, _folder["cache"], gdalPath: null))
+        {
+            Assert.Equal(new ReferenceGeometry(60.0, 0.0, 60.0), map.Map.Reference);
+            Assert.Equal(-Math.PI, map.Map.Extent.West, 1e-12);
+        }
+
         Assert.Contains(
             "no surface has incidence 60, emission 0 and phase angle 30",
             Refused(path, MapProperties.Parse("incidence=60,emission=0,phase=30")),
             StringComparison.Ordinal);
+    }
+
+    /// <summary>A label that counts longitudes to the west; the one that counts to the east is read.</summary>
+    [Fact]
+    public void Open_LongitudesToTheWest_AreRefused()
+    {
+        string path = PdsMap.Write(_folder, "WAC_EMP_643NM_TEST", "PC_REAL", 32, 1, (_, _) => 0.1);
+        byte[] map = File.ReadAllBytes(path);
+        "POSITIVE_LONGITUDE_DIRECTION = WEST <X>\r\nEND_OBJECT = IMAGE_MAP_PROJECTION\r\nEND\r\n"u8.CopyTo(
+            map.AsSpan(map.AsSpan().IndexOf("END_OBJECT = IMAGE_MAP_PROJECTION"u8)));
+        File.WriteAllBytes(path, map);
+
+        Assert.Contains(
+            "POSITIVE_LONGITUDE_DIRECTION = WEST <X>; EAST is needed", Refused(path, new MapProperties()), StringComparison.Ordinal);
+    }
+
+    /// <summary>Parts of a coordinate system that move or scale a map of the reflectance count as they do for heights.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("s, t = '+proj=longlat +R=1737400', [30, 0.01, 0, 20, 0, -0.01]", 30.0)]
+    [InlineData("s, t = '+proj=longlat +R=1737400 +pm=10', [20, 0.01, 0, 20, 0, -0.01]", 30.0)]
+    [InlineData("k = 0.303233504; s, t = '+proj=eqc +R=1737400 +units=km', [3000 * k, k, 0, 2000 * k, 0, -k]", 30.0)]
+    [InlineData("k = 303.233504; s, t = '+proj=eqc +R=1737400 +pm=25', [500 * k, k, 0, 2000 * k, 0, -k]", 30.0)]
+    public void Open_MeridianAndUnit_AreThoseOfTheFile(string then, double west)
+    {
+        string path = Heights.TestRaster.Write(_folder, "site.tif", then);
+        MapProperties given = MapProperties.Parse("scale=1e-4,incidence=60,emission=0,phase=60");
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(path, given, 643, _folder["cache"], gdalPath: null);
+
+        const double rounded = 1e-6; // degrees: the pixels of the files in m have nine digits
+        Assert.Equal(west, double.RadiansToDegrees(map.Map.Extent.West), rounded);
+        Assert.Equal(20.0, double.RadiansToDegrees(map.Map.Extent.North), rounded);
+        Assert.Equal(3.0, double.RadiansToDegrees(map.Map.Extent.Width), rounded);
+    }
+
+    /// <summary>A map of the Moon whose file says that it is of the Earth: the advised program writes the right system into it.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Open_MapOfAnotherSphere_IsReadAsAdvised()
+    {
+        string path = Heights.TestRaster.Write(_folder, "site.tif", "s = '+proj=stere +lat_0=-90 +datum=WGS84'");
+        MapProperties given = MapProperties.Parse("scale=1e-4,incidence=60,emission=0,phase=60");
+        string message = Assert.Throws<BadInputException>(
+            () => OpenedAlbedoMap.Open(path, given, 643, _folder["cache"], gdalPath: null)).Message;
+        Assert.EndsWith("correct it with gdal_translate -a_srs.", message, StringComparison.Ordinal);
+        ChildRun.Of(
+            "gdal_translate", ["-q", "-a_srs", "+proj=stere +lat_0=-90 +R=1737400 +units=m", path, _folder["new.tif"]],
+            _folder.Path).Succeeded();
+
+        using OpenedAlbedoMap map = OpenedAlbedoMap.Open(_folder["new.tif"], given, 643, _folder["cache"], gdalPath: null);
+
+        Assert.InRange(map.Map.Extent.North, -1.6, -1.4); // rad: at the south pole
     }
 
     [Fact]

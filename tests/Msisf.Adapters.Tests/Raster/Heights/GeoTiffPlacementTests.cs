@@ -88,6 +88,25 @@ public sealed class GeoTiffPlacementTests
         new GridWindow(120, 600, 40, 140),
         Of("a.tif", 100, 480, [0.0, 0.25, 0.0, 60.0, 0.0, -0.25], "+proj=longlat +R=1737400 +pm=10").Window);
 
+    /// <summary>The same map in metres and in kilometres, with its origin moved by whole pixels; PROJ's x_0 and y_0 are metres.</summary>
+    [Theory]
+    [InlineData("+units=m", 1.0)]
+    [InlineData("+units=km", 1000.0)]
+    [InlineData("+to_meter=2", 2.0)]
+    public void Of_FalseEastingInAnyUnit_IsTheSamePlace(string units, double metres)
+    {
+        double pixel = 1_737_400.0 * Math.PI / 180.0 / 4.0;
+        (double east, double north) = (100.0 * pixel, -60.0 * pixel);
+        double[] transform = [.. ((double[])[(40.0 * pixel) + east, pixel, 0.0, (240.0 * pixel) + north, 0.0, -pixel])
+            .Select(number => number / metres)];
+
+        Assert.Equal(
+            new GridWindow(120, 600, 40, 140),
+            Of(
+                "a.tif", 100, 480, transform,
+                FormattableString.Invariant($"+proj=eqc +R=1737400 +x_0={east:R} +y_0={north:R} {units}")).Window);
+    }
+
     /// <summary>Labels of PDS3 round the size of a pixel; its place in pixels from the origin they do not.</summary>
     [Fact]
     public void Of_RoundedScale_IsTheWholeNumberOfPixels()

@@ -26,12 +26,16 @@ public class LdemLabelReaderTests
     [Theory]
     [InlineData("MSB_INTEGER", LdemSampleType.Int16BigEndian)]
     [InlineData("LSB_INTEGER", LdemSampleType.Int16LittleEndian)]
+    [InlineData("SUN_INTEGER", LdemSampleType.Int16BigEndian)]
+    [InlineData("\"VAX INTEGER\"", LdemSampleType.Int16LittleEndian)]
     public void Read_IntegerTypes_AreKnown(string sampleType, LdemSampleType expected) =>
         Assert.Equal(expected, Read(TestModel.Label.Replace("LSB_INTEGER", sampleType, StringComparison.Ordinal)).SampleType);
 
     [Theory]
     [InlineData("PC_REAL", LdemSampleType.Float32LittleEndian)]
     [InlineData("IEEE_REAL", LdemSampleType.Float32BigEndian)]
+    [InlineData("\"PC REAL\"", LdemSampleType.Float32LittleEndian)]
+    [InlineData("mac-real", LdemSampleType.Float32BigEndian)]
     public void Read_FloatsInKilometres_BecomeMetres(string sampleType, LdemSampleType expected)
     {
         LdemLabel label = Read(TestModel.FloatLabel(sampleType));
@@ -157,6 +161,54 @@ public class LdemLabelReaderTests
         Assert.Contains(
             "no OBJECT = IMAGE_MAP_PROJECTION", Assert.Throws<BadInputException>(() => Read(text)).Message, StringComparison.Ordinal);
     }
+
+    // Spellings of the same facts: blanks and underscores, capitals, plurals, other words for a unit.
+    [Theory]
+    [InlineData("SIMPLE CYLINDRICAL", "Simple_Cylindrical")]
+    [InlineData("\"EAST\"", "east")]
+    [InlineData("MEAN EARTH/POLAR AXIS", "MEAN_EARTH/POLAR_AXIS")]
+    [InlineData("= MOON", "= \"Moon\"")]
+    [InlineData("UNIT                  = METER", "UNIT = \"metres\"")]
+    [InlineData("UNIT                  = METER", "Unit = m")]
+    [InlineData("<pix/deg>", "<PIXELS / DEGREE>")]
+    [InlineData("<deg>", "<DEGREES>")]
+    [InlineData("<km>", "<KILOMETRES>")]
+    [InlineData("LINE_SAMPLES ", "line_samples ")]
+    [InlineData("= IMAGE_MAP_PROJECTION", "= Image_Map_Projection")]
+    [InlineData("OFFSET                = 1737400.", "OFFSET = 1737400. <m>")]
+    [InlineData("SAMPLE_BITS           = 16", "SAMPLE_BITS = 16 ENCODING_TYPE = \"n/a\"")]
+    [InlineData("PDS_VERSION_ID", "CCSD3ZF0000100000001NJPL3IF0PDSX00000001 = SFDU_LABEL\nPDS_VERSION_ID")]
+    public void Read_OtherSpelling_SaysTheSame(string was, string becomes)
+    {
+        string text = TestModel.Label.Replace(was, becomes, StringComparison.Ordinal);
+        Assert.NotEqual(TestModel.Label, text);
+
+        Assert.Equal(Read(TestModel.Label), Read(text) with { CoordinateSystem = "MEAN EARTH/POLAR AXIS OF DE421" });
+    }
+
+    /// <summary>Without MINIMUM and MAXIMUM a sample may have what the body's ground can: here steps of 0.5 m.</summary>
+    [Theory]
+    [InlineData("MOON", 1737400, -19000.0, 23000.0)]
+    [InlineData("MERCURY", 2439400, -14000.0, 12000.0)]
+    [InlineData("MARS", 3396190, -32768.0, 32767.0)] // the sample's own limits
+    [InlineData("EUROPA", 1560800, -12000.0, 12000.0)]
+    public void Read_WithoutLimits_TakesThoseOfTheBody(string body, int radius, double minimum, double maximum)
+    {
+        LdemLabel label = Read(TestModel.Label
+            .Replace("= MOON", $"= {body}", StringComparison.Ordinal)
+            .Replace("1737400.", $"{radius}.", StringComparison.Ordinal)
+            .Replace("= 1737.4 ", $"= {radius / 1000}.{radius % 1000:000} ", StringComparison.Ordinal)
+            .Replace("MAXIMUM               = 21008", "X = 1", StringComparison.Ordinal)
+            .Replace("MINIMUM               = -17758", "Y = 1", StringComparison.Ordinal));
+
+        Assert.Equal((minimum, maximum), (label.Minimum, label.Maximum));
+    }
+
+    [Fact]
+    public void Read_OffsetWithAnotherUnit_IsRefused() => Assert.Contains(
+        "OFFSET = 1737.4 <km>; the unit <m> is needed",
+        Assert.Throws<BadInputException>(() => Read(TestModel.Label.Replace("1737400.", "1737.4 <km>", StringComparison.Ordinal))).Message,
+        StringComparison.Ordinal);
 
     [Fact]
     public void Read_CrLfLabel_IsTheSame() =>

@@ -46,6 +46,129 @@ public sealed partial class RasterAdviceTests : IDisposable
         Assert.InRange(radius[0], middle - 25.0, middle + 25.0); // the file's slopes over some pixels
     }
 
+    /// <summary>Longitudes to the west, or from another meridian: the advised coordinate system is written into the file.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("+axis=wnu")]
+    [InlineData("+pm=paris")]
+    public void Open_LongitudesOfAnotherKind_AreReadAsAdvised(string part)
+    {
+        const string Degrees = "s, t = '+proj=longlat +R=1737400', [30, 0.001, 0, 20.28, 0, -0.001]";
+        string path = TestRaster.Write(_folder, "site.tif", Degrees);
+        string message = Assert.Throws<BadInputException>(() => GeoTiffPlacement.Find(
+            path, 300, 280, [30.0, 0.001, 0.0, 20.28, 0.0, -0.001], $"+proj=longlat +R=1737400 {part}", out _)).Message;
+        Match command = Command().Match(message);
+        Assert.Contains(part, message, StringComparison.Ordinal);
+        string[] words = [.. Words().Matches(command.Groups["arguments"].Value).Select(word => word.Value.Trim('\''))];
+        ChildRun.Of(command.Groups["program"].Value, ["-q", .. words, path, _folder["new.tif"]], _folder.Path).Succeeded();
+
+        using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
+
+        Assert.Equal((69_720, 30_000), (grid.Window.FirstLine, grid.Window.FirstSample));
+    }
+
+    /// <summary>A band whose numbers all mean the same height gets the factor and the offset of the message.</summary>
+    [RequiresFact(Part.Gdal, Part.GdalLibrary)]
+    public void Open_ScaleOfZero_IsReadAsAdvised()
+    {
+        string path = TestRaster.Write(_folder, "site.tif", "scale, offset = 0.0, 5.0");
+        Match command = Scale().Match(Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message);
+        ChildRun.Of("gdal_translate", ["-q", .. command.Value.Split(' ')[1..], path, _folder["new.tif"]], _folder.Path).Succeeded();
+
+        using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
+        double[] radius = new double[1];
+        grid.ReadRadii(grid.Window.FirstLine + 77, grid.Window.FirstSample + 131, radius);
+        Assert.Equal(1_737_400.0 + TestRaster.HeightAt(77, 131), radius[0], 1e-3); // m: the file's floats
+    }
+
+    /// <summary>Heights in units that are not read, or not even known: the advised option makes metres of them.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("ft", 0.3048)]
+    [InlineData("US survey foot", 0.3048006096)]
+    [InlineData("fathom", 1.8288)]
+    public void Open_OtherUnit_IsReadAsAdvised(string unit, double metres)
+    {
+        string path = TestRaster.Write(_folder, "site.tif", FormattableString.Invariant($"a /= {metres:R}; unit = '{unit}'"));
+        string message = Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message;
+        string option = Option().Match(message).Groups[1].Value.Replace(
+            "METRES", metres.ToString("R", System.Globalization.CultureInfo.InvariantCulture), StringComparison.Ordinal);
+
+        using GeoTiffGrid grid = GeoTiffGrid.Open(
+            path, libraryPath: null,
+            new HeightOptions(double.Parse(option, System.Globalization.CultureInfo.InvariantCulture), Offset: null));
+        double[] radius = new double[1];
+        grid.ReadRadii(grid.Window.FirstLine + 77, grid.Window.FirstSample + 131, radius);
+        Assert.Equal(1_737_400.0 + TestRaster.HeightAt(77, 131), radius[0], 1e-3); // m: the file's floats
+    }
+
+    /// <summary>GDAL ignores the direction of longitudes in a PDS3 label; with the two advised values it places the map right.</summary>
+    [RequiresTheory(Part.GdalLibrary)]
+    [InlineData(300.0, 60.0)]
+    [InlineData(-20.0, 20.0)]
+    public void Open_PdsMapWithWestLongitudes_IsReadAsAdvised(double west, double expectedMiddle)
+    {
+        string label = PdsLabel("WEST", west);
+        File.WriteAllBytes(_folder["MAP.IMG"], [.. Enumerable.Range(0, 40 * 40).SelectMany(i => BitConverter.GetBytes((short)i))]);
+        string path = _folder.Write("MAP.LBL", label);
+        string message = Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message;
+        Assert.Contains("POSITIVE_LONGITUDE_DIRECTION = WEST; GDAL takes longitudes as east", message, StringComparison.Ordinal);
+        foreach (Match advised in Keyword().Matches(message[message.IndexOf("Write ", StringComparison.Ordinal)..]))
+        {
+            label = Regex.Replace(label, $"{advised.Groups[1].Value} = [^\n]*", advised.Value);
+        }
+
+        _folder.Write("MAP.LBL", label);
+        using GeoTiffGrid grid = GeoTiffGrid.Open(path, libraryPath: null);
+
+        // The map begins 20 samples of a quarter degree west of its middle.
+        Assert.Equal((4.0 * expectedMiddle) - 20.0, grid.Window.FirstSample);
+    }
+
+    /// <summary>Where both directions mean the same place nothing is to be done.</summary>
+    [RequiresTheory(Part.GdalLibrary)]
+    [InlineData("WEST", 0.0)]
+    [InlineData("WEST", 180.0)]
+    [InlineData("EAST", 300.0)]
+    public void Open_PdsMapWhoseMiddleIsTheSame_IsRead(string direction, double middle)
+    {
+        File.WriteAllBytes(_folder["MAP.IMG"], new byte[40 * 40 * 2]);
+
+        using GeoTiffGrid grid = GeoTiffGrid.Open(_folder.Write("MAP.LBL", PdsLabel(direction, middle)), libraryPath: null);
+
+        Assert.Equal(((4.0 * middle) + 1440.0 - 20.0) % 1440.0, grid.Window.FirstSample);
+    }
+
+    /// <summary>A map of 10 x 10 degrees, 4 px a degree, about a point of the equator; not of LOLA, so GDAL reads it.</summary>
+    private static string PdsLabel(string direction, double middle) => FormattableString.Invariant(
+        $$"""
+        PDS_VERSION_ID = PDS3
+        ^IMAGE = "MAP.IMG"
+        RECORD_BYTES = 80
+        DATA_SET_ID = "OTHER"
+        PRODUCT_ID = "MAP"
+        TARGET_NAME = MOON
+        OBJECT = IMAGE
+        LINES = 40
+        LINE_SAMPLES = 40
+        SAMPLE_TYPE = LSB_INTEGER
+        SAMPLE_BITS = 16
+        UNIT = METER
+        END_OBJECT = IMAGE
+        OBJECT = IMAGE_MAP_PROJECTION
+        MAP_PROJECTION_TYPE = "SIMPLE CYLINDRICAL"
+        MAP_RESOLUTION = 4 <pix/deg>
+        MAP_SCALE = 7580.8376059 <m/pix>
+        A_AXIS_RADIUS = 1737.4 <km>
+        B_AXIS_RADIUS = 1737.4 <km>
+        C_AXIS_RADIUS = 1737.4 <km>
+        POSITIVE_LONGITUDE_DIRECTION = {{direction}}
+        CENTER_LATITUDE = 0 <deg>
+        CENTER_LONGITUDE = {{middle}} <deg>
+        LINE_PROJECTION_OFFSET = 19.5 <pix>
+        SAMPLE_PROJECTION_OFFSET = 19.5 <pix>
+        END_OBJECT = IMAGE_MAP_PROJECTION
+        END
+        """);
+
     /// <summary>A hole is filled, or cut off, by the programs that the message names.</summary>
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
     [InlineData("gdal_fillnodata.py", "")]
@@ -78,6 +201,15 @@ public sealed partial class RasterAdviceTests : IDisposable
 
     [GeneratedRegex("(?<program>gdal_translate|gdalwarp)(?<arguments>( '[^']*'| -?[A-Za-z_]+(?=[ .;]))*)")]
     private static partial Regex Command();
+
+    [GeneratedRegex("gdal_translate -a_scale [0-9]+ -a_offset [0-9]+")]
+    private static partial Regex Scale();
+
+    [GeneratedRegex(",scale=([0-9.]*[0-9]|METRES)")]
+    private static partial Regex Option();
+
+    [GeneratedRegex("([A-Z_]+) = ([A-Z]+|[0-9.]*[0-9])")]
+    private static partial Regex Keyword();
 
     [GeneratedRegex("'[^']*'|[^ ']+")]
     private static partial Regex Words();

@@ -56,7 +56,22 @@ final class LdemLabelReaderTest extends TestCase
             ['MSB_INTEGER', '16', SampleType::Int16BigEndian],
             ['PC_REAL', '32', SampleType::Float32LittleEndian],
             ['IEEE_REAL', '32', SampleType::Float32BigEndian],
+            ['SUN_INTEGER', '16', SampleType::Int16BigEndian],
+            ['"VAX INTEGER"', '16', SampleType::Int16LittleEndian],
+            ['"PC REAL"', '32', SampleType::Float32LittleEndian],
+            ['mac-real', '32', SampleType::Float32BigEndian],
+            ['REAL', '32', SampleType::Float32BigEndian],
         ];
+    }
+
+    public function testReadOtherSpellingsSayTheSame(): void
+    {
+        $other = get_object_vars(self::read([
+            'MAP_PROJECTION_TYPE' => 'Simple_Cylindrical', 'POSITIVE_LONGITUDE_DIRECTION' => 'east', 'UNIT' => '"metres"',
+            'MAP_RESOLUTION' => '4 <PIXELS / DEGREE>', 'MAXIMUM_LATITUDE' => '15 <DEGREES>',
+            'COORDINATE_SYSTEM_NAME' => '"MEAN_EARTH/POLAR_AXIS OF DE421"', 'A_AXIS_RADIUS' => '1737.4 <KILOMETRES>',
+        ]));
+        self::assertSame(array_merge($other, ['sha256' => '']), array_merge(get_object_vars(self::read([])), ['sha256' => '']));
     }
 
     public function testReadKilometresBecomeMetres(): void
@@ -82,6 +97,8 @@ final class LdemLabelReaderTest extends TestCase
             'samples' => [['LINE_SAMPLES' => '19'], 'LINE_SAMPLES = 19'],
             'records' => [['FILE_RECORDS' => '19'], 'FILE_RECORDS = 19; with RECORD_BYTES = 40 these are 760 bytes, but the image needs 800'],
             'offset' => [['LINE_PROJECTION_OFFSET' => '60.5'], 'the rest of the label needs 59.5'],
+            'real of a VAX' => [['SAMPLE_TYPE' => 'VAX_REAL', 'SAMPLE_BITS' => '32'], 'SAMPLE_TYPE = VAX_REAL; with SAMPLE_BITS = 32'],
+            'offset in another unit' => [['OFFSET' => '1737.4 <km>'], 'OFFSET = 1737.4 <km>; the unit <m> is needed'],
             'type' => [['SAMPLE_BITS' => '8'], 'SAMPLE_TYPE = LSB_INTEGER; with SAMPLE_BITS = 8 it is not known'],
             'polar' => [['MAP_PROJECTION_TYPE' => '"POLAR STEREOGRAPHIC"'], 'polar products can\'t be used'],
             'frame' => [['COORDINATE_SYSTEM_NAME' => '"PRINCIPAL AXIS"'], 'MEAN EARTH/POLAR AXIS frame is needed'],

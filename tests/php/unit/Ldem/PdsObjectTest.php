@@ -7,7 +7,7 @@ namespace Msisf\Tests\Unit\Ldem;
 use Msisf\Scripts\Exception\BadInputException;
 use Msisf\Scripts\Ldem\PdsLabelParser;
 use Msisf\Scripts\Ldem\PdsObject;
-use Msisf\Scripts\Ldem\PdsUnits;
+use Msisf\Scripts\Ldem\PdsUnit;
 use PHPUnit\Framework\TestCase;
 
 final class PdsObjectTest extends TestCase
@@ -15,7 +15,7 @@ final class PdsObjectTest extends TestCase
     /** @dataProvider numbers */
     public function testRequiredNumberFormsOfNumbersAreRead(string $written, float $expected): void
     {
-        self::assertSame($expected, self::object($written)->requiredNumber('A', PdsUnits::DEGREES));
+        self::assertSame($expected, self::object($written)->requiredNumber('A', PdsUnit::DEGREE));
     }
 
     public static function numbers(): array
@@ -35,7 +35,7 @@ final class PdsObjectTest extends TestCase
     {
         $this->expectException(BadInputException::class);
         $this->expectExceptionMessage($message);
-        self::object($written)->requiredNumber('A', PdsUnits::DEGREES);
+        self::object($written)->requiredNumber('A', PdsUnit::DEGREE);
     }
 
     public static function wrongNumbers(): array
@@ -106,15 +106,17 @@ final class PdsObjectTest extends TestCase
         );
 
         self::assertSame('1', $label->findObject('IMAGE')->requiredText('N'));
-        self::assertNull($label->findObject('image'));
+        self::assertSame('1', $label->findObject('image')->requiredText('n'));
+        self::assertNull($label->findObject('B'));
     }
 
-    public function testAddValueTwiceIsAcceptedOnlyIfItIsTheSame(): void
+    public function testFindKeywordTwiceIsRefusedOnlyIfItDiffersAndIsAskedFor(): void
     {
+        self::assertSame('2', self::object("1\nA = 3\nB = 2")->requiredText('B'));
         self::assertSame('1 <m>', self::object("1 <m>\nA = 1  <m>")->requiredText('A'));
         $this->expectException(BadInputException::class);
         $this->expectExceptionMessage('line 3: A = 1 <km>; line 2 of the same object says 1 <m>.');
-        self::object("1 <m>\nA = 1 <km>");
+        self::object("1 <m>\nA = 1 <km>")->find('A');
     }
 
     /** The label "A = ...". */
