@@ -102,7 +102,9 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
             Instant time = middle.Time.After(seconds);
             TdbTime tdb = time.Tdb;
             StateVector state = middle.StateJ2000;
-            Vector3D velocity = trajectory.Cover.Contains(tdb) ? trajectory.StateJ2000(tdb).Velocity : state.Velocity;
+            Vector3D velocity = OfGround == Aberration.LightTimeAndStellar && trajectory.Cover.Contains(tdb)
+                ? trajectory.StateJ2000(tdb).Velocity // its change turns the camera by 5e-9 rad/s
+                : state.Velocity;
             RotationMatrix axes = middle.BodyFromJ2000;
             double angle = rateOfBody.Length * seconds;
             if (angle != 0.0)
