@@ -2,8 +2,8 @@
 """Compares the states of two builds of msis: by how much do positions, attitudes, velocities and times move?
 
 Both programs get the same orbits, trajectories and files, made by the second one. Positions and attitudes are printed as multiples of
-velocity (or rate of turning) times 0.6 microseconds, about a step of a double of MJD; velocities in m/s, times in microseconds. Rounding a
-typed time to an MJD is half a step, an interval of times a whole one, and older programs rounded TDB too, by a tenth of one.
+velocity (or rate of turning) times 0.6 microseconds, about a step of a double of MJD (twice as much from 2038-04-23 on); velocities in m/s,
+times in microseconds. Rounding a typed time to an MJD is half a step, an interval of times a whole one; TDB was once rounded by a tenth.
 
   scripts/compare-builds.py OLD/publish/msis ./msis --cspice lib/native/libcspice.so
 """
