@@ -56,17 +56,16 @@ public sealed class StatesWithoutRatesTests : IDisposable
         Assert.Equal(8, lines[^1].Split(',').Length);
     }
 
-    /// <summary>200 rad/s are more than half a turn in the hundredth of a second in which motions are measured.</summary>
+    /// <summary>The given rate is stated, however fast: neighbouring attitudes would not tell 200 rad/s.</summary>
     [Fact]
-    public void States_OfACameraThatTurnsTooFastToTell_HaveNoMotion()
+    public void States_OfACameraThatTurnsFast_HaveTheGivenRate()
     {
         CommandLineRun run = Run(
             "--kepler-set", "{1.9E6,0.05,0.7,1.1,0.9,2.0}", "--epoch", "55289", "--time", "55289", "--attitude", "{0,0,0,1}",
             "--attitude-transition", "{0,0,200}");
 
         Assert.Equal(0, run.ExitCode);
-        Assert.DoesNotContain("shutter", run.Error, StringComparison.Ordinal);
-        Assert.Equal("time,x,y,z,qx,qy,qz,qw", run.Output.TrimEnd().Split('\n')[^2]);
+        Assert.Equal(["0", "0", "200"], run.Output.TrimEnd().Split('\n')[^1].Split(',')[^3..]);
     }
 
     /// <summary>A double of MJD holds 0.6 microseconds, moments are exact: steps of 0.1 microseconds are all there.</summary>

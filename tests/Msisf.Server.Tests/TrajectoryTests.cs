@@ -14,6 +14,7 @@ public sealed class TrajectoryTests : IDisposable
     private const double Radius = 2.0e6; // m
     private const double Rate = 8e-4; // rad/s
     private const double Day = 86400.0;
+    private const double SameMoment = 2e-6; // m: 1e-9 s of 1.7 km/s, and the rounding of positions that are printed or summed
     private const string Small = "\"width\": 24, \"height\": 18, \"fov\": 30, \"albedo-map\": \"none\"";
 
     private readonly TemporaryFolder _folder = new();
@@ -61,6 +62,42 @@ public sealed class TrajectoryTests : IDisposable
                 $"\"states\": {RowsOfCalendarTimes()}, \"orbit-frame\": \"j2000\", {time}, \"off-nadir\": \"5,40\", {Small}"));
         File.Delete(oem); // it has been read
         Assert.NotEqual(expected, await server.RenderAsync($"\"states\": \"orbit.oem\", {time}, {Small}"));
+        await server.DisposeAsync();
+    }
+
+    /// <summary>A request's time means the moment that the command line takes it for, in the leap second at the end of 2016 too.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("2016-12-31T23:59:00.5Z")]
+    [InlineData("2016-12-31T23:59:60.25Z")]
+    [InlineData("2017-01-01T00:04:00.123456789Z")]
+    public async Task ListAndName_OverALeapSecond_AreAtTheMomentOfTheOrbit(string time)
+    {
+        string[] orbit =
+            ["states", "--kepler-set", "{1.838E6,0.01,0.7,1.1,0.9,2.0}", "--epoch", "2016-12-31T22:00:00Z", "--orbit-frame", "j2000"];
+        string[] samples = ["--format", "oem", "--to", _folder["oem"], "--time-interval", "[2016-12-31T23:55Z:10s:2017-01-01T00:05Z]"];
+        CommandLineRun expected = CommandLineRun.Of([.. orbit, "--format", "csv", "--time", time]);
+        Assert.True(expected.ExitCode == 0, expected.Error);
+        double[] place = [.. expected.Output.TrimEnd().Split('\n')[^1].Split(',')[1..4].Select(Number)];
+        Assert.Equal(0, CommandLineRun.Of([.. orbit, .. samples]).ExitCode);
+        IEnumerable<string> rows = File.ReadLines(_folder["oem/states.oem"])
+            .Where(line => line.Length > 20 && char.IsAsciiDigit(line[0]))
+            .Select(line => line.Split(' '))
+            .Select(words => $"[\"{words[0]}Z\", {string.Join(", ", words[1..7].Select(word => Text(1000.0 * Number(word))))}]");
+        using RunningServer server = await RunningServer.StartAsync((ViewOptions.Folders, _folder["oem/states.oem"]));
+
+        foreach (string states in (string[])
+            ["\"states.oem\"", $"[{string.Join(", ", rows)}], \"orbit-frame\": \"j2000\""])
+        {
+            using HttpResponseMessage answer = await server.PostAsync(
+                "/v1/render", $"{{\"states\": {states}, \"time\": \"{time}\", {Small}}}", "application/json");
+            JsonElement information = (await RunningServer.JsonOf(answer)).GetProperty("GeneralInformation");
+            JsonElement found = information.GetProperty("CameraPosition").GetProperty("Vector3D");
+            Assert.Equal(time, information.GetProperty("SimulationTime").GetProperty("UTC").GetString());
+            Assert.Equal(place[0], found.GetProperty("x").GetDouble(), SameMoment);
+            Assert.Equal(place[1], found.GetProperty("y").GetDouble(), SameMoment);
+            Assert.Equal(place[2], found.GetProperty("z").GetDouble(), SameMoment);
+        }
+
         await server.DisposeAsync();
     }
 
@@ -122,6 +159,8 @@ public sealed class TrajectoryTests : IDisposable
         "CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\nOBJECT_ID = A\nCENTER_NAME = MOON\nREF_FRAME = ICRF\nTIME_SYSTEM = UTC\n"
             + $"META_STOP\n{string.Concat(States().Select(row => $"2024-01-19T12:{row.Time / 60.0:00}:00 "
                 + $"{string.Join(' ', row.State.Select(number => Text(number / 1000.0)))}\n"))}";
+
+    private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 
     private static string Text(double number) => number.ToString("R", CultureInfo.InvariantCulture);
 }

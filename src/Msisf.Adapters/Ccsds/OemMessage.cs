@@ -211,7 +211,9 @@ internal sealed class OemPull
         (4.902800076e12, "MOON", "km"), (3.98600436e14, "EARTH", "km"), (4.902800076e21, "MOON", "m"), (3.98600436e23, "EARTH", "m"),
     ];
 
-    private readonly List<double> _pulls = [];
+    /// <summary>How many pulls are up to the least, and below the greatest, of each candidate: so the median needs no list.</summary>
+    private readonly (int UpToLeast, int BelowGreatest)[] _counts = new (int, int)[Candidates.Length];
+    private int _pulls;
     private (TdbTime Time, Vector3D Position) _first;
     private (TdbTime Time, Vector3D Position) _second;
     private int _count;
@@ -219,8 +221,8 @@ internal sealed class OemPull
     /// <summary>The next line has none before it.</summary>
     public void BeginBlock()
     {
-        _count = 0;
-        _pulls.Clear();
+        (_count, _pulls) = (0, 0);
+        Array.Clear(_counts);
     }
 
     /// <summary>Takes a line.</summary>
@@ -236,27 +238,35 @@ internal sealed class OemPull
             double towards = -Vector3D.Dot(acceleration, _second.Position) / distance;
             if (towards > MinCosine * acceleration.Length && (position - _first.Position).Length < MaxStep * distance)
             {
-                _pulls.Add(towards * distance * distance);
+                Count(towards * distance * distance);
             }
         }
 
         (_first, _second) = (_second, (time, position));
     }
 
+    private void Count(double pull)
+    {
+        _pulls++;
+        for (int i = 0; i < _counts.Length; i++)
+        {
+            _counts[i].UpToLeast += pull <= Candidates[i].Gm / Factor ? 1 : 0;
+            _counts[i].BelowGreatest += pull < Candidates[i].Gm * Factor ? 1 : 0;
+        }
+    }
+
     /// <summary>What is to be said of a block that is pulled as another body pulls, or as if it were in m; null for nothing.</summary>
     /// <param name="center">Its CENTER_NAME.</param>
     public string? Contradiction(string center)
     {
-        if (_pulls.Count < Math.Max(MinCount, _count / 2))
+        if (_pulls < Math.Max(MinCount, _count / 2))
         {
             return null;
         }
 
-        _pulls.Sort();
-        double median = _pulls[_pulls.Count / 2];
+        int ofMedian = Array.FindIndex(_counts, count => count.UpToLeast <= _pulls / 2 && count.BelowGreatest > _pulls / 2);
         bool isMoon = CcsdsFrames.Center(center) == CelestialBody.Moon.NaifNumber;
-        (double gm, string body, string unit) = Candidates.FirstOrDefault(
-            candidate => median > candidate.Gm / Factor && median < candidate.Gm * Factor);
+        (double gm, string body, string unit) = ofMedian < 0 ? default : Candidates[ofMedian];
         string? wrong = gm == 0.0 || (unit == "km" && isMoon == (body == "MOON")) ? null
             : unit == "km" ? $"CENTER_NAME is {center}"
             : "an OEM has km and km/s";

@@ -43,6 +43,10 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
         Ask(kernels => _cspice.FrameFromJ2000(kernels, _body.Frame, time.Seconds), () => TimeScale.InstantOf(time));
 
     /// <inheritdoc/>
+    public Vector3D BodyRateJ2000(TdbTime time) =>
+        Ask(kernels => _cspice.RateJ2000(kernels, _body.Frame, time.Seconds), () => TimeScale.InstantOf(time));
+
+    /// <inheritdoc/>
     public RotationMatrix FrameFromJ2000(string frame, TdbTime time) =>
         _cspice.FrameFromJ2000(Open(), frame, time.Seconds);
 

@@ -124,6 +124,27 @@ internal sealed class CSpice
             new Vector3D(rows[6], rows[7], rows[8]));
     }
 
+    /// <summary>How fast a frame turns: rad/s relative to J2000, along J2000's axes.</summary>
+    /// <param name="kernels">The kernels to work with.</param>
+    /// <param name="ephemerisSeconds">TDB seconds past J2000.</param>
+    /// <exception cref="SpiceException">CSPICE failed.</exception>
+    public Vector3D RateJ2000(IReadOnlyList<string> kernels, string frame, double ephemerisSeconds)
+    {
+        Span<double> ofStates = stackalloc double[36];
+        Span<double> rotation = stackalloc double[9];
+        Span<double> rate = stackalloc double[3];
+        lock (_gate)
+        {
+            _furnished.Use(kernels);
+            CSpiceNative.sxform_c("J2000", frame, ephemerisSeconds, ref ofStates[0]);
+            CSpiceError.ThrowIfFailed("sxform_c", ephemerisSeconds);
+            CSpiceNative.xf2rav_c(in ofStates[0], ref rotation[0], ref rate[0]);
+            CSpiceError.ThrowIfFailed("xf2rav_c", ephemerisSeconds);
+        }
+
+        return new Vector3D(rate[0], rate[1], rate[2]);
+    }
+
     /// <summary>State of a body relative to another one's centre: m, m/s, J2000, light time left out.</summary>
     /// <param name="kernels">The kernels to work with.</param>
     /// <param name="target">NAIF's number.</param>

@@ -129,7 +129,7 @@ internal static class ScanStates
         }
 
         CameraState still = new(state.PositionBodyFixed, state.MoonFromCamera);
-        return (motion ?? state.Motion) is { } moving ? new ScanPath(seconds => moving.Moved(still, seconds))
+        return (motion ?? state.Motion) is { } moving ? new ScanPath(seconds => moving.Moved(still, seconds), _ => moving)
             : scan is null ? new ScanPath(_ => still)
             : throw new UsageException(
                 $"nothing says how the camera moves while it scans. Give {ScanOptions.Trajectory.Name}, an orbit, the files of a "

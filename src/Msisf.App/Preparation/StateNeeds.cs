@@ -106,13 +106,10 @@ internal static class StateNoise
 internal static class StateMotions
 {
     /// <summary>
-    /// s: the difference of the states this long before and after a time is the motion. The change of an orbit's acceleration in it changes
-    /// the velocity by less than 1e-7 m/s; rounding of the positions to less than 1e-6 m/s.
+    /// s: where files say no velocity, the difference of the states this long before and after a time is the motion. Rounding of the
+    /// positions changes the velocity by up to 2e-4 m/s.
     /// </summary>
     private const double HalfStep = 0.005;
-
-    /// <summary>rad: how far the camera may turn in twice that time, so that the way it turns is known.</summary>
-    private const double MaxTurn = Math.PI / 2.0;
 
     /// <summary>The states with their motions; without any if no shutter needs them.</summary>
     /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
@@ -141,31 +138,6 @@ internal static class StateMotions
                     + $"{CameraOptions.Motion.Name}, or {string.Join(", ", CameraMotion.NumberNames)} in each line of the batch file, "
                     + "or an orbit; or remove 'shutter' from the camera file.")
                 .About(CameraOptions.Motion, ImageOptions.Camera);
-    }
-
-    /// <summary>The motion on an orbit; null where the camera turns too fast to tell it, and no shutter needs it.</summary>
-    /// <param name="time">UTC.</param>
-    /// <param name="orbit">The orbit with its attitude.</param>
-    /// <param name="cameraWithShutter">The camera file with the shutter; null for none.</param>
-    /// <exception cref="BadInputException">The camera turns too fast for its shutter.</exception>
-    public static CameraMotion? About(
-        Instant time, Func<Instant, SpacecraftState> stateAt, OrbitSettings orbit, string? cameraWithShutter)
-    {
-        double rate = orbit.Attitude?.AngularVelocityCamera.Length ?? 0.0;
-        if (rate * 2.0 * HalfStep > MaxTurn)
-        {
-            return cameraWithShutter is null ? null : throw new BadInputException(Invariant(
-                $"--attitude-transition turns the camera by {rate:G3} rad/s; with a shutter {MaxTurn / (2.0 * HalfStep):G3} rad/s is the "
-                    + $"most. Check it, or remove 'shutter' from the camera file."));
-        }
-
-        (Instant start, Instant end) = (time.After(-HalfStep), time.After(HalfStep));
-        (SpacecraftState before, SpacecraftState after) = (stateAt(start), stateAt(end));
-        CameraMotion motion = CameraMotion.Between(
-            (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), end.SecondsSince(start));
-        return orbit.Attitude is { } attitude && (orbit.AttitudeFrame ?? AttitudeFrame.MoonMe) == AttitudeFrame.MoonMe
-            ? motion with { AngularVelocityCamera = attitude.AngularVelocityCamera } // without rounding
-            : motion;
     }
 
     /// <summary>

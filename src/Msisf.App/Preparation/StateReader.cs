@@ -200,25 +200,19 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             ? new FramedAttitude(
                 transition, frame, epoch, frame is AttitudeFrame.MoonMe or AttitudeFrame.Lvlh ? null : ephemeris())
             : null;
+        OrbitPath path = new(orbit, attitude);
         return [.. settings.Times.Select(geometry.TimeScale.InstantOf).Select(time =>
         {
             cancellation.ThrowIfCancellationRequested();
-            SpacecraftState state = StateAt(time) with { Path = NeedsPath ? new ScanPath(seconds => CameraAt(time.After(seconds))) : null };
-            return NeedsMotion ? state with { Motion = StateMotions.About(time, StateAt, settings, CameraWithShutter) } : state;
+            CameraState camera = path.At(time);
+            return new SpacecraftState(time, camera.PositionBodyFixed, camera.MoonFromCamera)
+            {
+                Path = NeedsPath
+                    ? new ScanPath(seconds => path.At(time.After(seconds)), seconds => path.MotionAt(time.After(seconds)))
+                    : null,
+                Motion = NeedsMotion ? path.MotionAt(time) : null,
+            };
         })];
-
-        CameraState CameraAt(Instant time)
-        {
-            SpacecraftState state = StateAt(time);
-            return new CameraState(state.PositionBodyFixed, state.MoonFromCamera);
-        }
-
-        SpacecraftState StateAt(Instant time)
-        {
-            Vector3D position = orbit.PositionBodyFixed(time);
-            return new SpacecraftState(
-                time, position, attitude?.MoonFromCamera(time, position, orbit.NormalBodyFixed) ?? NadirPointing.MoonFromCamera(position));
-        }
     }
 
     private SpacecraftState[] BetweenSamples(SampledSettings settings, ISceneGeometry scene, CancellationToken cancellation)

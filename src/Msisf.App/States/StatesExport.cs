@@ -83,12 +83,15 @@ internal static class StatesExport
             ],
         };
         IReadOnlyList<SpacecraftState> all = reader.Read(trajectory, cancellation);
-        IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
-            .NamesOf([.. all.Select(state => state.Time)]);
         int[] steps = [.. settings.StepsOf(all.Count).Select(step => step - 1)];
-        SpacecraftState[] states = [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))];
-        string[] chosen = [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];
-        return new NamedStates(settings.CameraModel, states, chosen);
+        return new NamedStates(settings.CameraModel, [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))], Names);
+
+        string[] Names()
+        {
+            IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
+                .NamesOf([.. all.Select(state => state.Time)]);
+            return [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];
+        }
     }
 
     private static void Write(
@@ -117,7 +120,7 @@ internal static class StatesExport
             StatesFormat.Oem => WriteCcsds(files, path, head, InertialState.Of(states, ephemeris.Engine())),
             StatesFormat.Spice => WriteKernels(
                 files, path, new SpiceKernelWriter(head, InertialState.Of(states, ephemeris.Engine())), settings.CameraModel),
-            StatesFormat.Euroc => WriteEuroc(files, path, states, read.Names, settings.CameraModel),
+            StatesFormat.Euroc => WriteEuroc(files, path, states, read.Names(), settings.CameraModel),
             StatesFormat.Colmap => WriteColmap(files, path, [read]),
             _ => WriteText(files, [(path, writer => WriteTable(writer, format, head, states))]),
         };
@@ -214,7 +217,7 @@ internal static class StatesExport
             (Path.Combine(folder, "cameras.txt"),
                 writer => CameraTables.WriteColmapCameras(writer, [.. cameras.Select(camera => camera.Camera)])),
             (Path.Combine(folder, "images.txt"),
-                writer => CameraTables.WriteColmapImages(writer, [.. cameras.Select(camera => (camera.States, camera.Names))])),
+                writer => CameraTables.WriteColmapImages(writer, [.. cameras.Select(camera => (camera.States, camera.Names()))])),
             (Path.Combine(folder, "points3D.txt"), CameraTables.WriteColmapPoints),
         ]);
 
@@ -228,6 +231,6 @@ internal static class StatesExport
         return [.. texts.Select(text => text.Path)];
     }
 
-    /// <summary>The states of a camera, with the names of their images.</summary>
-    private sealed record NamedStates(CameraModel Camera, SpacecraftState[] States, string[] Names);
+    /// <summary>The states of a camera, with the names of their images, which only some formats need.</summary>
+    private sealed record NamedStates(CameraModel Camera, SpacecraftState[] States, Func<string[]> Names);
 }

@@ -41,9 +41,31 @@ public sealed class FramedAttitude : IAttitudeSource
     }
 
     /// <inheritdoc/>
-    public TurnRate? RateOf(in TrajectoryPoint point) => _frame == AttitudeFrame.Lvlh
-        ? null
-        : new TurnRate(_attitude.AngularVelocityCamera, IsOverBody: _frame == AttitudeFrame.MoonMe);
+    public TurnRate? RateOf(in TrajectoryPoint point)
+    {
+        Vector3D ofFrame = _frame == AttitudeFrame.Lvlh
+            ? MoonFromCamera(point).Conjugate * (point.OrbitNormalBodyFixed / point.StateJ2000.Position.LengthSquared)
+            : default;
+        return new TurnRate(_attitude.AngularVelocityCamera + ofFrame, IsOverBody: _frame == AttitudeFrame.MoonMe);
+    }
+
+    /// <summary>How fast the camera turns over the Moon: rad/s about its axes.</summary>
+    /// <param name="moonFromCamera">The attitude at the time.</param>
+    /// <param name="orbitTurningBodyFixed">
+    /// rad/s over the Moon, along its axes: how fast the line to the spacecraft turns with the orbit's plane; asked for
+    /// <see cref="AttitudeFrame.Lvlh"/> only.
+    /// </param>
+    /// <exception cref="Errors.SpiceException">The time is outside the kernels' cover (frames at rest).</exception>
+    public Vector3D RateOverBody(Instant time, UnitQuaternion moonFromCamera, Func<Instant, Vector3D> orbitTurningBodyFixed)
+    {
+        Vector3D ofFrame = _frame switch
+        {
+            AttitudeFrame.MoonMe => default,
+            AttitudeFrame.Lvlh => orbitTurningBodyFixed(time),
+            _ => -TurningMoon.RateBodyFixed(time.Tdb, _ephemeris!),
+        };
+        return _attitude.AngularVelocityCamera + (moonFromCamera.Conjugate * ofFrame);
+    }
 
     /// <summary>The attitude at a time.</summary>
     /// <param name="positionBodyFixed">Spacecraft, m, body-fixed; not the centre.</param>

@@ -30,4 +30,18 @@ public static class NadirPointing
         double latitude = Math.Atan2(positionBodyFixed.Z, horizontal);
         return UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, longitude) * UnitQuaternion.FromAxisAngle(Vector3D.UnitY, -latitude);
     }
+
+    /// <summary>How fast a camera with that attitude turns over the body.</summary>
+    /// <param name="positionBodyFixed">m; not the centre.</param>
+    /// <param name="velocityBodyFixed">m/s over the turning body.</param>
+    /// <returns>rad/s about the camera's axes; on the polar axis, where the longitude jumps, as if it did not.</returns>
+    public static Vector3D RateOf(Vector3D positionBodyFixed, Vector3D velocityBodyFixed)
+    {
+        (Vector3D at, Vector3D by) = (positionBodyFixed, velocityBodyFixed);
+        UnitQuaternion moonFromCamera = MoonFromCamera(at);
+        double horizontal = double.Hypot(at.X, at.Y);
+        double eastwards = horizontal == 0.0 ? 0.0 : ((at.X * by.Y) - (at.Y * by.X)) / (horizontal * horizontal);
+        double northwards = Vector3D.Dot(moonFromCamera * Vector3D.UnitZ, by) / at.Length; // up in the image is north
+        return (moonFromCamera.Conjugate * (eastwards * Vector3D.UnitZ)) - (northwards * Vector3D.UnitY);
+    }
 }

@@ -52,12 +52,7 @@ public sealed class ScanPath
 
     /// <summary>The state at a time, with jitter and mounting.</summary>
     /// <param name="seconds">s after the image's time.</param>
-    public CameraState At(double seconds)
-    {
-        CameraState state = _stateAt(seconds) with { Seconds = seconds };
-        state = _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
-        return _mounting?.Of(state) ?? state;
-    }
+    public CameraState At(double seconds) => _mounting?.Of(OfBody(seconds)) ?? OfBody(seconds);
 
     /// <summary>How the camera moves at a time, with mounting; null where nothing says it, and with jitter.</summary>
     /// <param name="seconds">s after the image's time.</param>
@@ -65,14 +60,20 @@ public sealed class ScanPath
         : _mounting is { } mounting ? mounting.Of(motion, _stateAt(seconds).MoonFromCamera)
         : motion;
 
-    /// <summary>The motion about a time: what the camera does on average from one time to another.</summary>
+    /// <summary>
+    /// The motion about the middle of a time: the camera turns as it does on average, and has the velocity of the middle where what gives
+    /// the states says it, else that on average.
+    /// </summary>
     /// <param name="from">s after the image's time.</param>
     /// <param name="to">s, later.</param>
     public CameraMotion MotionBetween(double from, double to)
     {
-        (CameraState before, CameraState after) = (At(from), At(to));
-        return CameraMotion.Between(
+        (CameraState before, CameraState after) = (OfBody(from), OfBody(to));
+        CameraMotion motion = CameraMotion.Between(
             (before.PositionBodyFixed, before.MoonFromCamera), (after.PositionBodyFixed, after.MoonFromCamera), to - from);
+        double middle = 0.5 * (from + to);
+        motion = _motionAt?.Invoke(middle) is { } stated ? motion with { VelocityBodyFixed = stated.VelocityBodyFixed } : motion;
+        return _mounting?.Of(motion, OfBody(middle).MoonFromCamera) ?? motion;
     }
 
     /// <summary>The motion where the camera turns fastest in a time, so that jitter is not averaged away.</summary>
@@ -85,6 +86,12 @@ public sealed class ScanPath
             ? MotionBetween(from, to)
             : Enumerable.Range(0, PartsOfFastest).Select(index => MotionBetween(from + (index * part), from + ((index + 1) * part)))
                 .MaxBy(motion => motion.AngularVelocityCamera.Length);
+    }
+
+    private CameraState OfBody(double seconds)
+    {
+        CameraState state = _stateAt(seconds) with { Seconds = seconds };
+        return _jitter is null ? state : state with { MoonFromCamera = _jitter.Turn(state.MoonFromCamera, _jitterStart + seconds) };
     }
 
     /// <summary>Tells the states of exposures from others: the first half of their SHA-256, hexadecimal.</summary>

@@ -63,6 +63,9 @@ public sealed class BuiltInEphemeris(
         orientation.FrameFromJ2000(time) ?? throw Cover.Outside(scale.InstantOf(time));
 
     /// <inheritdoc/>
+    public Vector3D BodyRateJ2000(TdbTime time) => orientation.RateJ2000(time) ?? throw Cover.Outside(scale.InstantOf(time));
+
+    /// <inheritdoc/>
     public StateVector StateOf(int naifNumber, TdbTime time)
     {
         StateVector state = MetresPerKilometre

@@ -27,6 +27,10 @@ public interface IEphemeris
     /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
     RotationMatrix BodyFromJ2000(TdbTime time);
 
+    /// <summary>How fast the body's frame turns: rad/s relative to J2000, along J2000's axes.</summary>
+    /// <exception cref="SpiceException">The time is outside the kernels' cover, which the message names.</exception>
+    Vector3D BodyRateJ2000(TdbTime time);
+
     /// <summary>Where another body is, light time left out.</summary>
     /// <param name="naifNumber">NAIF's number of the body, e.g. 399 for the Earth.</param>
     /// <returns>Position (m) and velocity (m/s) relative to the Moon's centre, J2000.</returns>

@@ -10,6 +10,9 @@ public interface IFrameOrientation
 
     /// <summary>The rotation that turns J2000 components into those of the frame; null at a time that is not covered.</summary>
     RotationMatrix? FrameFromJ2000(TdbTime time);
+
+    /// <summary>How fast the frame turns: rad/s relative to J2000, along J2000's axes; null at a time that is not covered.</summary>
+    Vector3D? RateJ2000(TdbTime time);
 }
 
 /// <summary>A frame that is turned by a constant rotation from one whose orientation a binary PCK gives.</summary>

@@ -33,13 +33,36 @@ public sealed class PoleOrientation : IFrameOrientation
     /// <inheritdoc/>
     public RotationMatrix? FrameFromJ2000(TdbTime time)
     {
+        Vector3D angles = EulerAnglesAt(time);
+        return EulerAngles.ToRotation(angles.X, angles.Y, angles.Z);
+    }
+
+    /// <inheritdoc/>
+    public Vector3D? RateJ2000(TdbTime time)
+    {
+        double days = time.Seconds / SecondsPerDay;
+        double centuries = days / DaysPerCentury;
+        double[] angles = [.. Angles.Select(angle => double.DegreesToRadians(PoleSeries.Polynomial(angle, centuries)))];
+        double[] perCentury = [.. Angles.Select(angle => double.DegreesToRadians(PoleSeries.Slope(angle, centuries)))];
+        double[] perDay = [.. perCentury.Select(rate => rate / DaysPerCentury)];
+        double rightAscension = RightAscension.RateAt(centuries, angles, perCentury, Math.Cos) / DaysPerCentury;
+        double declination = Declination.RateAt(centuries, angles, perCentury, static angle => -Math.Sin(angle)) / DaysPerCentury;
+        double meridian = Meridian.RateAt(days, angles, perDay, Math.Cos);
+        return EulerAngles.ToRateJ2000(
+            EulerAnglesAt(time),
+            double.DegreesToRadians(1.0) / SecondsPerDay * new Vector3D(rightAscension, -declination, meridian));
+    }
+
+    /// <summary>The three angles of <see cref="EulerAngles"/>.</summary>
+    private Vector3D EulerAnglesAt(TdbTime time)
+    {
         double days = time.Seconds / SecondsPerDay;
         double centuries = days / DaysPerCentury;
         double[] angles = [.. Angles.Select(angle => double.DegreesToRadians(PoleSeries.Polynomial(angle, centuries)))];
         double rightAscension = RightAscension.At(centuries, angles, Math.Sin);
         double declination = Declination.At(centuries, angles, Math.Cos);
         double meridian = Meridian.At(days, angles, Math.Sin);
-        return EulerAngles.ToRotation(
+        return new Vector3D(
             double.DegreesToRadians(90.0 + rightAscension), double.DegreesToRadians(90.0 - declination),
             double.DegreesToRadians(meridian));
     }
@@ -54,6 +77,16 @@ internal static class EulerAngles
     /// <param name="meridian">rad: from the node to the prime meridian.</param>
     public static RotationMatrix ToRotation(double node, double inclination, double meridian) =>
         RotationMatrix.FrameAboutZ(Reduce(meridian)) * RotationMatrix.FrameAboutX(inclination) * RotationMatrix.FrameAboutZ(node);
+
+    /// <summary>How fast the frame turns: rad/s relative to J2000, along J2000's axes.</summary>
+    /// <param name="angles">rad: node, inclination, meridian.</param>
+    /// <param name="rates">rad/s: their rates of change, each about its axis as the turns before it leave it.</param>
+    public static Vector3D ToRateJ2000(Vector3D angles, Vector3D rates)
+    {
+        RotationMatrix afterNode = RotationMatrix.FrameAboutZ(angles.X);
+        RotationMatrix afterInclination = RotationMatrix.FrameAboutX(angles.Y) * afterNode;
+        return (rates.X * Vector3D.UnitZ) + (rates.Y * afterNode.Row0) + (rates.Z * afterInclination.Row2);
+    }
 
     /// <summary>
     /// Subtracts whole turns of the double nearest to 2 pi, as CSPICE does (DMOD in PCKMAT, as f2c writes it). Sine and cosine do not

@@ -23,6 +23,37 @@ public sealed record PoleSeries(IReadOnlyList<double> Coefficients, IReadOnlyLis
         return value;
     }
 
+    /// <summary>How fast the angle changes, degrees in the polynomial's unit of time.</summary>
+    /// <param name="time">In that unit.</param>
+    /// <param name="angles">Angles of the periodic terms, rad.</param>
+    /// <param name="rates">Their rates, rad in that unit.</param>
+    /// <param name="slope">Derivative of the sine or cosine.</param>
+    internal double RateAt(double time, ReadOnlySpan<double> angles, ReadOnlySpan<double> rates, Func<double, double> slope)
+    {
+        double rate = Slope(Coefficients, time);
+        for (int term = 0; term < Amplitudes.Count; term++)
+        {
+            if (Amplitudes[term] != 0.0)
+            {
+                rate += Amplitudes[term] * rates[term] * slope(angles[term]);
+            }
+        }
+
+        return rate;
+    }
+
+    /// <summary>The derivative of a polynomial, its constant term first.</summary>
+    internal static double Slope(IReadOnlyList<double> coefficients, double x)
+    {
+        double slope = 0.0;
+        for (int i = coefficients.Count - 1; i > 0; i--)
+        {
+            slope = (slope * x) + (i * coefficients[i]);
+        }
+
+        return slope;
+    }
+
     /// <summary>The value of a polynomial, its constant term first.</summary>
     internal static double Polynomial(IReadOnlyList<double> coefficients, double x)
     {

@@ -45,6 +45,28 @@ public sealed class OrbitPropagator
     /// <exception cref="BadInputException">The orbit is so small that it can't be followed up to the time.</exception>
     public Vector3D PositionBodyFixed(Instant time) => ToBodyFixed(_orbit.PositionAt(time.SecondsSince(_epoch)), time);
 
+    /// <summary>Position in m and velocity in m/s over the turning Moon, along the axes of MOON_ME of the time.</summary>
+    /// <inheritdoc cref="PositionBodyFixed"/>
+    public StateVector StateBodyFixed(Instant time)
+    {
+        StateVector state = _orbit.StateAt(time.SecondsSince(_epoch));
+        return _frame == OrbitFrame.MoonMe
+            ? state
+            : TurningMoon.ToBodyFixed(_j2000FromOrbit * state, time.Tdb, _ephemeris!);
+    }
+
+    /// <summary>
+    /// How fast the line from the Moon's centre to the spacecraft turns over the Moon, and the orbit's plane with it: rad/s along the axes
+    /// of MOON_ME of the time.
+    /// </summary>
+    /// <inheritdoc cref="PositionBodyFixed"/>
+    public Vector3D TurningBodyFixed(Instant time)
+    {
+        StateVector state = _orbit.StateAt(time.SecondsSince(_epoch));
+        Vector3D inOrbit = ToBodyFixed(Vector3D.Cross(state.Position, state.Velocity) / state.Position.LengthSquared, time);
+        return _frame == OrbitFrame.MoonMe ? inOrbit : inOrbit - TurningMoon.RateBodyFixed(time.Tdb, _ephemeris!);
+    }
+
     /// <summary>Direction of the orbit's angular momentum, length 1, MOON_ME of the time.</summary>
     /// <exception cref="SpiceException">The time is outside the kernels' cover (not for <see cref="OrbitFrame.MoonMe"/>).</exception>
     public Vector3D NormalBodyFixed(Instant time) => ToBodyFixed(_orbit.Normal, time);

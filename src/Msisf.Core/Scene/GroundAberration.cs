@@ -1,5 +1,6 @@
 using Msisf.Core.Attitude;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Time;
 
 namespace Msisf.Core.Scene;
 
@@ -32,17 +33,15 @@ public static class GroundAberration
             return (point.PositionBodyFixed, moonFromCamera);
         }
 
-        double seconds = LightSpeed.TimeOver(
-            Distance(point.PositionBodyFixed, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
-        StateVector center = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.Tdb);
-        Vector3D moonMoved = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, point.Tdb + -seconds).Position - center.Position;
+        double seconds = LightSeconds(point, moonFromCamera, radius);
         RotationMatrix moonThen = ephemeris.BodyFromJ2000(point.Tdb + -seconds);
         UnitQuaternion j2000FromCamera = UnitQuaternion.FromMatrix(point.BodyFromJ2000.Transposed) * moonFromCamera;
         if (aberration == Aberration.LightTimeAndStellar)
         {
             // The sine of the angle is that of CSPICE's STELAB; the camera looks along a direction in which light seems to come.
             Vector3D forward = j2000FromCamera * -Vector3D.UnitX;
-            Vector3D inC = (point.StateJ2000.Velocity - center.Velocity) / (MetresPerKilometre * LightSpeed.KilometresPerSecond);
+            Vector3D inC = (point.StateJ2000.Velocity - BarycenterVelocity(point.Tdb, ephemeris))
+                / (MetresPerKilometre * LightSpeed.KilometresPerSecond);
             Vector3D axis = Vector3D.Cross(forward, inC);
             double sine = axis.Length;
             j2000FromCamera = sine == 0.0
@@ -51,9 +50,39 @@ public static class GroundAberration
         }
 
         return (
-            moonThen * (point.StateJ2000.Position + moonMoved),
+            moonThen * FromMoonThen(point, seconds, ephemeris),
             UnitQuaternion.FromMatrix(moonThen) * j2000FromCamera);
     }
+
+    /// <summary>How fast the position of that pose changes: m/s, MOON_ME.</summary>
+    /// <param name="lightRate">By how many seconds the light time grows in one.</param>
+    /// <inheritdoc cref="Pose"/>
+    public static Vector3D Velocity(
+        in TrajectoryPoint point, UnitQuaternion moonFromCamera, double lightRate, IEphemeris ephemeris, double radius)
+    {
+        double seconds = LightSeconds(point, moonFromCamera, radius);
+        TdbTime sent = point.Tdb + -seconds;
+        Vector3D overMoonThen = BarycenterVelocity(sent, ephemeris)
+            - Vector3D.Cross(ephemeris.BodyRateJ2000(sent), FromMoonThen(point, seconds, ephemeris));
+        return ephemeris.BodyFromJ2000(sent)
+            * (point.StateJ2000.Velocity - BarycenterVelocity(point.Tdb, ephemeris) + ((1.0 - lightRate) * overMoonThen));
+    }
+
+    /// <summary>s: how long the light is on its way.</summary>
+    /// <inheritdoc cref="Pose"/>
+    public static double LightSeconds(in TrajectoryPoint point, UnitQuaternion moonFromCamera, double radius) => LightSpeed.TimeOver(
+        Distance(point.PositionBodyFixed, moonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
+
+    /// <summary>
+    /// m, J2000: from the Moon's centre as it was some seconds before to the camera. The Moon's way is its velocity in the middle by the
+    /// time, which is exact to 1e-10 m; a difference of positions would be one of 1.5e11 m.
+    /// </summary>
+    private static Vector3D FromMoonThen(in TrajectoryPoint point, double seconds, IEphemeris ephemeris) =>
+        point.StateJ2000.Position - (seconds * BarycenterVelocity(point.Tdb + (-0.5 * seconds), ephemeris));
+
+    /// <summary>m/s, J2000: of the solar system's barycentre as seen from the Moon.</summary>
+    private static Vector3D BarycenterVelocity(TdbTime time, IEphemeris ephemeris) =>
+        ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, time).Velocity;
 
     /// <summary>m: along the line of sight to the sphere, or to the nearest point of the sphere.</summary>
     private static double Distance(Vector3D position, Vector3D forward, double radius)

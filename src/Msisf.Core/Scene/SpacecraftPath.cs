@@ -13,8 +13,11 @@ namespace Msisf.Core.Scene;
 /// <param name="ephemeris">How the Moon turns; makes moments of times.</param>
 public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attitude, IEphemeris ephemeris) : ICameraPath
 {
-    /// <summary>s: as long before and after a time the camera is looked at to know its turning, where no source says it.</summary>
-    private const double HalfStep = 0.005;
+    /// <summary>
+    /// s: as long before and after a time the camera is looked at to know its turning, where no source says it: a power of 2, which moves
+    /// a double of TDB by just as much.
+    /// </summary>
+    private const double HalfStep = 1.0 / 256.0;
 
     /// <summary>What the finite speed of light does to the ground that is seen.</summary>
     public Aberration OfGround { get; init; }
@@ -35,45 +38,88 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
     }
 
     /// <summary>How the camera moves, by the velocity that its trajectory has and the rate that its attitude has.</summary>
-    /// <returns>
-    /// Null where the source has no velocity (0 stands for none), the turning is not known, or the ground's aberration moves the pose.
-    /// </returns>
+    /// <returns>Null where the source has no velocity (0 stands for none), or the turning is not known.</returns>
     /// <exception cref="MsisfException">The time is outside the cover, or the data are damaged.</exception>
     public CameraMotion? StatedMotionAt(Instant time)
     {
         StateVector state = trajectory.StateJ2000(time.Tdb);
-        if (OfGround != Aberration.None || state.Velocity == default)
+        if (state.Velocity == default)
         {
             return null;
         }
 
         TrajectoryPoint point = PointAt(time, state);
-        Vector3D ofBody = TurningMoon.RateBodyFixed(time.Tdb, ephemeris);
-        Vector3D velocity = (point.BodyFromJ2000 * state.Velocity) - Vector3D.Cross(ofBody, point.PositionBodyFixed);
-        if (attitude.RateOf(point) is not { } stated)
+        Vector3D rateOfBody = ephemeris.BodyRateJ2000(point.Tdb);
+        if (OfGround != Aberration.None)
         {
-            return Turning(time, state) is { } turning ? new CameraMotion(velocity, turning) : null;
+            return MotionOfPose(point, rateOfBody);
         }
 
+        Vector3D velocity = point.BodyFromJ2000 * (state.Velocity - Vector3D.Cross(rateOfBody, state.Position));
+        if (attitude.RateOf(point) is not { } stated)
+        {
+            return Neighbours(point, rateOfBody) is var (before, after, seconds)
+                ? new CameraMotion(velocity, Turning(attitude.MoonFromCamera(before), attitude.MoonFromCamera(after), seconds))
+                : null;
+        }
+
+        Vector3D ofBody = attitude.MoonFromCamera(point).Conjugate * (point.BodyFromJ2000 * rateOfBody);
+        return new CameraMotion(velocity, stated.IsOverBody ? stated.AboutCamera : stated.AboutCamera - ofBody);
+    }
+
+    /// <summary>The motion of the pose that the ground's aberration moves.</summary>
+    private CameraMotion? MotionOfPose(in TrajectoryPoint point, Vector3D rateOfBody)
+    {
+        if (Neighbours(point, rateOfBody) is not var (before, after, seconds))
+        {
+            return null;
+        }
+
+        (UnitQuaternion first, UnitQuaternion last) = (attitude.MoonFromCamera(before), attitude.MoonFromCamera(after));
+        double lightRate = (GroundAberration.LightSeconds(after, last, GroundRadius)
+            - GroundAberration.LightSeconds(before, first, GroundRadius)) / seconds;
         return new CameraMotion(
-            velocity,
-            stated.IsOverBody ? stated.AboutCamera : stated.AboutCamera - (attitude.MoonFromCamera(point).Conjugate * ofBody));
+            GroundAberration.Velocity(point, attitude.MoonFromCamera(point), lightRate, ephemeris, GroundRadius),
+            Turning(
+                GroundAberration.Pose(before, first, OfGround, ephemeris, GroundRadius).MoonFromCamera,
+                GroundAberration.Pose(after, last, OfGround, ephemeris, GroundRadius).MoonFromCamera,
+                seconds));
     }
 
     /// <summary>
-    /// rad/s over the Moon, about the camera's axes, from its attitudes on a straight line; null if they are known at a single time only.
+    /// The spacecraft a little before and after, on a straight line over a Moon that turns at a constant rate, so that no rounding of times
+    /// and angles enters; null if the attitude is known at a single time only.
     /// </summary>
-    private Vector3D? Turning(Instant time, StateVector state)
+    private (TrajectoryPoint Before, TrajectoryPoint After, double Seconds)? Neighbours(in TrajectoryPoint point, Vector3D rateOfBody)
     {
-        double before = attitude.Cover.Contains(time.After(-HalfStep).Tdb) ? -HalfStep : 0.0;
-        double after = attitude.Cover.Contains(time.After(HalfStep).Tdb) ? HalfStep : 0.0;
-        return before == after
-            ? null
-            : CameraMotion.Between((default, At(before)), (default, At(after)), after - before).AngularVelocityCamera;
+        TrajectoryPoint middle = point;
+        double before = attitude.Cover.Contains(middle.Time.After(-HalfStep).Tdb) ? -HalfStep : 0.0;
+        double after = attitude.Cover.Contains(middle.Time.After(HalfStep).Tdb) ? HalfStep : 0.0;
+        return before == after ? null : (At(before), At(after), after - before);
 
-        UnitQuaternion At(double seconds) => attitude.MoonFromCamera(PointAt(
-            time.After(seconds), state with { Position = state.Position + (seconds * state.Velocity) }));
+        TrajectoryPoint At(double seconds)
+        {
+            Instant time = middle.Time.After(seconds);
+            TdbTime tdb = time.Tdb;
+            StateVector state = middle.StateJ2000;
+            Vector3D velocity = OfGround == Aberration.LightTimeAndStellar && trajectory.Cover.Contains(tdb)
+                ? trajectory.StateJ2000(tdb).Velocity // its change turns the camera by 5e-9 rad/s
+                : state.Velocity;
+            RotationMatrix axes = middle.BodyFromJ2000;
+            double angle = rateOfBody.Length * seconds;
+            if (angle != 0.0)
+            {
+                UnitQuaternion turn = UnitQuaternion.FromAxisAngle(rateOfBody, angle);
+                axes = new RotationMatrix(turn * axes.Row0, turn * axes.Row1, turn * axes.Row2);
+            }
+
+            return new(time, tdb, new StateVector(state.Position + (seconds * state.Velocity), velocity), axes);
+        }
     }
+
+    /// <summary>rad/s over the Moon, about the camera's axes.</summary>
+    private static Vector3D Turning(UnitQuaternion before, UnitQuaternion after, double seconds) =>
+        CameraMotion.Between((default, before), (default, after), seconds).AngularVelocityCamera;
 
     private TrajectoryPoint PointAt(Instant time, StateVector state)
     {

@@ -75,9 +75,14 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
                 return Math.BitDecrement(DayNumber + 1.0);
             }
 
-            // A decimal has 28 digits; its conversion to a double is rounded twice, that of its text once.
-            decimal days = DayNumber + (SinceMidnight.ToDecimalSeconds(AllDecimals) / SecondsPerDay);
-            return double.Parse(days.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+            // The part of the day to twice the digits of a double, so that the sum is rounded once. It is no tie: half a step of a double
+            // is 675 s over a power of 2 of at least 30, which has more decimals than attoseconds.
+            double seconds = SinceMidnight.WholeSeconds;
+            double part = seconds / SecondsPerDay;
+            double below = SinceMidnight.Attoseconds / (double)Duration.PerSecond;
+            double rest = (Math.FusedMultiplyAdd(-part, SecondsPerDay, seconds) + below) / SecondsPerDay;
+            double sum = DayNumber + part;
+            return sum + (part - (sum - DayNumber) + rest);
         }
     }
 

@@ -97,6 +97,8 @@ public class FramedAttitudeTests
         public RotationMatrix BodyFromJ2000(TdbTime time) =>
             RotationMatrix.FrameAboutZ(Math.PI / 2.0 * (1.0 + Moments.OfTdb(time).Mjd - 55289.0));
 
+        public Vector3D BodyRateJ2000(TdbTime time) => Math.PI / 2.0 / 86_400.0 * Vector3D.UnitZ;
+
         public StateVector StateOf(int naifNumber, TdbTime time) => throw new NotSupportedException();
     }
 }

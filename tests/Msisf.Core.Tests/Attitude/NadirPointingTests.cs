@@ -30,6 +30,16 @@ public class NadirPointingTests
         AssertClose(Parse(north), moonFromCamera * Vector3D.UnitZ);
     }
 
+    /// <summary>Over the equator it turns about the image's axes; on the pole the meridian's jump is left out.</summary>
+    [Theory]
+    [InlineData(2e6, 0, 0, 0, 2e6, 0, "0,0,1")] // eastwards
+    [InlineData(2e6, 0, 0, 0, 0, 2e6, "0,-1,0")] // northwards
+    [InlineData(2e6, 0, 0, 2e6, 0, 0, "0,0,0")] // upwards
+    [InlineData(0, 0, 2e6, 2e6, 0, 0, "0,1,0")] // over the north pole, along the meridian 0
+    public void RateOf_KnownMotion_IsThatOfTheLineToTheCentre(
+        double x, double y, double z, double vx, double vy, double vz, string rate) =>
+        AssertClose(Parse(rate), NadirPointing.RateOf(new Vector3D(x, y, z), new Vector3D(vx, vy, vz)));
+
     [Fact]
     public void MoonFromCamera_AnyPlace_LooksAtTheCentreWithEastRight()
     {

@@ -55,6 +55,36 @@ public sealed class PoleOrientationTests
         AssertSame(expected.Row2, found.Row2);
     }
 
+    /// <summary>The rate is that of the axes: differences over 1 and 2 days, so that both are of the fourth order.</summary>
+    [Fact]
+    public void RateJ2000_PolynomialsAndPeriodicTerms_IsThatOfTheAxes()
+    {
+        PoleOrientation orientation = new()
+        {
+            RightAscension = new PoleSeries([200.0, -4.0, 8.0], [1.5]),
+            Declination = new PoleSeries([50.0, 2.0], [0.0, 0.7]),
+            Meridian = new PoleSeries([10.0, 0.2, 5e-7], [3.0]),
+            Angles = [[20.0, 3000.0, 40.0], [15.0, 60.0, 0.0]],
+        };
+        const double Time = 9131.25 * Day;
+
+        Vector3D rate = orientation.RateJ2000(Time)!.Value;
+
+        RotationMatrix axes = orientation.FrameFromJ2000(Time)!.Value;
+        foreach ((Vector3D axis, Func<RotationMatrix, Vector3D> of) in new (Vector3D, Func<RotationMatrix, Vector3D>)[]
+        {
+            (axes.Row0, frame => frame.Row0), (axes.Row1, frame => frame.Row1), (axes.Row2, frame => frame.Row2),
+        })
+        {
+            Vector3D near = Difference(of, 0.5 * Day);
+            Vector3D expected = near + ((near - Difference(of, Day)) / 3.0);
+            Assert.InRange((Vector3D.Cross(rate, axis) - expected).Length, 0.0, 1e-8 * rate.Length); // 1e-4 rad a day to the fourth power
+        }
+
+        Vector3D Difference(Func<RotationMatrix, Vector3D> of, double half) =>
+            (of(orientation.FrameFromJ2000(Time + half)!.Value) - of(orientation.FrameFromJ2000(Time - half)!.Value)) / (2.0 * half);
+    }
+
     private static PoleOrientation Of(double[] alpha, double[] delta, double[] w) => new()
     {
         RightAscension = new PoleSeries(alpha, []),

@@ -92,6 +92,8 @@ public class OrbitPropagatorTests
 
         public RotationMatrix BodyFromJ2000(TdbTime time) => RotationMatrix.FrameAboutZ(AngleAt(Moments.OfTdb(time)));
 
+        public Vector3D BodyRateJ2000(TdbTime time) => 13.18 * Math.PI / 180.0 / 86_400.0 * Vector3D.UnitZ;
+
         public StateVector StateOf(int naifNumber, TdbTime time) => throw new NotSupportedException();
     }
 }

@@ -187,6 +187,8 @@ public sealed class SampledTrajectoryTests
 
         public RotationMatrix BodyFromJ2000(TdbTime time) => RotationMatrix.FrameAboutZ(1e-5 * time.Seconds);
 
+        public Vector3D BodyRateJ2000(TdbTime time) => 1e-5 * Vector3D.UnitZ;
+
         public StateVector StateOf(int naifNumber, TdbTime time) => naifNumber == 399
             ? new StateVector(new Vector3D(4e8, time.Seconds, 0.0), new Vector3D(0.0, 1.0, 0.0))
             : throw new NotSupportedException();

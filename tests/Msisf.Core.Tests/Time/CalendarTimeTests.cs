@@ -1,3 +1,4 @@
+using System.Globalization;
 using Msisf.Core.Errors;
 using Msisf.Core.Time;
 using Xunit;
@@ -47,6 +48,22 @@ public sealed class CalendarTimeTests
         {
             double mjd = (random.NextDouble() * 292_000.0) - 94_553.0;
             Assert.Equal(mjd, CalendarTime.OfMjd(mjd).Mjd);
+        }
+    }
+
+    /// <summary>Against decimals of 28 digits, whose text is rounded to a double once.</summary>
+    [Fact]
+    public void Mjd_OfAttoseconds_IsTheNearestDouble()
+    {
+        Random random = new(2);
+        for (int i = 0; i < 10_000; i++)
+        {
+            int day = random.Next(-94_553, 197_000) >> random.Next(17);
+            decimal seconds = random.Next(86_400) + (random.NextInt64(1_000_000_000_000_000_000) * 1e-18m);
+            decimal days = day + (seconds / 86_400m);
+            Assert.Equal(
+                double.Parse(days.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture),
+                new CalendarTime(day, Duration.OfSeconds(seconds)).Mjd);
         }
     }
 

@@ -90,6 +90,8 @@ public sealed class EngineAgreementTests
             }
 
             AssertClose(cspice.Engine.BodyFromJ2000(tdb), builtIn.Engine.BodyFromJ2000(tdb));
+            Vector3D rate = cspice.Engine.BodyRateJ2000(tdb);
+            Assert.InRange((builtIn.Engine.BodyRateJ2000(tdb) - rate).Length, 0.0, Agreement * rate.Length);
         }
     }
 

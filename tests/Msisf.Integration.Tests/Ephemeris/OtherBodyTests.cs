@@ -48,6 +48,8 @@ public sealed class OtherBodyTests
             Assert.Equal(0.0, (found - expected).Length / expected.Length, Agreement);
             RotationMatrix turned = cspice.Engine.BodyFromJ2000(Moments.OfMjd(mjd).Tdb);
             Assert.Equal(0.0, (turned.Row0 - builtIn.Engine.BodyFromJ2000(Moments.OfMjd(mjd).Tdb).Row0).Length, Agreement);
+            Vector3D rate = cspice.Engine.BodyRateJ2000(Moments.OfMjd(mjd).Tdb);
+            Assert.Equal(0.0, (rate - builtIn.Engine.BodyRateJ2000(Moments.OfMjd(mjd).Tdb)).Length / rate.Length, Agreement);
         }
     }
 

@@ -174,6 +174,9 @@ public sealed class SpiceItself
     internal static extern void pxform_c(byte[] from, byte[] to, double tdbSeconds, double[] matrix);
 
     [DllImport(Library)]
+    internal static extern void sxform_c(byte[] from, byte[] to, double tdbSeconds, double[] ofStates);
+
+    [DllImport(Library)]
     internal static extern void spkpos_c(
         byte[] target, double tdbSeconds, byte[] frame, byte[] correction, byte[] observer, double[] positionKm, out double lightTime);
 

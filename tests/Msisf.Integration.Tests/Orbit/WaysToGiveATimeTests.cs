@@ -48,8 +48,21 @@ public sealed class WaysToGiveATimeTests : IDisposable
             AssertNear(expected, States([.. orbit, "--time-interval", $"[{time}:1s:{time}]"]));
         }
 
+        // The second of two lines; the image has the time of the first.
+        string period = Text(seconds - 7080.0);
+        string camera = _folder.Write(
+            "line.yaml", $"width: 16\nheight: 1\nfocal-length-px: 300\nscan:\n  kind: line-scan\n  period: {period}\n");
+        AssertNear(
+            expected,
+            States([.. orbit, "--time", "2016-12-31T23:58:00Z", "--camera", camera, "--lines", "2", "--renderer", "native"]));
+
         string oem = WriteOem();
-        AssertNear(expected, States(["--oem", oem, "--look-at", "nadir", "--time", time]));
+        foreach (string file in (string[])[oem, WriteStk(), WriteHorizons()])
+        {
+            AssertNear(expected, States(["--oem", file, "--look-at", "nadir", "--time", time]));
+        }
+
+        AssertNear(expected, States(["--trajectory", WriteSeconds(), "--time", time]));
 
         string kernels = _folder["kernels"];
         Succeed(["states", "--format", "spice", "--to", kernels, "--oem", oem, "--look-at", "nadir", "--every", "10"]);
@@ -66,20 +79,19 @@ public sealed class WaysToGiveATimeTests : IDisposable
         }
     }
 
-    /// <summary>The scan's lines, and a batch file's seconds, count SI seconds.</summary>
-    [Fact]
-    public void ScanAndSeconds_OverTheLeapSecond_AreThoseOfTheOrbit()
+    /// <summary>A batch file's column seconds counts SI seconds: the second of its two states has the moment's name.</summary>
+    [Theory]
+    [InlineData("2016-12-31T23:59:60.250000000", "7200.25")]
+    [InlineData("2017-01-01T00:10:00.123456789", "7801.123456789")]
+    public void Seconds_OfABatchFile_AreSiSecondsFromTheEpoch(string time, string seconds)
     {
-        using OpenedEphemeris engine = Engines.BuiltIn();
-        TimeScale scale = engine.Engine.TimeScale;
-        Instant epoch = scale.InstantOf(CalendarTime.OfMjd(57753.0) + Duration.OfSeconds(79_200));
-        OrbitPropagator propagator = new(Kepler.Elements, epoch, OrbitFrame.J2000, engine.Engine);
-        for (double second = 7199.0; second < 7203.0; second += 0.125)
-        {
-            Instant time = epoch.After(second);
-            Vector3D found = engine.Engine.BodyFromJ2000(time.Tdb).Transposed * propagator.PositionBodyFixed(time);
-            Assert.InRange((found - Kepler.PositionAt(second)).Length, 0.0, Position);
-        }
+        string file = _folder.Write(
+            "seconds.csv",
+            $"seconds,x,y,z,qx,qy,qz,qw\n0,2e6,0,0,0,0,0,1\n{seconds},2e6,1e3,0,0,0,0,1\n");
+
+        Succeed(["states", "--format", "oem", "--to", _folder["out"], "--batch-file", file, "--epoch", Epoch]);
+
+        Assert.StartsWith(time, LastLine(), StringComparison.Ordinal);
     }
 
     private static void AssertNear(Vector3D expected, Vector3D found) => Assert.InRange((found - expected).Length, 0.0, Position);
@@ -98,21 +110,79 @@ public sealed class WaysToGiveATimeTests : IDisposable
         {
             StateVector state = Kepler.StateAt(6300.0 + second); // TAI - UTC is 36 s at the epoch
             DateTime tai = new DateTime(2016, 12, 31, 23, 45, 36).AddSeconds(second);
-            double[] numbers =
-                [state.Position.X, state.Position.Y, state.Position.Z, state.Velocity.X, state.Velocity.Y, state.Velocity.Z];
             lines.Add(FormattableString.Invariant($"{tai:yyyy-MM-dd'T'HH:mm:ss} ")
-                + string.Join(' ', numbers.Select(number => (number / 1000.0).ToString("R", CultureInfo.InvariantCulture))));
+                + string.Join(' ', Numbers(state).Select(number => Text(number / 1000.0))));
         }
 
         return _folder.Write("orbit.oem", string.Join('\n', lines) + "\n");
     }
 
-    /// <summary>The position of the only state that <c>msis states</c> writes, J2000.</summary>
+    /// <summary>The same half hour in seconds since an epoch in UTC.</summary>
+    private string WriteStk()
+    {
+        IEnumerable<string> lines = Enumerable.Range(0, 181).Select(index =>
+        {
+            double seconds = 6300.0 + (10.0 * index);
+            return string.Join(' ', ((double[])[seconds, .. Numbers(Kepler.StateAt(seconds))]).Select(Text));
+        });
+        return _folder.Write(
+            "orbit.e",
+            "stk.v.12.0\nBEGIN Ephemeris\nNumberOfEphemerisPoints 181\nScenarioEpoch 31 Dec 2016 22:00:00.000000\n"
+                + "InterpolationMethod Hermite\nInterpolationSamplesM1 7\nCentralBody Moon\nCoordinateSystem J2000\n"
+                + $"EphemerisTimePosVel\n{string.Join('\n', lines)}\nEND Ephemeris\n");
+    }
+
+    /// <summary>The same half hour at whole seconds of TDB, about 69 s after UTC.</summary>
+    private string WriteHorizons()
+    {
+        const string Rule = "*******************************************************************************\n";
+        DateTime j2000 = new(2000, 1, 1, 12, 0, 0);
+        double epochTai = (new DateTime(2016, 12, 31, 22, 0, 36) - j2000).TotalSeconds;
+        IEnumerable<string> lines = Enumerable.Range(0, 181).Select(index =>
+        {
+            DateTime tdb = new DateTime(2016, 12, 31, 23, 46, 0).AddSeconds(10 * index);
+            double seconds = (tdb - j2000).TotalSeconds;
+
+            // By hand: naif0012.tls has K = 1.657e-3 s, EB = 1.671e-2, M = 6.239996 + 1.99096871e-7 t.
+            double mean = 6.239996 + (1.99096871e-7 * seconds);
+            double tdbMinusTt = 1.657e-3 * Math.Sin(mean + (1.671e-2 * Math.Sin(mean)));
+            double[] km = [.. Numbers(Kepler.StateAt(seconds - epochTai - 32.184 - tdbMinusTt)).Select(number => number / 1000.0)];
+            return FormattableString.Invariant(
+                $"{2451545.0 + (seconds / 86400.0):F9}, A.D. {tdb:yyyy-MMM-dd HH:mm:ss}.0000, {string.Join(", ", km.Select(Text))},");
+        });
+        return _folder.Write(
+            "horizons.txt",
+            $"{Rule}Target body name: X (-155)\nCenter body name: Moon (301)\nCenter-site name: BODY CENTER\n"
+                + "Output units    : KM-S\nOutput type     : GEOMETRIC cartesian states\nOutput format   : 2 (position and velocity)\n"
+                + $"Reference frame : ICRF\n{Rule}"
+                + "JDTDB, Calendar Date (TDB), X, Y, Z, VX, VY, VZ,\n"
+                + $"$$SOE\n{string.Join('\n', lines)}\n$$EOE\n{Rule}");
+    }
+
+    /// <summary>The same half hour as samples in seconds since the epoch.</summary>
+    private string WriteSeconds()
+    {
+        IEnumerable<string> lines = Enumerable.Range(0, 181).Select(index =>
+        {
+            double seconds = 6300.0 + (10.0 * index);
+            return string.Join(',', ((double[])[seconds, .. Numbers(Kepler.StateAt(seconds))[..3], 0.0, 0.0, 0.0, 1.0]).Select(Text));
+        });
+        return _folder.Write(
+            "samples.csv", $"# msis: frame=j2000 epoch={Epoch}\nseconds,x,y,z,qx,qy,qz,qw\n{string.Join('\n', lines)}\n");
+    }
+
+    private static double[] Numbers(StateVector state) =>
+        [state.Position.X, state.Position.Y, state.Position.Z, state.Velocity.X, state.Velocity.Y, state.Velocity.Z];
+
+    private static string Text(double number) => number.ToString("R", CultureInfo.InvariantCulture);
+
+    private string LastLine() => File.ReadLines(_folder["out/states.oem"]).Last(text => text.Length > 20 && char.IsDigit(text[0]));
+
+    /// <summary>The position of the last state that <c>msis states</c> writes, J2000.</summary>
     private Vector3D States(string[] run)
     {
         Succeed(["states", "--format", "oem", "--to", _folder["out"], .. run]);
-        string line = File.ReadLines(_folder["out/states.oem"]).Last(text => text.Length > 20 && char.IsDigit(text[0]));
-        double[] km = [.. line.Split(' ', StringSplitOptions.RemoveEmptyEntries)[1..4].Select(
+        double[] km = [.. LastLine().Split(' ', StringSplitOptions.RemoveEmptyEntries)[1..4].Select(
             word => double.Parse(word, CultureInfo.InvariantCulture))];
         return 1000.0 * new Vector3D(km[0], km[1], km[2]);
     }
