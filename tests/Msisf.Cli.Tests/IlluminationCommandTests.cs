@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Msisf.Adapters.Input;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -37,6 +38,19 @@ public sealed class IlluminationCommandTests : IDisposable
         {
             Assert.Equal(File.ReadAllBytes(path), File.ReadAllBytes(path.Replace("/a/", "/c/", StringComparison.Ordinal)));
         }
+    }
+
+    [Fact]
+    public void Region_AroundANamedPlace_HasTheMapsOfItsNumbers()
+    {
+        string[] size = ["--size", "2", "--cell", "1000", "--time-interval", "2026-01-01T00:00:00Z:1d:2026-01-08T00:00:00Z"];
+        NamedPlace shackleton = PlaceNames.Find("Shackleton");
+        Assert.Equal(0, Run("name", ["--center", "Shackleton", .. size]).ExitCode);
+        Assert.Equal(0, Run("numbers", ["--center", FormattableString.Invariant(
+            $"{shackleton.Latitude:R},{shackleton.Longitude:R}"), .. size]).ExitCode);
+
+        Assert.Equal(4, Read("name", "lit_0m.npy").Length);
+        Assert.Equal(Read("numbers", "lit_0m.npy"), Read("name", "lit_0m.npy"));
     }
 
     /// <summary>Tables of a point: times of sunrises and sunsets alternate, and the part of the time agrees with them.</summary>

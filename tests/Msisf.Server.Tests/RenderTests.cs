@@ -37,6 +37,20 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         Assert.Equal(expected, await server.RenderAsync(Options, accept));
     }
 
+    /// <summary>The names of places in a request are those of the command line.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task NamedPlaces_HaveTheBytesOf_TheirNumbers()
+    {
+        const string size = "\"time\": 55289.25, \"width\": 48, \"height\": 32";
+
+        Assert.Equal(
+            await server.RenderAsync($"{size}, \"position\": [-43.2958, 348.785, 200000], \"look-at\": [-45.4458, 348.785]", "image/png"),
+            await server.RenderAsync($"{size}, \"position\": \"Tycho,200000\", \"look-at\": \"-45.4458,348.785\"", "image/png"));
+        Assert.Equal(
+            await server.RenderAsync($"{size}, \"position\": [-45, 348, 200000], \"look-at\": [-43.2958, 348.785]", "image/png"),
+            await server.RenderAsync($"{size}, \"position\": [-45, 348, 200000], \"look-at\": \"tycho\"", "image/png"));
+    }
+
     [RequiresFact(Part.Ldem4)]
     public async Task Multipart_HasTheBytesOf_AllFilesOfMsis()
     {
