@@ -43,14 +43,17 @@ public sealed class IlluminationCommandTests : IDisposable
     [Fact]
     public void Region_AroundANamedPlace_HasTheMapsOfItsNumbers()
     {
-        string[] size = ["--size", "2", "--cell", "1000", "--time-interval", "2026-01-01T00:00:00Z:1d:2026-01-08T00:00:00Z"];
+        string[] size =
+            ["--size", "2", "--cell", "1000", "--above-ground", "0", "--time-interval", "2026-01-01T00:00:00Z:1d:2026-01-08T00:00:00Z"];
         NamedPlace shackleton = PlaceNames.Find("Shackleton");
         Assert.Equal(0, Run("name", ["--center", "Shackleton", .. size]).ExitCode);
         Assert.Equal(0, Run("numbers", ["--center", FormattableString.Invariant(
             $"{shackleton.Latitude:R},{shackleton.Longitude:R}"), .. size]).ExitCode);
 
-        Assert.Equal(4, Read("name", "lit_0m.npy").Length);
-        Assert.Equal(Read("numbers", "lit_0m.npy"), Read("name", "lit_0m.npy"));
+        Assert.Equal(Read("numbers", "lit.npy"), Read("name", "lit.npy"));
+        float[] slopes = Read("name", "slope.npy"); // the ground of the place: inside it is never lit
+        Assert.Equal((4, true), (slopes.Length, slopes.Max() > 1.0f));
+        Assert.Equal(Read("numbers", "slope.npy"), slopes);
     }
 
     /// <summary>Tables of a point: times of sunrises and sunsets alternate, and the part of the time agrees with them.</summary>

@@ -51,6 +51,22 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
             await server.RenderAsync($"{size}, \"position\": [-45, 348, 200000], \"look-at\": \"tycho\"", "image/png"));
     }
 
+    /// <summary>A look is its options; those of the request stay.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Look_HasTheBytesOf_ItsOptions()
+    {
+        const string frame = "\"position\": [3, 6, 60000], \"time\": 55289.25, \"width\": 48, \"height\": 32";
+
+        const string options = "\"samples\": 4, \"shading\": \"smooth\", \"sun\": \"disc\", \"refine\": 1";
+
+        Assert.Equal(
+            await server.RenderAsync($"{frame}, {options}", "application/xml"),
+            await server.RenderAsync($"{frame}, \"look\": \"photo\", \"samples\": 4", "application/xml"));
+        Assert.Equal(
+            await server.RenderAsync($"{frame}, \"surface\": \"terrain\"", "application/xml"),
+            await server.RenderAsync($"{frame}, \"look\": \"truth\"", "application/xml"));
+    }
+
     [RequiresFact(Part.Ldem4)]
     public async Task Multipart_HasTheBytesOf_AllFilesOfMsis()
     {

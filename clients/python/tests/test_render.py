@@ -265,6 +265,16 @@ def test_named_place_is_its_numbers(moon):
         moon.render(position="Tyco,200000", time=55289.0, nadir=True, camera=SMALL)
 
 
+def test_look_is_its_options(moon):
+    near = {"position": (10.0, 20.0, 6e4), "time": 55289.0, "look_at": (10.5, 20.5), "camera": SMALL}
+    looked = moon.render(**near, look="photo", samples=4)
+    given = moon.render(**near, shading="smooth", sun="disc", refine=1, samples=4)
+    plain = moon.render(**near, samples=4)
+
+    np.testing.assert_array_equal(looked.image, given.image)
+    assert (looked.image != plain.image).any()
+
+
 def test_sky_is_no_surface_point(moon):
     frame = moon.render(position=(0.0, 0.0, 1e5), time=55289.0, look_at="horizon:90", camera=SMALL)
 
