@@ -43,6 +43,13 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
     public async Task LengthText_AnySize_HasTheDigitsThatMatter(double metres, string text) =>
         Assert.Equal(text, (await page.CallAsync("text", "lengthText", metres)).GetString());
 
+    [RequiresTheory(Part.Chromium)]
+    [InlineData(0, "0 pictures")]
+    [InlineData(1, "1 picture")]
+    [InlineData(2, "2 pictures")]
+    public async Task PicturesText_AnyNumber_IsInItsNumber(int count, string text) =>
+        Assert.Equal(text, (await page.CallAsync("text", "picturesText", count)).GetString());
+
     [RequiresFact(Part.Chromium)]
     public async Task ReadBatch_CommentsAndColumns_GivesStatesInTheOrderOfALine()
     {
