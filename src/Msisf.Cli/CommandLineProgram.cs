@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Msisf.App.Host;
+using Msisf.App.Settings;
 using Msisf.App.Settings.Config;
 using Msisf.App.Settings.Specs;
 using Msisf.Cli.Commands;
@@ -86,7 +87,7 @@ internal sealed class CommandLineProgram
         }
 
         StrayOptions.Refuse(line, command);
-        _values = Configuration.Behind(_tree.ValuesOf(line), command, _host);
+        _values = LookOptions.Behind(Configuration.Behind(LookOptions.Behind(_tree.ValuesOf(line)), command, _host));
         if (command.Options.FirstOrDefault(option => option.IsRequired && _values.Text(option) is null) is { } missing)
         {
             throw new UsageException($"{missing.Name} is required. {HelpHint(line)}");

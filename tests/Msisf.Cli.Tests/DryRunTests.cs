@@ -102,7 +102,8 @@ public sealed class DryRunTests : IDisposable
                 "msis: No elevation model of 7 px/deg is there: heights are over the sphere of 1737400 m. Drawing needs the model.",
                 "msis: 1 of 3 frames does not show the Moon (step 2).",
                 "msis: 1 of 3 frames shows no lit ground (step 3).",
-                "msis: Cells of the model are 23 px wide in the image at step 1: a finer model (--res) would show more.",
+                "msis: Cells of the model are 23 px wide in the image at step 1: a finer model (--res) would show more, and "
+                    + "--look photo invents what it lacks.",
             ],
             notes);
     }

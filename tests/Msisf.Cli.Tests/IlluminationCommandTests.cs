@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Globalization;
 using System.Runtime.InteropServices;
+using Msisf.Adapters.Input;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -37,6 +38,22 @@ public sealed class IlluminationCommandTests : IDisposable
         {
             Assert.Equal(File.ReadAllBytes(path), File.ReadAllBytes(path.Replace("/a/", "/c/", StringComparison.Ordinal)));
         }
+    }
+
+    [Fact]
+    public void Region_AroundANamedPlace_HasTheMapsOfItsNumbers()
+    {
+        string[] size =
+            ["--size", "2", "--cell", "1000", "--above-ground", "0", "--time-interval", "2026-01-01T00:00:00Z:1d:2026-01-08T00:00:00Z"];
+        NamedPlace shackleton = PlaceNames.Find("Shackleton");
+        Assert.Equal(0, Run("name", ["--center", "Shackleton", .. size]).ExitCode);
+        Assert.Equal(0, Run("numbers", ["--center", FormattableString.Invariant(
+            $"{shackleton.Latitude:R},{shackleton.Longitude:R}"), .. size]).ExitCode);
+
+        Assert.Equal(Read("numbers", "lit.npy"), Read("name", "lit.npy"));
+        float[] slopes = Read("name", "slope.npy"); // the ground of the place: inside it is never lit
+        Assert.Equal((4, true), (slopes.Length, slopes.Max() > 1.0f));
+        Assert.Equal(Read("numbers", "slope.npy"), slopes);
     }
 
     /// <summary>Tables of a point: times of sunrises and sunsets alternate, and the part of the time agrees with them.</summary>

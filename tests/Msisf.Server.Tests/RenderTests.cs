@@ -37,6 +37,36 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         Assert.Equal(expected, await server.RenderAsync(Options, accept));
     }
 
+    /// <summary>The names of places in a request are those of the command line.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task NamedPlaces_HaveTheBytesOf_TheirNumbers()
+    {
+        const string size = "\"time\": 55289.25, \"width\": 48, \"height\": 32";
+
+        Assert.Equal(
+            await server.RenderAsync($"{size}, \"position\": [-43.2958, 348.785, 200000], \"look-at\": [-45.4458, 348.785]", "image/png"),
+            await server.RenderAsync($"{size}, \"position\": \"Tycho,200000\", \"look-at\": \"-45.4458,348.785\"", "image/png"));
+        Assert.Equal(
+            await server.RenderAsync($"{size}, \"position\": [-45, 348, 200000], \"look-at\": [-43.2958, 348.785]", "image/png"),
+            await server.RenderAsync($"{size}, \"position\": [-45, 348, 200000], \"look-at\": \"tycho\"", "image/png"));
+    }
+
+    /// <summary>A look is its options; those of the request stay.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Look_HasTheBytesOf_ItsOptions()
+    {
+        const string frame = "\"position\": [3, 6, 60000], \"time\": 55289.25, \"width\": 48, \"height\": 32";
+
+        const string options = "\"samples\": 4, \"shading\": \"smooth\", \"sun\": \"disc\", \"refine\": 1";
+
+        Assert.Equal(
+            await server.RenderAsync($"{frame}, {options}", "application/xml"),
+            await server.RenderAsync($"{frame}, \"look\": \"photo\", \"samples\": 4", "application/xml"));
+        Assert.Equal(
+            await server.RenderAsync($"{frame}, \"surface\": \"terrain\"", "application/xml"),
+            await server.RenderAsync($"{frame}, \"look\": \"truth\"", "application/xml"));
+    }
+
     [RequiresFact(Part.Ldem4)]
     public async Task Multipart_HasTheBytesOf_AllFilesOfMsis()
     {

@@ -35,6 +35,15 @@ public class InstrumentTests(Chromium chromium, ViewerServer server)
         await viewer.MoveAsync(() => viewer.Page.ClickAsync("#undo"));
         Assert.Equal(358.0, await viewer.NumberAsync("longitude"), 1e-6);
 
+        await viewer.Page.FillAsync("#search-text", "apollo11");
+        await viewer.MoveAsync(() => viewer.Page.Keyboard.PressAsync("Enter"));
+        Assert.Equal(0.67416, await viewer.NumberAsync("latitude"), 1e-4);
+        Assert.Equal(23.47314, await viewer.NumberAsync("longitude"), 1e-4);
+        await viewer.Page.FillAsync("#search-text", "Tycho");
+        await viewer.MoveAsync(() => viewer.Page.Keyboard.PressAsync("Enter"));
+        Assert.Equal(-43.2958, await viewer.NumberAsync("latitude"), 1e-4);
+        Assert.Equal(348.785, await viewer.NumberAsync("longitude"), 1e-4);
+
         await viewer.Page.FillAsync("#search-text", "nowhere at all");
         Assert.Contains("Nothing among", await viewer.Page.GetAttributeAsync("#search-text", "title"), StringComparison.Ordinal);
     }

@@ -71,7 +71,7 @@ public class WayTests(Chromium chromium, ViewerServer server)
                 await viewer.Page.Mouse.MoveAsync(x + (100.0F * float.Sin(0.1F * step)), y + (100.0F * float.Cos(0.07F * step)));
                 await Task.Delay(TimeSpan.FromMilliseconds(16));
                 string text = await viewer.Page.Locator("#status").InnerTextAsync();
-                Match status = Regex.Match(text, "^Moving: 512 × 512, ([0-9]+) pictures in the last second");
+                Match status = Regex.Match(text, "^Moving: 512 × 512, ([0-9]+) pictures? in the last second");
                 if (status.Success)
                 {
                     rates.Add(int.Parse(status.Groups[1].Value, CultureInfo.InvariantCulture));

@@ -80,7 +80,7 @@ class Moon:
 
     def render(
         self,
-        position: Optional[ArrayLike] = None,
+        position: Union[str, ArrayLike, None] = None,
         orientation_xyz0: Optional[ArrayLike] = None,
         time: Optional[Time] = None,
         *,
@@ -95,13 +95,14 @@ class Moon:
 
         Args:
             position: m, MOON_ME (mean Earth/polar axis) with ``orientation_xyz0``; else (latitude, longitude, height): degrees,
-                degrees east, m over the sphere of 1 737 400 m.
+                degrees east, m over the sphere of 1 737 400 m, or "NAME,HEIGHT" over a named place.
             orientation_xyz0: Unit quaternion (qx, qy, qz, q0) that turns camera axes (looks along -x, y right, z up) into MOON_ME.
             states: In place of the position, the camera's trajectory: rows of (MJD, rx, ry, rz, vx, vy, vz), m and m/s in MOON_ME, or in
                 J2000 with ``orbit_frame="j2000"``; or the name of an OEM of the server's --folders. It is interpolated at ``time``.
             time: MJD (days, UTC), ISO 8601 with its zone, a datetime with its zone, or NumPy's datetime64 (UTC). Always needed: it says
                 where the Sun is.
-            look_at: In place of the quaternion: (latitude, longitude[, height]), "sun", or "horizon:AZIMUTH".
+            look_at: In place of the quaternion: (latitude, longitude[, height]), the name of a place, "sun", or
+                "horizon:AZIMUTH".
             nadir: In place of the quaternion: look straight down.
             camera: A Camera, the name of a preset, or a mapping with the keys of a camera file.
             layers: Names of ground truth layers, e.g. ["depth", "normal"], or one name; ``models()["layers"]`` has all.
@@ -119,7 +120,7 @@ class Moon:
 
     def render_all(
         self,
-        position: Optional[ArrayLike] = None,
+        position: Union[str, ArrayLike, None] = None,
         orientation_xyz0: Optional[ArrayLike] = None,
         time: Optional[Time] = None,
         *,
@@ -256,7 +257,7 @@ class Moon:
 
     def _request(
         self,
-        position: Optional[ArrayLike],
+        position: Union[str, ArrayLike, None],
         orientation: Optional[ArrayLike],
         time: Optional[Time],
         look_at: Union[str, ArrayLike, None],
@@ -278,8 +279,9 @@ class Moon:
             raise MsisfError("give one of position and states: it says where the camera is")
         when = time_text(time)
         request = {**self._options, **of_camera, **named(options)}
+        is_named = isinstance(position, str) and orientation is None
         if states is None:
-            place: Dict[str, Any] = {"position": numbers(position, "position", 3)}
+            place: Dict[str, Any] = {"position": position if is_named else numbers(position, "position", 3)}
         else:
             place = {"states": str(states) if isinstance(states, str) else rows(states, "states", 7).tolist()}
         if orientation is not None:

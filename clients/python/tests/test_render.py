@@ -255,6 +255,26 @@ def test_view_has_the_camera_of_the_drawn_frame(moon):
     assert frame.locate([[10.0, 23.0]])[0].height == drawn.locate([[10.0, 23.0]])[0].height
 
 
+def test_named_place_is_its_numbers(moon):
+    named = moon.render(position="Tycho,200000", time=55289.0, look_at="clavius", camera=SMALL)
+    numbers = moon.render(position=(-43.2958, 348.785, 200e3), time=55289.0, look_at=(-58.6228, 345.272), camera=SMALL)
+
+    assert named.image.max() > 50
+    np.testing.assert_array_equal(named.image, numbers.image)
+    with pytest.raises(msisf.MsisfError, match="did you mean Tycho"):
+        moon.render(position="Tyco,200000", time=55289.0, nadir=True, camera=SMALL)
+
+
+def test_look_is_its_options(moon):
+    near = {"position": (10.0, 20.0, 6e4), "time": 55289.0, "look_at": (10.5, 20.5), "camera": SMALL}
+    looked = moon.render(**near, look="photo", samples=4)
+    given = moon.render(**near, shading="smooth", sun="disc", refine=1, samples=4)
+    plain = moon.render(**near, samples=4)
+
+    np.testing.assert_array_equal(looked.image, given.image)
+    assert (looked.image != plain.image).any()
+
+
 def test_sky_is_no_surface_point(moon):
     frame = moon.render(position=(0.0, 0.0, 1e5), time=55289.0, look_at="horizon:90", camera=SMALL)
 

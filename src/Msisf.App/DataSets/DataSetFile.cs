@@ -233,6 +233,21 @@ internal sealed class DataSetFile
             values.TryAdd(NavigationOptions.FlowFormat.Name, new OptionValue(["npy"]));
         }
 
+        if (!line.IsGiven(RendererOptions.Renderer))
+        {
+            values.TryAdd(RendererOptions.Renderer.Name, new OptionValue([RendererOptions.Renderer.WordOf(RendererKind.Native)]));
+        }
+
+        OptionValues looked = LookOptions.Behind(line.With(values));
+        values.Remove(LookOptions.Look.Name);
+        foreach (OptionSpec option in LookOptions.Options.Where(option => !line.IsGiven(option)))
+        {
+            if (looked.Words(option) is { } words)
+            {
+                values.TryAdd(option.Name, new OptionValue(words));
+            }
+        }
+
         bool hasLayers = values.ContainsKey(NativeOptions.Layers.Name);
         foreach ((OptionSpec option, string text) in Defaults.Where(entry => hasLayers || !NativeOptions.OfLayers.Contains(entry.Option)))
         {

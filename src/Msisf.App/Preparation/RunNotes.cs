@@ -108,7 +108,8 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
                 ? Invariant($"{_widestCell:F0}")
                 : Invariant($"more than {LargestTold:F0}");
             string option = hasSeveral || resolution.PixelsPerDegree is null ? string.Empty : " (--res)";
-            Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more.");
+            Note($"Cells of the model are {width} px wide in the image{step}: a finer model{option} would show more, and "
+                + $"--look photo invents what it lacks.");
         }
 
         if (trajectory is OrbitSettings orbit && EpochAway(orbit.Epoch) is { } away)

@@ -73,7 +73,21 @@ internal sealed class JsonOptions
             options.Add(key, value);
         }
 
+        options.AddLook();
         return options.Finish(needsPlace);
+    }
+
+    private void AddLook()
+    {
+        OptionValues values = LookOptions.Behind(new OptionValues(_values));
+        _values.Remove(LookOptions.Look.Name);
+        foreach (OptionSpec option in LookOptions.Options)
+        {
+            if (values.Words(option) is { } words)
+            {
+                _values.TryAdd(option.Name, new OptionValue(words));
+            }
+        }
     }
 
     /// <summary>Whether changes leave an option out: those that say where the camera is replace all of them.</summary>

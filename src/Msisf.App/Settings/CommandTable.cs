@@ -243,9 +243,10 @@ internal static class CommandTable
         MakeGroups = () => [General],
     };
 
-    public static CommandSpec Help { get; } = new("help", "Show the help of msis or of a command.")
+    public static CommandSpec Help { get; } = new("help", "Show the help of msis, of a command or of a topic.")
     {
-        Details = "The same as --help behind the command.",
+        Details = "The same as --help behind the command. Topics are camera, light, elevation, renderer, outputs, missions and series; all "
+            + "stands for all options.",
         MakeArgument = () => CommandWords,
         Examples = [("What msis patterns takes:", "msis help patterns")],
         MakeGroups = () => [OnlyHelp],
@@ -259,12 +260,13 @@ internal static class CommandTable
                 + "The paths of the files are printed.",
         Examples =
         [
-            (
-                "One image, drawn by msis itself with nine samples a pixel:",
-                "msis --fixed-state '{55289,1.9E6,0,0,0,0,0,1}' --renderer native --samples 9"),
-            ("101 images along an orbit:", "msis --kepler-set '{1.9E6,0.05,0.7,1.1,0.9,2.0}' --epoch 55289 --time-interval "
-                + "'[55289:0.001:55289.1]' --output-dir orbit"),
+            ("Tycho, as a camera over it would take it:", "msis --look photo --position=Tycho,200000 --time 2010-04-24T00:00:00Z"),
+            ("From 90 km, with the truth of each pixel:", "msis --look truth --position=Tycho,90000 --time 55310 --layers all"),
+            ("Five images along an orbit:", "msis --look photo --kepler-set '{1.9E6,0.05,0.7,1.1,0.9,2.0}' --epoch 55289 "
+                + "--time-interval '[55289:0.01:55289.04]'"),
             ("What the images of a batch file would show, without drawing:", "msis --batch-file approach.tab --dry-run"),
+            ("The same images in two pieces, by a script:", "msis batchconvert --format sh --pieces 2 --batch-file approach.tab"),
+            ("Where places are:", "msis places tycho"),
         ],
         MakeGroups = () =>
         [
@@ -284,7 +286,7 @@ internal static class CommandTable
     /// <summary>All commands, each with the words by which it is called, e.g. "ldem pyramid"; none for the render command.</summary>
     public static IEnumerable<(string Path, CommandSpec Command)> All => Below(string.Empty, Render);
 
-    private static ArgumentSpec CommandWords => new("COMMAND", "The command, e.g. ldem pyramid")
+    private static ArgumentSpec CommandWords => new("COMMAND", "The command, e.g. ldem pyramid, or the topic")
     {
         IsOptional = true,
         TakesSeveralWords = true,

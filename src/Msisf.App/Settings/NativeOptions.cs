@@ -111,11 +111,15 @@ internal static class NativeOptions
         DefaultNote = "1",
     };
 
+    /// <summary>Word for no invented detail, whatever a look has.</summary>
+    public const string NoDetail = "none";
+
     public static TextSpec Refine { get; } = new(
-        "--refine", DecidesBytes.As(frame => frame.Native?.Refine?.Seed), "SEED",
+        "--refine", DecidesBytes.As(frame => frame.Native?.Refine?.Seed), $"SEED|{NoDetail}",
         "Invents craters, roughness and boulders below the elevation model's resolution, from this number; real heights stay")
     {
-        DefaultNote = "no invented detail",
+        DefaultNote = NoDetail,
+        Words = [NoDetail],
     };
 
     public static NumberSpec RefineCell { get; } = new(

@@ -25,7 +25,7 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
     public static RefineSettings? Read(OptionValues values)
     {
         double cell = NativeOptions.RefineCell.Read(values);
-        if (NativeOptions.Refine.ReadIfGiven(values) is not { } text)
+        if (NativeOptions.Refine.ReadIfGiven(values) is not { } text || ChoiceSpec.IsSame(text, NativeOptions.NoDetail))
         {
             return values.Text(NativeOptions.RefineCell) is null
                 ? null
@@ -43,6 +43,7 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
 
         return ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out ulong seed)
             ? new RefineSettings(seed, (int)Math.Floor(Math.Log2(cell)))
-            : throw NativeOptions.Refine.Wrong($"is '{text}'; a whole number from 0 to {ulong.MaxValue} is needed.");
+            : throw NativeOptions.Refine.Wrong(
+                $"is '{text}'; a whole number from 0 to {ulong.MaxValue}, or {NativeOptions.NoDetail}, is needed.");
     }
 }

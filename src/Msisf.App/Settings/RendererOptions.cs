@@ -15,8 +15,8 @@ internal static class RendererOptions
         Default = RendererKind.PovRay,
     };
 
-    /// <summary>This option as a group of the help text.</summary>
-    public static OptionGroup Group { get; } = new("Renderer", [Renderer]);
+    /// <summary>This option and the looks as a group of the help text.</summary>
+    public static OptionGroup Group { get; } = new("Renderer", [LookOptions.Look, Renderer]);
 
     /// <summary>The options that a renderer does not support and would ignore.</summary>
     public static IReadOnlyList<OptionSpec> WithoutMeaning(RendererKind renderer) =>

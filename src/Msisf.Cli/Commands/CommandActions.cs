@@ -116,13 +116,30 @@ internal static class CommandActions
 
     private static void PrintHelp(CommandCall call)
     {
-        string path = call.Values.Argument ?? string.Empty;
-        string[] names = [.. CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => entry.Command.Name)];
-        HelpText.Write(
-            call.Host.Results,
-            path,
-            HelpWords.Find(path.Split(' ', StringSplitOptions.RemoveEmptyEntries)) ?? throw new UsageException(
-                $"'{path}' is no command{NearestName.Question(path.Split(' ')[^1], names, ".")} msis help lists them."));
+        string[] words = (call.Values.Argument ?? string.Empty).Split(' ', StringSplitOptions.RemoveEmptyEntries);
+        if (words is [var topic] && ShortHelp.Topics.ContainsKey(topic))
+        {
+            HelpText.WriteTopic(call.Host.Results, topic);
+            return;
+        }
+
+        bool isAll = words is [.., ShortHelp.All];
+        string[] called = isAll ? words[..^1] : words;
+        string path = string.Join(' ', called);
+        string[] names =
+        [
+            .. CommandTable.All.Where(entry => entry.Path.Length > 0).Select(entry => entry.Command.Name), .. ShortHelp.Topics.Keys,
+        ];
+        CommandSpec command = HelpWords.Find(called) ?? throw new UsageException(
+            $"'{path}' is neither a command nor a topic{NearestName.Question(path.Split(' ')[^1], names, ".")} msis help lists them.");
+        if (isAll)
+        {
+            HelpText.WriteAll(call.Host.Results, path, command);
+        }
+        else
+        {
+            HelpText.Write(call.Host.Results, path, command);
+        }
     }
 }
 

@@ -74,10 +74,11 @@ public sealed class RunNotesTests
     [Fact]
     public void Write_WideCells_SaysHowWide()
     {
+        const string Remedy = "a finer model (--res) would show more, and --look photo invents what it lacks.";
         Assert.Equal(
-            ["Cells of the model are 15 px wide in the image: a finer model (--res) would show more."], Notes(4, ByDay(1)));
+            [$"Cells of the model are 15 px wide in the image: {Remedy}"], Notes(4, ByDay(1)));
         Assert.Equal(
-            ["Cells of the model are 148 px wide in the image at step 2: a finer model (--res) would show more."],
+            [$"Cells of the model are 148 px wide in the image at step 2: {Remedy}"],
             Notes(4, ByDay(1), Of(2, Day with { X = MoonConstants.ReferenceRadius + (0.1 * Height) }, NadirPointing.MoonFromCamera(Day))));
     }
 

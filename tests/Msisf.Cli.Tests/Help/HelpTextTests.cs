@@ -1,5 +1,6 @@
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Cli.Help;
 using Msisf.TestSupport;
 using Xunit;
 
@@ -13,7 +14,7 @@ public sealed class HelpTextTests
     [MemberData(nameof(Paths))]
     public void Help_OfEachCommand_NamesItsOptionsIn80Columns(string path)
     {
-        CommandLineRun run = CommandLineRun.Of([.. path.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]);
+        CommandLineRun run = CommandLineRun.Of([.. path.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help", "all"]);
         string[] lines = run.Output.Split('\n');
         CommandSpec command = CommandTable.All.Single(entry => entry.Path == path).Command;
 
@@ -26,10 +27,59 @@ public sealed class HelpTextTests
         });
     }
 
+    /// <summary>The first page fits on a screen, and says where the rest is.</summary>
+    [Theory]
+    [InlineData("", "msis help TOPIC")]
+    [InlineData("batchconvert", "msis batchconvert --help all")]
+    [InlineData("submit", "msis submit --help all")]
+    [InlineData("states", "msis states --help all")]
+    public void Help_FirstPage_HasAtMost60LinesOf80Columns(string path, string rest)
+    {
+        string page = CommandLineRun.Of([.. path.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Output;
+        string[] lines = page.TrimEnd().Split('\n');
+
+        Assert.InRange(lines.Length, 15, 60);
+        Assert.All(lines, line => Assert.True(line.Length < 80, $"{line.Length} columns: {line}"));
+        Assert.Contains(rest, page.Replace("\n", " ", StringComparison.Ordinal), StringComparison.Ordinal);
+    }
+
+    /// <summary>Each option of the first page is one of a run; each topic has options, and together they have nearly all.</summary>
+    [Fact]
+    public void Help_Topics_HaveTheOptionsOfARun()
+    {
+        string pages = string.Concat(ShortHelp.Topics.Keys.Select(topic => CommandLineRun.Of(["help", topic]).Output));
+
+        Assert.All(
+            CommandTable.OptionsOfRun,
+            option => Assert.Contains($"{option.Name} ", $"{pages.ReplaceLineEndings(" ")} ", StringComparison.Ordinal));
+        Assert.InRange(ShortHelp.Tasks.Sum(task => task.Options.Count), 20, 30);
+        Assert.All(
+            ShortHelp.Tasks.SelectMany(task => task.Options), option => Assert.Contains(option.Option, CommandTable.Render.Options));
+    }
+
+    [RequiresFact(Part.Ldem4)]
+    public void Help_Examples_Run()
+    {
+        using TemporaryFolder folder = new();
+        string batch = folder.Write("approach.tab", "55289 2E6 2E6 0 0 0 0 1\n55290 2E6 2E6 0 0 0 0 1\n");
+        Assert.Equal(6, CommandTable.Render.Examples.Count);
+        Assert.All(CommandTable.Render.Examples, example =>
+        {
+            List<string> words = [.. example.Call.Replace("'", string.Empty, StringComparison.Ordinal).Split(' ').Skip(1)
+                .Select(word => word == "approach.tab" ? batch : word)];
+            string[] more = words[0] == "places" ? []
+                : words[0] == "batchconvert" ? ["--script", folder["pieces.sh"]]
+                : ["--width", "32", "--height", "24", "--output-dir", folder["out"], "--overwrite"];
+            CommandLineRun run = CommandLineRun.Of([.. words, .. more]);
+            Assert.True(run.ExitCode == 0, $"{example.Call}: {run.Error}");
+            Assert.NotEmpty(run.Output);
+        });
+    }
+
     [Fact]
     public void Help_OfARun_BeginsWithTheCameraAndEndsWithTheCommands()
     {
-        string[] lines = CommandLineRun.Of(["--help"]).Output.Split('\n');
+        string[] lines = CommandLineRun.Of(["--help", "all"]).Output.Split('\n');
         string[] titles =
         [
             "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Albedo:", "Output:", "Renderer:",
@@ -44,7 +94,7 @@ public sealed class HelpTextTests
     [Fact]
     public void Help_HeightIsNotHelp_AndDefaultsStandOnce()
     {
-        string help = CommandLineRun.Of(["-?"]).Output;
+        string help = CommandLineRun.Of(["help", "all"]).Output;
 
         Assert.Contains("-h, --height PX", help, StringComparison.Ordinal);
         Assert.All(
@@ -54,6 +104,10 @@ public sealed class HelpTextTests
 
     [Theory]
     [InlineData("help", "--help")]
+    [InlineData("help", "-?")]
+    [InlineData("help all", "--help all")]
+    [InlineData("help camera", "--help camera")]
+    [InlineData("help batchconvert all", "batchconvert --help all")]
     [InlineData("-h", "--help")]
     [InlineData("help ldem", "ldem --help")]
     [InlineData("help ldem pyramid", "ldem pyramid --help")]
@@ -75,7 +129,7 @@ public sealed class HelpTextTests
         CommandLineRun run = CommandLineRun.Of(["help", "pyramd"]);
 
         Assert.Equal(1, run.ExitCode);
-        Assert.Equal("msis: error: 'pyramd' is no command: did you mean pyramid? msis help lists them.\n", run.Error);
+        Assert.Equal("msis: error: 'pyramd' is neither a command nor a topic: did you mean pyramid? msis help lists them.\n", run.Error);
     }
 
     [Fact]

@@ -19,6 +19,7 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
 
     [RequiresTheory(Part.Chromium)]
     [InlineData("2010-04-03T00:00:00", 55289.0)]
+    [InlineData("2010-04-03", 55289.0)]
     [InlineData("2000-01-01T12:00:00Z", 51544.5)] // J2000
     [InlineData("1858-11-17T00:00", 0.0)] // the zero of the MJD
     public async Task MjdOf_KnownDays_IsTheirNumber(string calendar, double mjd) =>
@@ -26,7 +27,7 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
 
     [RequiresTheory(Part.Chromium)]
     [InlineData("2010-02-30T00:00:00")]
-    [InlineData("2010-04-03")]
+    [InlineData("2010-04")]
     [InlineData("2010-04-03T24:00:00")]
     public async Task MjdOf_NoTimeOfTheCalendar_IsNone(string calendar) =>
         Assert.Equal(JsonValueKind.Null, (await page.CallAsync("time", "mjdOf", calendar)).ValueKind);
@@ -41,6 +42,13 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
     [InlineData(3956123.4, "3956.1 km")]
     public async Task LengthText_AnySize_HasTheDigitsThatMatter(double metres, string text) =>
         Assert.Equal(text, (await page.CallAsync("text", "lengthText", metres)).GetString());
+
+    [RequiresTheory(Part.Chromium)]
+    [InlineData(0, "0 pictures")]
+    [InlineData(1, "1 picture")]
+    [InlineData(2, "2 pictures")]
+    public async Task PicturesText_AnyNumber_IsInItsNumber(int count, string text) =>
+        Assert.Equal(text, (await page.CallAsync("text", "picturesText", count)).GetString());
 
     [RequiresFact(Part.Chromium)]
     public async Task ReadBatch_CommentsAndColumns_GivesStatesInTheOrderOfALine()

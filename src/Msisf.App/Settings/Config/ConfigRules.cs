@@ -29,10 +29,9 @@ internal sealed class ConfigRules
             line);
         if (options.ContainsKey(RendererOptions.Renderer.Name))
         {
-            RendererKind renderer = rules.Effective(RendererOptions.Renderer) == RendererOptions.Renderer.WordOf(RendererKind.Native)
-                ? RendererKind.Native
-                : RendererKind.PovRay;
-            rules.LeaveOut([.. RendererOptions.WithoutMeaning(renderer)]);
+            string? renderer = rules.Effective(RendererOptions.Renderer) ?? LookOptions.RendererOf(rules.Effective(LookOptions.Look));
+            rules.LeaveOut([.. RendererOptions.WithoutMeaning(
+                renderer == RendererOptions.Renderer.WordOf(RendererKind.Native) ? RendererKind.Native : RendererKind.PovRay)]);
         }
 
         rules.KeepOneOf(SurfaceOptions.LevelOfDetail, SurfaceOptions.LevelOfDetail.WordOf(true), SurfaceOptions.LevelOfDetailError);

@@ -17,6 +17,12 @@ internal sealed class OptionValues(
     /// <summary>Whether the option is given on the command line.</summary>
     public bool IsGiven(OptionSpec option) => _values.TryGetValue(option.Name, out OptionValue? value) && value.Place is null;
 
+    /// <summary>Whether a look has set some of them.</summary>
+    public bool HasLook => _values.Values.Any(value => value.Look is not null);
+
+    /// <summary>Position of the option in a configuration file; null if it is not set, or on the command line.</summary>
+    public string? PlaceOf(OptionSpec option) => _values.GetValueOrDefault(option.Name)?.Place;
+
     /// <summary>The words of the option's value; null if the option is neither given nor in a configuration file.</summary>
     public IReadOnlyList<string>? Words(OptionSpec option) => _values.GetValueOrDefault(option.Name)?.Words;
 
@@ -43,11 +49,11 @@ internal sealed class OptionValues(
             : failure.ExitCode;
     }
 
-    /// <summary>The message of an exception, with the position in a configuration file of the first affected option.</summary>
+    /// <summary>The message of an exception, with the source of the first affected option that the command line does not have.</summary>
     public string MessageOf(MsisfException failure)
     {
-        string? option = failure.Options.FirstOrDefault(name => _values.GetValueOrDefault(name)?.Place is not null);
-        return option is null ? failure.Message : $"{failure.Message} {option} comes from {_values[option].Place}.";
+        string? option = failure.Options.FirstOrDefault(name => _values.GetValueOrDefault(name)?.Source is not null);
+        return option is null ? failure.Message : $"{failure.Message} {option} comes from {_values[option].Source}.";
     }
 }
 
@@ -56,4 +62,11 @@ internal sealed class OptionValues(
 /// Words of the value as on the command line; empty for a flag, which is "true" or "false" in a configuration file.
 /// </param>
 /// <param name="Place">Position in a configuration file, e.g. "a.yaml, line 3"; null for the command line.</param>
-internal sealed record OptionValue(IReadOnlyList<string> Words, string? Place = null);
+internal sealed record OptionValue(IReadOnlyList<string> Words, string? Place = null)
+{
+    /// <summary>The look that has the value, e.g. "--look photo"; null for a value of its own.</summary>
+    public string? Look { get; init; }
+
+    /// <summary>Where the value comes from; null for the command line.</summary>
+    public string? Source => Look is null ? Place : Place is null ? Look : $"{Look} ({Place})";
+}

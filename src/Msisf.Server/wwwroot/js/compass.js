@@ -97,5 +97,6 @@ export function showScaleBar(view, size, pagePixels) {
 /** Says which model is drawn, and how large its cells are. */
 export function sayModel(view, size, model) {
     const { name, metres_per_pixel: cell } = model ?? {};
-    $('model-said').textContent = model ? `${name}: cells of ${lengthText(cell)}, ${(cell / pixelSize(view, size)).toPrecision(2)} px` : '';
+    const pixels = Number((cell / pixelSize(view, size)).toPrecision(2)); // 240, not 2.4e+2
+    $('model-said').textContent = model ? `${name}: cells of ${lengthText(cell)}, ${pixels} px` : '';
 }

@@ -7,19 +7,29 @@ const $ = id => document.getElementById(id);
 const MOST_FOUND = 8;
 const WHOLE_ROOM = 1.8; // diameters of a feature across the picture
 
-/** Letters without their accents: Abul Wafa finds Abul Wáfa. */
-const plain = text => text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
+/** Words without accents and apostrophes, in small letters: Abul Wafa finds Abul Wáfa, chang'e finds Chang’e. */
+const wordsOf = text => text.normalize('NFD').replace(/[\p{M}'’]/gu, '').toLowerCase().split(/[^\p{L}\p{N}]+/u).filter(Boolean);
 
 const LINES = /^(Rimae?|Dors[ua]m?|Catena|Vallis|Rupes|Montes|Promontorium) /;
 
 const weightOf = ({ name, diameter }) => diameter * (LINES.test(name) ? 0.25 : 1);
 
-/** The names that a text may mean: those that begin with it, then those with a word that does, then those that hold it. */
+/** How well a name fits a key, which has no blanks: 0 is it, 1 begins with it, 2 has a word that does, 3 holds it, 4 does not. */
+function rankOf(name, wanted) {
+    const words = wordsOf(name);
+    const key = words.join('');
+    if (!key.includes(wanted)) {
+        return 4;
+    }
+    return key === wanted ? 0 : key.startsWith(wanted) ? 1
+        : words.some((_, index) => words.slice(index).join('').startsWith(wanted)) ? 2 : 3;
+}
+
+/** The names that a text may mean, the best first and then the largest. Blanks, punctuation, accents and case do not matter. */
 export function find(names, text) {
-    const wanted = plain(text.trim());
-    const rank = name => (name.startsWith(wanted) ? 0 : name.includes(` ${wanted}`) ? 1 : name.includes(wanted) ? 2 : 3);
-    return wanted === '' ? [] : names.map(feature => ({ feature, rank: rank(plain(feature.name)) }))
-        .filter(({ rank: place }) => place < 3).sort((a, b) => a.rank - b.rank || b.feature.diameter - a.feature.diameter)
+    const wanted = wordsOf(text).join('');
+    return wanted === '' ? [] : names.map(feature => ({ feature, rank: rankOf(feature.name, wanted) }))
+        .filter(({ rank }) => rank < 4).sort((a, b) => a.rank - b.rank || b.feature.diameter - a.feature.diameter)
         .slice(0, MOST_FOUND).map(({ feature }) => feature);
 }
 

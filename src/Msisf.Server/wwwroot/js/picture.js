@@ -5,6 +5,7 @@ import { viewOf } from './geometry.js';
 import { ImageStream } from './stream.js';
 import { LostError, renderPlane } from './server.js';
 import { Stage } from './stage.js';
+import { picturesText } from './text.js';
 import { Warp } from './warp.js';
 
 const REST_AFTER = 80; // ms without a movement
@@ -125,7 +126,8 @@ export class Picture {
         if (now - this.#saidAt > 250) {
             this.#saidAt = now;
             const exact = this.#exact.filter(time => now - time < 1000).length;
-            this.hooks.onStatus(`Moving: ${width} × ${height}, ${this.#times.length} pictures in the last second, ${exact} of them exact.`);
+            this.hooks.onStatus(`Moving: ${width} × ${height}, ${picturesText(this.#times.length)} in the last second, `
+                + `${exact} of them exact.`);
             const recent = this.#times.slice(-10);
             const between = recent.length > 2 ? (now - recent[0]) / (recent.length - 1) : 2 * SLOW;
             this.#longest = Math.min(Math.max(this.#longest * (between > SLOW ? 0.85 : between < QUICK ? 1.1 : 1), LEAST_WARP), MOST_WARP);
@@ -148,7 +150,7 @@ export class Picture {
         this.#show(view, this.state.size, null);
         const now = performance.now();
         this.#times = [...this.#times.filter(time => now - time < 1000), now];
-        this.hooks.onStatus(`Moving: ${image.width} × ${image.height}, ${this.#times.length} pictures in the last second, `
+        this.hooks.onStatus(`Moving: ${image.width} × ${image.height}, ${picturesText(this.#times.length)} in the last second, `
             + `${Math.round(milliseconds)} ms each.`);
     }
 

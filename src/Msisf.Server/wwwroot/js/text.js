@@ -62,3 +62,6 @@ export function placeOfText(text) {
     const [latitude, longitude] = [number(phi, northSouth, 'S'), number(lambda, eastWest, 'W')];
     return Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360 ? { latitude, longitude: (longitude + 360) % 360 } : null;
 }
+
+/** A number of pictures: 1 picture, 2 pictures. */
+export const picturesText = count => `${count} ${count === 1 ? 'picture' : 'pictures'}`;

@@ -3,13 +3,13 @@
 const MILLISECONDS_A_DAY = 86400000;
 const MJD_OF_1970 = 40587;
 
-/** The MJD of a time of the calendar such as 2010-04-06T20:24:00Z; null where it is none. */
+/** The MJD of a time of the calendar such as 2010-04-06T20:24:00Z, or of the start of a day such as 2010-04-06; null where it is none. */
 export function mjdOf(text) {
-    const match = /^(\d{4})-(\d\d)-(\d\d)T(\d\d):(\d\d)(?::(\d\d(?:\.\d+)?))?Z?$/.exec(text.trim());
+    const match = /^(\d{4})-(\d\d)-(\d\d)(?:T(\d\d):(\d\d)(?::(\d\d(?:\.\d+)?))?Z?)?$/.exec(text.trim());
     if (!match) {
         return null;
     }
-    const [year, month, day, hour, minute] = match.slice(1, 6).map(Number);
+    const [year, month, day, hour, minute] = match.slice(1, 6).map(part => Number(part ?? 0));
     const seconds = Number(match[6] ?? 0);
     const date = new Date(0);
     date.setUTCFullYear(year, month - 1, day); // Date.UTC takes the years 0 to 99 for those of the 20th century
