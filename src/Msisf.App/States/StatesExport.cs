@@ -84,12 +84,12 @@ internal static class StatesExport
         };
         IReadOnlyList<SpacecraftState> all = reader.Read(trajectory, cancellation);
         int[] steps = [.. settings.StepsOf(all.Count).Select(step => step - 1)];
+        FrameNaming naming = new(settings.OutputName, settings.Rig?.Name);
         return new NamedStates(settings.CameraModel, [.. steps.SelectMany(step => ScanStates.ExposuresOf(all[step]))], Names);
 
         string[] Names()
         {
-            IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
-                .NamesOf([.. all.Select(state => state.Time)]);
+            IReadOnlyList<string> names = naming.NamesOf([.. all.Select(state => state.Time)]);
             return [.. steps.SelectMany(step => NamesOf(all[step], names[step]))];
         }
     }

@@ -49,7 +49,7 @@ internal sealed class PartPass(SurfaceModel surface)
             count,
             (worker, index) => _workers[worker].Draw(
                 _surface, frame.Frame, pixels, pixels.Bands[bands.First + index], lists[index], withMerged ? lists[count + index] : null,
-                frame.Pieces),
+                frame.Pieces, frame.LensSamples),
             frame.Cancellation);
     }
 

@@ -20,7 +20,7 @@ namespace Msisf.Core.Render.Sampling;
 internal sealed class SamplingPass(PartPass pass)
 {
     /// <summary>Samples of the bands that are lit and shaded together; bounds the memory.</summary>
-    private const long SamplesAtOnce = 1 << 20;
+    private const long SamplesAtOnce = 1 << 18;
 
     /// <summary>Pixels of the image in one of a map, from which on one point of it stands for a pixel's samples.</summary>
     private const double PixelsOfEvenMap = 8.0;
@@ -36,7 +36,12 @@ internal sealed class SamplingPass(PartPass pass)
     {
         CameraModel model = work.Frame.View.Camera.Model;
         _chooser.Pixels.Fill(pattern, model.Width, model.Height, hasBorders: work.Light.IsSun || work.Lights.HasMap(work.Options));
-        Draw(work with { Pieces = FindPieces(work, pattern.Count * (double)model.Width * model.Height) }, isTrial: false);
+        SampledFrame shared = work with
+        {
+            Pieces = FindPieces(work, pattern.Count * (double)model.Width * model.Height),
+            LensSamples = work.Frame.FindLens(pattern, work.Threads, work.Cancellation),
+        };
+        Draw(shared, isTrial: false);
     }
 
     /// <summary>Chooses samples where they matter, and replaces the brightness of the pixels that get them.</summary>
@@ -155,4 +160,7 @@ internal sealed record SampledFrame(
 {
     /// <summary>Knows pieces of facets of which one point stands for all; null if nobody does.</summary>
     public IPieces? Pieces { get; init; }
+
+    /// <summary>All samples of the lens; null if they are not known.</summary>
+    public LensSamples? LensSamples { get; init; }
 }

@@ -3,32 +3,33 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Where lenses are sampled, computed once for each camera and shared by all frames. Safe for several threads.
+/// Where lenses are sampled, computed once for each camera and pattern of samples and shared by all frames. Safe for several threads.
 /// </summary>
 /// <param name="maxSamples">Samples that are kept, of 16 bytes each.</param>
 internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
 {
-    /// <summary>Of nine images of 1024 x 1024 px with their margins for a point spread function.</summary>
-    private const long DefaultMaxSamples = 10_000_000;
+    /// <summary>Centre and nine samples of each pixel of 1024 x 1024 px and of their margin for a point spread function.</summary>
+    private const long DefaultMaxSamples = 11_000_000;
 
     private readonly Lock _gate = new();
     private readonly List<LensSamples> _kept = [];
 
     /// <summary>Finds the samples of a camera, or computes them if there is room.</summary>
     /// <param name="model">The camera, with a lens.</param>
+    /// <param name="pattern">Where the samples of a pixel lie.</param>
     /// <param name="threads">Maximum number of threads; the samples do not depend on it.</param>
     /// <returns>Null if there is no room for them, even without the samples of all other cameras.</returns>
-    public LensSamples? Find(CameraModel model, int threads, CancellationToken cancellation)
+    public LensSamples? Find(CameraModel model, SamplePattern pattern, int threads, CancellationToken cancellation)
     {
         lock (_gate)
         {
-            if (_kept.Find(samples => samples.IsOf(model)) is { } known)
+            if (_kept.Find(samples => samples.IsOf(model, pattern)) is { } known)
             {
                 return known;
             }
 
-            long room = maxSamples - ((long)model.Width * model.Height);
-            if (room < 0)
+            long room = maxSamples - ((long)model.Width * model.Height * pattern.Count);
+            if (_kept.Where(samples => samples.IsOf(model)).Sum(Count) > room)
             {
                 return null;
             }
@@ -36,11 +37,11 @@ internal sealed class LensCache(long maxSamples = LensCache.DefaultMaxSamples)
             if (_kept.Sum(Count) > room)
             {
                 // Frames that are being drawn keep theirs until they are finished.
-                _kept.Clear();
+                _kept.RemoveAll(samples => !samples.IsOf(model));
             }
 
             LensSamples found = new();
-            found.Prepare(model, threads, cancellation);
+            found.Prepare(model, pattern, threads, cancellation);
             _kept.Add(found);
             return found;
         }

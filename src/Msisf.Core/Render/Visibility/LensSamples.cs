@@ -7,8 +7,8 @@ using Msisf.Core.Parallel;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Where the ideal image plane is sampled by the pixels of a camera with a lens: a point for each pixel, and the tiles in which they are
-/// drawn. One object serves many frames, several at a time.
+/// Where the ideal image plane is sampled by the pixels of a camera with a lens: the points of each pixel, and the tiles in which pixels
+/// are drawn. One object serves many frames, several at a time.
 /// </summary>
 internal sealed class LensSamples
 {
@@ -25,27 +25,33 @@ internal sealed class LensSamples
     private const int Kinds = 8;
 
     private CameraModel? _model;
+    private SamplePattern _pattern = SamplePattern.Centre;
     private TangentBox[] _bands = [];
     private IReadOnlyList<LensTile>?[] _tiles = [];
 
-    /// <summary>Tangent to the right of each pixel's sample, row by row.</summary>
+    /// <summary>Tangent to the right of each sample, row by row, those of a pixel beside each other.</summary>
     public double[] Right { get; private set; } = [];
 
-    /// <summary>Tangent down of each pixel's sample, row by row.</summary>
+    /// <summary>Tangent down of each sample.</summary>
     public double[] Down { get; private set; } = [];
 
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
 
-    /// <summary>Whether these are the samples of a camera.</summary>
+    /// <summary>Whether these are the samples of a camera with a pattern.</summary>
+    public bool IsOf(CameraModel model, SamplePattern pattern) => IsOf(model) && _pattern.Equals(pattern);
+
+    /// <summary>Whether these are samples of a camera.</summary>
     public bool IsOf(CameraModel model) => ReferenceEquals(_model, model);
 
     /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
-    public void Prepare(CameraModel model, int threads, CancellationToken cancellation)
+    /// <param name="pattern">Where the samples of a pixel lie.</param>
+    public void Prepare(CameraModel model, SamplePattern pattern, int threads, CancellationToken cancellation)
     {
         _model = null;
-        int size = model.Width * model.Height;
+        _pattern = pattern;
+        int size = model.Width * model.Height * pattern.Count;
         if (Right.Length < size)
         {
             Right = new double[size];
@@ -102,8 +108,9 @@ internal sealed class LensSamples
     {
         LaneRange right = LaneRange.Nothing;
         LaneRange down = LaneRange.Nothing;
-        int last = ((pixels.LastRow + 1) * model.Width) - 1;
-        for (int sample = pixels.FirstRow * model.Width; sample <= last; sample += Vector512<double>.Count)
+        int inRow = model.Width * _pattern.Count;
+        int last = ((pixels.LastRow + 1) * inRow) - 1;
+        for (int sample = pixels.FirstRow * inRow; sample <= last; sample += Vector512<double>.Count)
         {
             right.Widen(Read(Right, sample, last));
             down.Widen(Read(Down, sample, last));
@@ -115,8 +122,9 @@ internal sealed class LensSamples
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void FillRow(CameraModel model, int row)
     {
-        Span<double> right = Right.AsSpan(row * model.Width, model.Width);
-        Span<double> down = Down.AsSpan(row * model.Width, model.Width);
+        int count = _pattern.Count;
+        Span<double> right = Right.AsSpan(row * model.Width * count, model.Width * count);
+        Span<double> down = Down.AsSpan(row * model.Width * count, model.Width * count);
         Span<double> columns = stackalloc double[Vector512<double>.Count];
         for (int column = 0; column < model.Width; column += columns.Length)
         {
@@ -125,10 +133,16 @@ internal sealed class LensSamples
                 columns[lane] = Math.Min(column + lane, model.Width - 1) + 1;
             }
 
-            LanePoints ideal = model.ToIdeal(Vector512.Create<double>(columns), Vector512.Create(row + 1.0));
-            for (int lane = 0; lane < columns.Length && column + lane < model.Width; lane++)
+            Vector512<double> middles = Vector512.Create<double>(columns);
+            for (int sample = 0; sample < count; sample++)
             {
-                (right[column + lane], down[column + lane]) = (ideal.X[lane], ideal.Y[lane]);
+                LanePoints ideal = model.ToIdeal(
+                    middles + Vector512.Create(_pattern.Right[sample]), Vector512.Create(row + 1.0 + _pattern.Down[sample]));
+                for (int lane = 0; lane < columns.Length && column + lane < model.Width; lane++)
+                {
+                    int place = ((column + lane) * count) + sample;
+                    (right[place], down[place]) = (ideal.X[lane], ideal.Y[lane]);
+                }
             }
         }
     }

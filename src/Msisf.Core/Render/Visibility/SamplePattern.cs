@@ -4,7 +4,7 @@ namespace Msisf.Core.Render.Visibility;
 /// Where the samples of a pixel lie, in the order in which they are taken, in vectors of eight. A vector that is not full is filled up with
 /// places at which nothing is drawn.
 /// </summary>
-internal sealed class SamplePattern
+internal sealed class SamplePattern : IEquatable<SamplePattern>
 {
     /// <summary>Samples of a vector.</summary>
     public const int Lanes = 8;
@@ -38,6 +38,9 @@ internal sealed class SamplePattern
             Offset(Reversed(sample % Lanes) ^ Shifts[sample / Lanes], Lanes), Offset(sample % Lanes, Lanes))),
     ]);
 
+    /// <summary>The pixel's centre alone.</summary>
+    public static SamplePattern Centre { get; } = Grid(1);
+
     /// <summary>Number of samples.</summary>
     public int Count { get; }
 
@@ -63,6 +66,14 @@ internal sealed class SamplePattern
 
     /// <summary>Number of samples in the first vectors.</summary>
     public int SamplesIn(int vectors) => Math.Min(vectors * Lanes, Count);
+
+    /// <summary>Whether the samples are the same ones in the same order.</summary>
+    public bool Equals(SamplePattern? other) =>
+        other is not null && Right.AsSpan().SequenceEqual(other.Right) && Down.AsSpan().SequenceEqual(other.Down);
+
+    public override bool Equals(object? obj) => Equals(obj as SamplePattern);
+
+    public override int GetHashCode() => Count;
 
     private static double Offset(int index, int perAxis) => ((index + 0.5) / perAxis) - 0.5;
 

@@ -128,32 +128,50 @@ internal sealed class SubsampleBand
     }
 
     /// <summary>Finds where a lens puts the samples in the ideal image plane.</summary>
+    /// <param name="known">All samples of the image, with this pattern in every pixel; null to compute those that are needed.</param>
     /// <returns>The part of the plane in which they lie.</returns>
-    public TangentBox PlaceInLens(CameraModel model)
+    public TangentBox PlaceInLens(CameraModel model, LensSamples? known)
     {
-        TangentBox box = TangentBox.Nothing;
+        (LaneRange acrossRange, LaneRange alongRange) = (LaneRange.Nothing, LaneRange.Nothing);
         for (int row = FirstRow; row <= LastRow; row++)
         {
             for (int column = 0; column < Width; column++)
             {
                 int start = Starts[IndexOf(column, row)];
                 int samples = VectorsOf(column, row) * SamplePattern.Lanes;
+                if (known is not null)
+                {
+                    Copy(known, ((row * Width) + column) * _pattern.Count, start, samples);
+                }
+
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
                 {
-                    LanePoints ideal = model.ToIdeal(
-                        ArrayLanes.Load(_pattern.Right, sample) + Vector512.Create(column + 1.0),
-                        ArrayLanes.Load(_pattern.Down, sample) + Vector512.Create(row + 1.0));
-                    ideal.X.StoreTo(Right, start + sample);
-                    ideal.Y.StoreTo(Down, start + sample);
-                    for (int lane = 0; lane < SamplePattern.Lanes; lane++)
+                    if (known is null)
                     {
-                        box = box.With(ideal.X[lane], ideal.Y[lane]);
+                        LanePoints ideal = model.ToIdeal(
+                            ArrayLanes.Load(_pattern.Right, sample) + Vector512.Create(column + 1.0),
+                            ArrayLanes.Load(_pattern.Down, sample) + Vector512.Create(row + 1.0));
+                        ideal.X.StoreTo(Right, start + sample);
+                        ideal.Y.StoreTo(Down, start + sample);
                     }
+
+                    acrossRange.Widen(ArrayLanes.Load(Right, start + sample));
+                    alongRange.Widen(ArrayLanes.Load(Down, start + sample));
                 }
             }
         }
 
-        return box;
+        return new TangentBox(acrossRange.Min, alongRange.Min, acrossRange.Max, alongRange.Max);
+    }
+
+    /// <summary>Copies the samples of a pixel; what fills up the last vector lies where the last one does.</summary>
+    private void Copy(LensSamples known, int first, int start, int samples)
+    {
+        int count = _pattern.Count;
+        known.Right.AsSpan(first, count).CopyTo(Right.AsSpan(start));
+        known.Down.AsSpan(first, count).CopyTo(Down.AsSpan(start));
+        Right.AsSpan((start + count)..(start + samples)).Fill(Right[start + count - 1]);
+        Down.AsSpan((start + count)..(start + samples)).Fill(Down[start + count - 1]);
     }
 
     /// <summary>Places the samples of a tile of an image with a lens in the plane of the tile.</summary>

@@ -18,15 +18,16 @@ internal sealed class SubsampleWorker
     /// <param name="parts">Receives the parts.</param>
     /// <param name="merged">Receives the parts without regard to borders of shadows; null if nobody wants them.</param>
     /// <param name="pieces">Knows parts that need no receivers for their samples; null for none.</param>
+    /// <param name="samples">All samples of the frame's lens, if they are known.</param>
     public void Draw(
         SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null,
-        IPieces? pieces = null)
+        IPieces? pieces = null, LensSamples? samples = null)
     {
         ImageView view = frame.View;
         _band.Begin(pixels, view.Camera.Model, band);
         if (frame.Lens is { } lens)
         {
-            DrawLens(surface, view, lens, frame.Blocks);
+            DrawLens(surface, view, lens, samples, frame.Blocks);
         }
         else
         {
@@ -51,9 +52,9 @@ internal sealed class SubsampleWorker
         }
     }
 
-    private void DrawLens(SurfaceModel surface, ImageView view, LensSamples lens, IReadOnlyList<VisibleBlock> blocks)
+    private void DrawLens(SurfaceModel surface, ImageView view, LensSamples lens, LensSamples? samples, IReadOnlyList<VisibleBlock> blocks)
     {
-        TangentBox tangents = _band.PlaceInLens(view.Camera.Model);
+        TangentBox tangents = _band.PlaceInLens(view.Camera.Model, samples);
         _touching.Clear();
         double width = 0.0;
         foreach (VisibleBlock visible in blocks)

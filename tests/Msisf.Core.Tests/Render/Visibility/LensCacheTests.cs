@@ -21,6 +21,8 @@ public sealed class LensCacheTests
 
         Assert.NotNull(first);
         Assert.True(first.IsOf(camera));
+        Assert.NotSame(first, Find(cache, camera, 2));
+        Assert.Same(Find(cache, camera, 2), Find(cache, camera, 2));
         Assert.NotSame(first, Find(cache, Camera("barrel")));
         Assert.Same(first, Find(cache, camera));
     }
@@ -38,6 +40,33 @@ public sealed class LensCacheTests
         CameraModel three = Camera("prism");
         Assert.True(Find(cache, three)!.IsOf(three));
         Assert.NotSame(ofOne, Find(cache, one));
+    }
+
+    /// <summary>Centres and further samples of a camera would else push each other out in every frame.</summary>
+    [Fact]
+    public void Find_NoRoomBesideTheCentres_LeavesThem()
+    {
+        LensCache cache = new(4 * Width * Height);
+        CameraModel camera = Camera("barrel");
+        LensSamples? centres = Find(cache, camera);
+
+        Assert.Null(Find(cache, camera, 2));
+        Assert.Same(centres, Find(cache, camera));
+    }
+
+    [Fact]
+    public void Find_Grid_HasThePointsOfEachPixelBesideEachOther()
+    {
+        CameraModel camera = Camera("fisheye");
+        LensSamples grid = Find(new LensCache(), camera, 2)!;
+
+        for (int sample = 0; sample < 4 * Width * Height; sample++)
+        {
+            (int row, int column) = Math.DivRem(sample / 4, Width);
+            (double right, double down) = camera.ToIdeal(
+                column + (sample % 2 == 0 ? 0.75 : 1.25), row + (sample % 4 < 2 ? 0.75 : 1.25));
+            Assert.Equal((right, down), (grid.Right[sample], grid.Down[sample]));
+        }
     }
 
     /// <summary>Nor is anything gained by forgetting the others.</summary>
@@ -67,6 +96,6 @@ public sealed class LensCacheTests
 
     private static CameraModel Camera(string lens) => LensCases.Of(lens, 0.5, Width, Height);
 
-    private static LensSamples? Find(LensCache cache, CameraModel camera) =>
-        cache.Find(camera, 1, CancellationToken.None);
+    private static LensSamples? Find(LensCache cache, CameraModel camera, int perAxis = 1) =>
+        cache.Find(camera, SamplePattern.Grid(perAxis), 1, CancellationToken.None);
 }
