@@ -166,7 +166,9 @@ public sealed class NativeRendererTests(RuggedTerrain rugged) : IClassFixture<Ru
     {
         NativeRenderOptions options = Options with
         {
-            Reflectance = ReflectanceFactory.Create(law, new Dictionary<string, double>()), Sun = sun, KeepGroundTruth = across == 2,
+            Reflectance = ReflectanceFactory.Create(law, new Dictionary<string, double>()),
+            Sun = sun,
+            KeepGroundTruth = across == 2,
         };
         CompareWithFine("south-pole", across, options, allowed);
     }
