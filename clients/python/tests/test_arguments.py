@@ -76,7 +76,7 @@ def test_numpy_is_taken_by_all_methods(moon, frame):
 @pytest.mark.parametrize(
     ("wrong", "text"),
     [
-        (lambda moon: moon.render("here", time=0, nadir=True), "position: numbers are needed"),
+        (lambda moon: moon.render((1, "x", 3), time=0, nadir=True), "position: numbers are needed"),
         (lambda moon: moon.render((1, 2), time=0, nadir=True), "position: 2 given; 3 are needed"),
         (lambda moon: moon.render((1, 2, np.nan), time=0, nadir=True), "position: not all numbers are finite"),
         (lambda moon: moon.render((1, 2, 3), (0, 0, 1), 0), "orientation_xyz0: 3 given; 4 are needed"),
