@@ -91,7 +91,7 @@ internal sealed class FramePass : IDrawnFrame
         bool isOfCentres = options.SubsamplesPerAxis == 1;
         if (isOfCentres || options.KeepGroundTruth || options.Indirect is not null)
         {
-            DrawCentres(isOfCentres ? 1.0 : 0.0, threads, cancellation);
+            DrawCentres(isOfCentres, threads, cancellation);
         }
         else
         {
@@ -161,22 +161,29 @@ internal sealed class FramePass : IDrawnFrame
     public bool TryGetSurface(int x, int y, out SurfaceHit hit) => KeptSurface().TryGet(x, y, out hit);
 
     /// <summary>Draws one sample a pixel, at its centre.</summary>
-    /// <param name="weight">1 to give the pixels its brightness; 0 to find only what it shows and its light.</param>
-    private void DrawCentres(double weight, int threads, CancellationToken cancellation)
+    /// <param name="isShaded">Whether the pixels get its brightness, or only what it shows and its light is found.</param>
+    private void DrawCentres(bool isShaded, int threads, CancellationToken cancellation)
     {
         _visible = _visibility.Run(Camera, threads, cancellation);
-        bool forgetsLight = weight == 1.0 && _options is { KeepGroundTruth: false, Adaptive: null };
-        SampleWeight sample = new(weight, IsFirst: true, forgetsLight);
-        _light.Run(_visible, Light, _options!, sample, _sunlight, _radianceFactors, threads, cancellation);
+        if (isShaded)
+        {
+            bool forgetsLight = _options is { KeepGroundTruth: false, Adaptive: null };
+            _light.Run(_visible, Light, _options!, forgetsLight, _sunlight, _radianceFactors, threads, cancellation);
+        }
+        else
+        {
+            _light.FindLight(_visible, Light, _options!, _sunlight, threads, cancellation);
+        }
+
         if (_options!.Indirect is null)
         {
             return;
         }
 
         _indirect.Begin(_visible, Light, _options, threads, cancellation);
-        if (weight > 0.0)
+        if (isShaded)
         {
-            _indirect.Add(_visible, _options, weight, _radianceFactors, _indirectFactors, threads, cancellation);
+            _indirect.Add(_visible, _options, _radianceFactors, _indirectFactors, threads, cancellation);
         }
     }
 

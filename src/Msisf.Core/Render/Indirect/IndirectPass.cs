@@ -113,13 +113,12 @@ internal sealed class IndirectPass(SurfaceModel surface)
     /// <summary>Adds the light to radiance factors.</summary>
     /// <param name="points">The points.</param>
     /// <param name="options">The settings.</param>
-    /// <param name="weight">Weight of the points in the sum.</param>
     /// <param name="radianceFactors">Radiance factors by rows; receive the light.</param>
     /// <param name="indirect">The same for this light alone; empty if nobody wants it.</param>
     /// <param name="threads">Maximum number of threads; the result does not depend on it.</param>
     /// <param name="cancellation">Cancels the work.</param>
     public void Add(
-        ISurfaceRows points, NativeRenderOptions options, double weight, double[] radianceFactors, double[] indirect, int threads,
+        ISurfaceRows points, NativeRenderOptions options, double[] radianceFactors, double[] indirect, int threads,
         CancellationToken cancellation)
     {
         if (_lights is not { Bright.Length: > 0 })
@@ -155,7 +154,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         }
 
         WorkerTeam.Run(
-            threads, points.Height, (_, row) => AddRow(points, options, row, weight, radianceFactors, indirect), cancellation);
+            threads, points.Height, (_, row) => AddRow(points, options, row, radianceFactors, indirect), cancellation);
         _sets++;
         _progress.End();
     }
@@ -228,7 +227,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         new(Math.Sqrt(samples * light.Variance / points), samples);
 
     private void AddRow(
-        ISurfaceRows points, NativeRenderOptions options, int row, double weight, double[] radianceFactors, double[] indirect)
+        ISurfaceRows points, NativeRenderOptions options, int row, double[] radianceFactors, double[] indirect)
     {
         IndirectWorker worker = Take(options);
         worker.Scale(points, row, _camera!, options);
@@ -237,7 +236,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         for (int i = 0; i < scaled.Count; i++)
         {
             int at = start + scaled.Columns[i];
-            double value = weight * scaled.Factors[i] * _light[at];
+            double value = scaled.Factors[i] * _light[at];
             radianceFactors[at] += value;
             if (indirect.Length > 0)
             {

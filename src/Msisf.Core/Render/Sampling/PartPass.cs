@@ -89,8 +89,7 @@ internal sealed class PartPass(SurfaceModel surface)
         _sunlight.Prepare(room, hasFractions: true);
         WorkerTeam.Run(frame.Threads, count, (_, list) => Gather(list, lists[list]), frame.Cancellation);
         frame.Lights.Shade(
-            _rows, frame.Light, frame.Options, new SampleWeight(1.0, IsFirst: true, ForgetsLight: false), _sunlight, _scales, _factors,
-            frame.Threads, frame.Cancellation);
+            _rows, frame.Light, frame.Options, _sunlight, _scales, _factors, frame.Threads, frame.Cancellation);
         _hasIndirect = frame.Options.Indirect is not null;
         if (_hasIndirect)
         {
@@ -100,7 +99,7 @@ internal sealed class PartPass(SurfaceModel surface)
             }
 
             _indirectFactors.AsSpan(0, room).Clear();
-            frame.Indirect.Add(_rows, frame.Options, weight: 1.0, _factors, _indirectFactors, frame.Threads, frame.Cancellation);
+            frame.Indirect.Add(_rows, frame.Options, _factors, _indirectFactors, frame.Threads, frame.Cancellation);
         }
     }
 

@@ -37,22 +37,19 @@ internal sealed class LightPass
     /// <summary>Bytes of the arrays of receivers that have been replaced since the first frame.</summary>
     public long ReplacedBytes => _shadows.ReplacedBytes + _penumbras.ReplacedBytes;
 
-    /// <summary>Finds the light on points and, with a weight, adds their brightness.</summary>
+    /// <summary>Finds the light on points and their brightness.</summary>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="options">Reflectance law, Sun and kind of normals.</param>
-    /// <param name="weight">Weight of the points in the sum.</param>
-    /// <param name="sunlight">Receives the light on each point; without its cosines if the weight says so.</param>
-    /// <param name="radianceFactors">Radiance factors (I/F), row by row; those of the points are added.</param>
+    /// <param name="forgetsLight">Whether nobody reads the cosines afterwards: they then need no memory beside that of the image.</param>
+    /// <param name="sunlight">Receives the light on each point.</param>
+    /// <param name="radianceFactors">Receives the radiance factors (I/F), row by row.</param>
     public void Run(
-        ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight,
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, bool forgetsLight, PixelSunlight sunlight,
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
-        sunlight.Prepare(points.Width * points.Height, HasDisc(light, options), weight.ForgetsLight ? radianceFactors : null);
-        FindLight(points, light, options, weight.Share > 0.0, sunlight, threads, cancellation);
-        if (weight.Share > 0.0)
-        {
-            Shade(points, light, options, weight, sunlight, scales: [], radianceFactors, threads, cancellation);
-        }
+        sunlight.Prepare(points.Width * points.Height, HasDisc(light, options), forgetsLight ? radianceFactors : null);
+        FindLight(points, light, options, isShaded: true, sunlight, threads, cancellation);
+        Shade(points, light, options, sunlight, scales: [], radianceFactors, threads, cancellation);
     }
 
     /// <summary>Finds the light on points; the parameters are those of <see cref="Run"/>.</summary>
@@ -64,12 +61,12 @@ internal sealed class LightPass
         FindLight(points, light, options, isShaded: false, sunlight, threads, cancellation);
     }
 
-    /// <summary>Adds the brightness of points whose light is known; the other parameters are those of <see cref="Run"/>.</summary>
+    /// <summary>Finds the brightness of points whose light is known; the other parameters are those of <see cref="Run"/>.</summary>
     /// <param name="scales">By what maps multiply the law's radiance factors; empty to read the maps.</param>
     public void Shade(
-        ISurfaceRows points, SceneLight light, NativeRenderOptions options, SampleWeight weight, PixelSunlight sunlight, double[] scales,
-        double[] radianceFactors, int threads, CancellationToken cancellation) =>
-        _shader.Shade(points, light, sunlight, options, weight, scales, radianceFactors, threads, cancellation);
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight,
+        double[] scales, double[] radianceFactors, int threads, CancellationToken cancellation) =>
+        _shader.Shade(points, light, sunlight, options, scales, radianceFactors, threads, cancellation);
 
     /// <inheritdoc cref="RowShader.HasMap"/>
     public bool HasMap(NativeRenderOptions options) => _shader.HasMap(options);

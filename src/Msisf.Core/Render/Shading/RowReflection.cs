@@ -69,9 +69,8 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="sunlight">The light on each pixel.</param>
     /// <param name="normals">Kind of normals.</param>
-    /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
     public void TakeLit(
-        ISurfaceRows visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals, double weight)
+        ISurfaceRows visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals)
     {
         int start = row * visible.Width;
         SurfaceRow pixels = _row;
@@ -104,7 +103,7 @@ internal sealed class RowReflection(SurfaceModel surface)
 
             // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
             // give 0 there.
-            Points.Add(column, weight * fraction, point, normal, cosIncidence);
+            Points.Add(column, fraction, point, normal, cosIncidence);
         }
     }
 

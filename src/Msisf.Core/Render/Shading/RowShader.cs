@@ -80,20 +80,21 @@ internal sealed class RowShader
         _idle.Add(reflection);
     }
 
-    /// <summary>Adds one sample of each pixel to the radiance factors of a frame.</summary>
+    /// <summary>Computes the radiance factors of points.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="sunlight">The light on each pixel.</param>
     /// <param name="options">Reflectance law and kind of normals.</param>
-    /// <param name="weight">Weight of the sample in the mean over a pixel.</param>
     /// <param name="scales">By what the map multiplies the law's radiance factors; empty to read the map.</param>
-    /// <param name="radianceFactors">Radiance factor (I/F) of each pixel, row by row; receives the sample's part.</param>
+    /// <param name="radianceFactors">
+    /// Receives the radiance factor (I/F) of each pixel, row by row. May be the memory of the cosines: a row is emptied only when it is
+    /// shaded, while it is in the processor's cache.
+    /// </param>
     public void Shade(
         ISurfaceRows visible,
         SceneLight light,
         PixelSunlight sunlight,
         NativeRenderOptions options,
-        SampleWeight weight,
         double[] scales,
         double[] radianceFactors,
         int threads,
@@ -110,14 +111,14 @@ internal sealed class RowShader
                 double[] rented = ArrayPool<double>.Shared.Rent(factors.Length);
                 Span<double> cosines = rented.AsSpan(0, factors.Length);
                 sunlight.CosIncidence.AsSpan(start, factors.Length).CopyTo(cosines);
-                Begin(factors, weight);
+                factors.Clear();
                 if (isFlat)
                 {
-                    AddFlat(sunlight, start, cosines, options.Reflectance, weight.Share, factors);
+                    AddFlat(sunlight, start, cosines, options.Reflectance, factors);
                 }
                 else
                 {
-                    AddReflected(sunlight, start, cosines, _reflected.AsSpan(start, factors.Length), weight.Share, factors);
+                    AddReflected(sunlight, start, cosines, _reflected.AsSpan(start, factors.Length), factors);
                 }
 
                 ArrayPool<double>.Shared.Return(rented);
@@ -125,8 +126,8 @@ internal sealed class RowShader
             }
 
             RowReflection reflection = Take();
-            reflection.TakeLit(visible, row, light, sunlight, options.Normals, weight.Share);
-            Begin(factors, weight);
+            reflection.TakeLit(visible, row, light, sunlight, options.Normals);
+            factors.Clear();
             reflection.FindFactors(
                 visible.View.Camera, light, options, scales.Length > 0 ? scales.AsSpan(start, visible.Width) : default);
             SunlitPoints points = reflection.Points;
@@ -174,22 +175,9 @@ internal sealed class RowShader
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
-    /// <summary>
-    /// Empties a row of the image for its first sample. Not before the row is shaded: it then stays in the processor's cache, and until
-    /// then it may hold the cosines (<see cref="SampleWeight.ForgetsLight"/>).
-    /// </summary>
-    private static void Begin(Span<double> factors, SampleWeight weight)
-    {
-        if (weight.IsFirst)
-        {
-            factors.Clear();
-        }
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
     private static void AddReflected(
-        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, ReadOnlySpan<double> reflected, double weight,
-        Span<double> factors)
+        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, ReadOnlySpan<double> reflected, Span<double> factors)
     {
         ReadOnlySpan<byte> hidden = sunlight.Hidden.AsSpan(start, factors.Length);
         int column = 0;
@@ -199,33 +187,33 @@ internal sealed class RowShader
             if (eight == 0)
             {
                 Vector512<double> isLit = Vector512.GreaterThan(Vector512.Create(cosines[column..]), Vector512<double>.Zero);
-                Vector512<double> added = isLit & (Vector512.Create(weight) * Vector512.Create(reflected[column..]));
+                Vector512<double> added = isLit & Vector512.Create(reflected[column..]);
                 (Vector512.Create((ReadOnlySpan<double>)factors[column..]) + added).CopyTo(factors[column..]);
             }
             else if (eight != AllHidden)
             {
-                AddReflected(cosines, hidden, reflected, weight, factors, column, column + Vector512<double>.Count);
+                AddReflected(cosines, hidden, reflected, factors, column, column + Vector512<double>.Count);
             }
         }
 
-        AddReflected(cosines, hidden, reflected, weight, factors, column, factors.Length);
+        AddReflected(cosines, hidden, reflected, factors, column, factors.Length);
     }
 
     private static void AddReflected(
-        ReadOnlySpan<double> cosines, ReadOnlySpan<byte> hidden, ReadOnlySpan<double> reflected, double weight, Span<double> factors,
+        ReadOnlySpan<double> cosines, ReadOnlySpan<byte> hidden, ReadOnlySpan<double> reflected, Span<double> factors,
         int first, int end)
     {
         for (int column = first; column < end; column++)
         {
             if (hidden[column] == 0 && cosines[column] > 0.0)
             {
-                factors[column] += weight * reflected[column];
+                factors[column] += reflected[column];
             }
         }
     }
 
     private static void AddFlat(
-        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, IReflectance law, double weight, Span<double> factors)
+        PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, IReflectance law, Span<double> factors)
     {
         if (sunlight.VisibleFractions.Length == 0 && law is LambertReflectance { Albedo: var albedo })
         {
@@ -235,7 +223,7 @@ internal sealed class RowShader
                 reflected[column] = albedo * cosines[column];
             }
 
-            AddReflected(sunlight, start, cosines, reflected.AsSpan(0, factors.Length), weight, factors);
+            AddReflected(sunlight, start, cosines, reflected.AsSpan(0, factors.Length), factors);
             ArrayPool<double>.Shared.Return(reflected);
             return;
         }
@@ -246,17 +234,9 @@ internal sealed class RowShader
         {
             if (hidden[column] == 0 && cosines[column] > 0.0)
             {
-                double share = isPoint ? weight : weight * sunlight.VisibleFractions[start + column];
+                double share = isPoint ? 1.0 : sunlight.VisibleFractions[start + column];
                 factors[column] += share * law.RadianceFactor(cosines[column], cosEmission: 1.0, phaseHaversine: 0.0);
             }
         }
     }
 }
-
-/// <summary>How a sample of each pixel counts.</summary>
-/// <param name="Share">Its part of the sum; 0 to find its light only.</param>
-/// <param name="IsFirst">Whether it is the first of the sum; what the image held before is then forgotten.</param>
-/// <param name="ForgetsLight">
-/// Whether it is the only one and nobody reads its light after the shading: the cosines then need no memory beside that of the image.
-/// </param>
-internal readonly record struct SampleWeight(double Share, bool IsFirst, bool ForgetsLight);

@@ -68,7 +68,7 @@ public sealed class RowReflectionTests
         int lit = 0;
         for (int row = 0; row < Side; row++)
         {
-            late.TakeLit(visible, row, light, sunlight, NormalModel.Facet, weight: 1.0);
+            late.TakeLit(visible, row, light, sunlight, NormalModel.Facet);
             late.FindFactors(camera, light, options);
             for (int i = 0; i < late.Points.Count; i++)
             {
