@@ -24,6 +24,9 @@ internal sealed class PartPass(SurfaceModel surface)
     private double[] _indirectFactors = [];
     private bool _hasIndirect;
 
+    /// <inheritdoc cref="SurfaceModel.ReferenceRadius"/>
+    public double ReferenceRadius => _surface.ReferenceRadius;
+
     /// <summary>Draws another surface from the next frame on; the memory is kept.</summary>
     public void Show(SurfaceModel next) => _surface = next;
 
@@ -72,6 +75,7 @@ internal sealed class PartPass(SurfaceModel surface)
             _factors = new double[room];
         }
 
+        frame.Lights.FindLight(_receiverRows, frame.Light, frame.Options, _receiverSunlight, frame.Threads, frame.Cancellation);
         bool hasMap = frame.Lights.HasMap(frame.Options);
         if (hasMap)
         {
@@ -81,11 +85,11 @@ internal sealed class PartPass(SurfaceModel surface)
                 _receiverScales = new double[receivers];
             }
 
-            frame.Lights.FindScales(_receiverRows, frame.Options, _receiverScales, frame.Threads, frame.Cancellation);
+            frame.Lights.FindScales(
+                _receiverRows, _receiverSunlight, frame.Options, _receiverScales, frame.Threads, frame.Cancellation);
         }
 
         _scales = !hasMap ? [] : _scales.Length < room ? new double[room] : _scales;
-        frame.Lights.FindLight(_receiverRows, frame.Light, frame.Options, _receiverSunlight, frame.Threads, frame.Cancellation);
         _sunlight.Prepare(room, hasFractions: true);
         WorkerTeam.Run(frame.Threads, count, (_, list) => Gather(list, lists[list]), frame.Cancellation);
         frame.Lights.Shade(
@@ -156,6 +160,11 @@ internal sealed class PartPass(SurfaceModel surface)
             for (; receiver < end; receiver++)
             {
                 double fraction = _receiverSunlight.VisibleFraction(receiver);
+                if (fraction <= 0.0)
+                {
+                    continue;
+                }
+
                 sum += fraction;
                 cosines += fraction * _receiverSunlight.CosIncidence[receiver];
                 scales += fraction * (hasMap ? _receiverScales[receiver] : 1.0);

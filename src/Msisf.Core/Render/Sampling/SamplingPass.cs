@@ -8,7 +8,6 @@ using Msisf.Core.Render.Shadows;
 using Msisf.Core.Render.Visibility;
 using Msisf.Core.Scene;
 using Msisf.Core.Surface;
-using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Render.Sampling;
 
@@ -62,7 +61,7 @@ internal sealed class SamplingPass(PartPass pass)
 
     /// <summary>Finds on which pieces of facets the samples need not be looked at one by one; null if that would not be worth it.</summary>
     /// <param name="samples">Number of samples of the image.</param>
-    private static SurePieces? FindPieces(SampledFrame work, double samples)
+    private SurePieces? FindPieces(SampledFrame work, double samples)
     {
         double facets = 2.0 * work.Frame.Blocks.Count * CellBlock.Size * CellBlock.Size;
         SureLight? light = facets < samples
@@ -75,7 +74,7 @@ internal sealed class SamplingPass(PartPass pass)
     }
 
     /// <summary>m: up to this depth a pixel is small beside those of all maps, so that their reflectance is linear in it.</summary>
-    private static double EvenDepth(SampledFrame work)
+    private double EvenDepth(SampledFrame work)
     {
         NativeRenderOptions options = work.Options;
         if (!work.Lights.HasMap(options))
@@ -85,7 +84,7 @@ internal sealed class SamplingPass(PartPass pass)
 
         IEnumerable<AlbedoMap> maps = options.Albedo is { } whole ? options.AlbedoSites.Append(whole) : options.AlbedoSites;
         double finest = work.Lights.HasRays ? 0.0 : maps.Min(map => map.Extent.Height / map.Levels[0].Height); // rays are finer still
-        return finest * MoonConstants.ReferenceRadius / (PixelsOfEvenMap * work.Frame.View.Camera.PixelTangent);
+        return finest * pass.ReferenceRadius / (PixelsOfEvenMap * work.Frame.View.Camera.PixelTangent);
     }
 
     /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>

@@ -76,8 +76,9 @@ internal sealed class LightPass
 
     /// <inheritdoc cref="RowShader.FindScales"/>
     public void FindScales(
-        ISurfaceRows points, NativeRenderOptions options, double[] scales, int threads, CancellationToken cancellation) =>
-        _shader.FindScales(points, options, scales, threads, cancellation);
+        ISurfaceRows points, PixelSunlight sunlight, NativeRenderOptions options, double[] scales, int threads,
+        CancellationToken cancellation) =>
+        _shader.FindScales(points, sunlight, options, scales, threads, cancellation);
 
     /// <summary>Prepares to tell the light on pieces of facets; null for a light that is no point or throws no shadows.</summary>
     /// <param name="blocks">The blocks in which the facets lie.</param>

@@ -141,18 +141,23 @@ internal sealed class RowReflection(SurfaceModel surface)
         }
     }
 
-    /// <summary>Computes by what the map multiplies the law's radiance factors in a row.</summary>
+    /// <summary>Computes by what the map multiplies the law's radiance factors at the lit points of a row.</summary>
     /// <param name="visible">The surface points.</param>
     /// <param name="row">Index of the row, from 0.</param>
-    /// <param name="scales">Receives it, by column.</param>
-    public void FindScales(ISurfaceRows visible, int row, NativeRenderOptions options, Span<double> scales)
+    /// <param name="sunlight">The light on each point.</param>
+    /// <param name="scales">Receives it, by column; nothing where a point is dark.</param>
+    public void FindScales(ISurfaceRows visible, int row, PixelSunlight sunlight, NativeRenderOptions options, Span<double> scales)
     {
         visible.Read(row + 1, _row);
         Points.Clear(visible.Width);
         for (int i = 0; i < _row.Count; i++)
         {
-            Vector3D normal = new(_row.NormalX[i], _row.NormalY[i], _row.NormalZ[i]);
-            Points.Add(_row.Columns[i], 1.0, new Vector3D(_row.X[i], _row.Y[i], _row.Z[i]), normal, 1.0);
+            int column = _row.Columns[i];
+            if (sunlight.VisibleFraction((row * visible.Width) + column) > 0.0)
+            {
+                Vector3D normal = new(_row.NormalX[i], _row.NormalY[i], _row.NormalZ[i]);
+                Points.Add(column, 1.0, new Vector3D(_row.X[i], _row.Y[i], _row.Z[i]), normal, 1.0);
+            }
         }
 
         FindScales(visible.View.Camera, options);

@@ -146,15 +146,17 @@ internal sealed class RowShader
     /// <summary>Whether craters of invented ground have bright rays.</summary>
     public bool HasRays => _surface.Brightness is not null;
 
-    /// <summary>Finds by what maps multiply the law's radiance factors.</summary>
+    /// <summary>Finds by what maps multiply the law's radiance factors where there is light.</summary>
     /// <param name="visible">The surface points.</param>
-    /// <param name="scales">Receives it, row by row.</param>
+    /// <param name="sunlight">The light on them.</param>
+    /// <param name="scales">Receives it, row by row; nothing where a point is dark.</param>
     public void FindScales(
-        ISurfaceRows visible, NativeRenderOptions options, double[] scales, int threads, CancellationToken cancellation) =>
+        ISurfaceRows visible, PixelSunlight sunlight, NativeRenderOptions options, double[] scales, int threads,
+        CancellationToken cancellation) =>
         WorkerTeam.Run(threads, visible.Height, (_, row) =>
         {
             RowReflection reflection = Take();
-            reflection.FindScales(visible, row, options, scales.AsSpan(row * visible.Width, visible.Width));
+            reflection.FindScales(visible, row, sunlight, options, scales.AsSpan(row * visible.Width, visible.Width));
             _idle.Add(reflection);
         }, cancellation);
 
