@@ -16,8 +16,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
 . "$root/scripts/lib/dotnet.sh"
-. "$root/scripts/lib/download.sh"
-. "$root/scripts/lib/ldem.sh"
+. "$root/scripts/lib/data.sh"
 . "$root/scripts/lib/benchmark.sh"
 
 choice=()
@@ -69,17 +68,6 @@ fine_ending=16S_18N_014_062
 # Figures are of Release. Tests of this script take what test.sh has built already, and name its configuration.
 configuration=${MSISF_BENCHMARK_BUILT:-Release}
 program=tests/Msisf.Benchmarks/bin/$configuration/net10.0/Msisf.Benchmarks
-
-# The label of LDEM_4, the real one or what stands in for it, into $base.
-get_base() {
-    local code=0
-    scripts/get-ldem.sh || code=$?
-    case $code in
-        0) base=input/ldem/LDEM_4.LBL ;;
-        10) base=input/ldem/LDEM_4_SYNTHETIC.LBL ;;
-        *) exit "$code" ;;
-    esac
-}
 
 # get_model NAME: a resolution, px/deg, or m/px of a map of the south pole, as 20m; adds the model to the arguments of the run, and makes it before if it is not there.
 get_model() {

@@ -9,6 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
 . "$root/scripts/lib/install.sh"
+. "$root/scripts/lib/data.sh"
 
 usage='Usage: ./quickstart.sh [--install FOLDER | --uninstall FOLDER], e.g. --install ~/.local'
 prefix=''
@@ -35,15 +36,12 @@ require_own_folders
 model_options=()
 pattern_options=()
 get_model() {
-    local code=0
-    scripts/get-ldem.sh || code=$?
-    case $code in
-        0) ;;
-        10)
-            model_options=(--ldem input/ldem/LDEM_4_SYNTHETIC.LBL)
+    get_base
+    case $base in
+        *SYNTHETIC*)
+            model_options=(--ldem "$base")
             pattern_options=(--pattern-repos pattern-repository/synthetic/)
             ;;
-        *) exit "$code" ;;
     esac
 }
 
@@ -80,7 +78,7 @@ if library=$(scripts/get-cspice.sh); then
 else
     say 'Going on without CSPICE, with the built-in kernel reader.'
 fi
-scripts/get-albedo.sh || say 'Going on without a map of the reflectance: the native image shows a Moon without maria.'
+fetch_data albedo >/dev/null || say 'Going on without a map of the reflectance: the native image shows a Moon without maria.'
 if [ -n "$prefix" ]; then
     install_program "$root" "$prefix"
     exit 0

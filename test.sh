@@ -8,6 +8,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/packages.sh"
 . "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/results.sh"
+. "$root/scripts/lib/data.sh"
 cd "$root"
 require_own_folders
 
@@ -55,10 +56,11 @@ note_failed_build() {
     fi
 }
 note_failed_build
-scripts/get-ldem.sh --real-only || warn 'going on without the elevation model: its tests are skipped'
+msis=(dotnet src/Msisf.Cli/bin/Debug/net10.0/msis.dll)
+fetch_data ldem || warn 'going on without the elevation model: its tests are skipped'
 scripts/get-cspice.sh || warn 'going on without CSPICE: its tests are skipped'
 # Before any test: one of them installs it, and images drawn before and after would differ.
-scripts/get-albedo.sh || warn 'going on without a map of the reflectance'
+fetch_data albedo || warn 'going on without a map of the reflectance'
 run_suites 2 "${early[@]}" &
 seldom_collecting check build 'scripts/build.sh' scripts/build.sh
 note_failed_build

@@ -15,7 +15,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 test_bytes() {
     local work=$root/obj/release-test-$$
     cd "$root"
-    [ -f input/ldem/LDEM_4.IMG ] || die 'the comparison needs LDEM_4: scripts/get-ldem.sh'
+    [ -f input/ldem/LDEM_4.IMG ] || die 'the comparison needs LDEM_4: ./msis fetch ldem'
     scripts/build.sh --native
     find_dotnet || die '.NET is missing: run scripts/build.sh'
     dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false -o "$work/jit" -v quiet -nologo ||
@@ -53,9 +53,9 @@ publish_server() {
     rm -f "$work/server"/{createdump,libmscordaccore.so,libmscordbi.so}
 }
 
-# stage_program FOLDER: what msis reads of its installation, and the scripts that fetch models; no symbols and no comments of the code.
+# stage_program FOLDER: what msis reads of its installation; no symbols and no comments of the code.
 stage_program() {
-    mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo" "$1/scripts/lib"
+    mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
     rm -r "$1/publish/server"
@@ -66,8 +66,6 @@ stage_program() {
     # The program holds OpenSSL.
     cat /usr/share/doc/libssl-dev/copyright /usr/share/common-licenses/Apache-2.0 >"$1/lib/LICENSE-OpenSSL.txt"
     [ ! -e lib/native/libcspice.so ] || install -D -m 644 lib/native/libcspice.so "$1/lib/native/libcspice.so"
-    cp scripts/get-ldem.sh scripts/get-albedo.sh "$1/scripts"
-    cp scripts/lib/common.sh scripts/lib/download.sh scripts/lib/ldem.sh "$1/scripts/lib"
     cp README.md LICENSE "$1"
     find "$1" -type d -exec chmod 755 {} +
     find "$1" -type f ! -perm -u+x -exec chmod 644 {} +
@@ -100,8 +98,8 @@ Architecture: amd64
 Maintainer: The MSISF authors <msisf@localhost>
 Installed-Size: $kilobytes
 Depends: libc6 (>= 2.34), libgcc-s1, libstdc++6, libssl3t64 | libssl3
-Recommends: libcfitsio10t64 | libcfitsio10, povray
-Suggests: libgdal36 | libgdal34t64 | libgdal32, curl
+Recommends: libcfitsio10t64 | libcfitsio10, povray, curl
+Suggests: libgdal36 | libgdal34t64 | libgdal32
 Section: science
 Priority: optional
 Description: synthetic images of the Moon for optical navigation

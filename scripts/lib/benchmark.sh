@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by benchmark.sh after common.sh and ldem.sh: the models that it measures on, and where its tables go.
+# Sourced by benchmark.sh after common.sh and data.sh: the models that it measures on, and where its tables go.
 
 begin_mark='<!-- benchmark.sh: begin -->'
 end_mark='<!-- benchmark.sh: end -->'
@@ -8,11 +8,10 @@ end_mark='<!-- benchmark.sh: end -->'
 make_model() {
     local folder=$1 name=$2 base=$3
     shift 3
-    [ -n "$(fault_of_model "$folder" "$name")" ] || return 0
+    [ ! -f "$folder/$name.LBL" ] || return 0
     say "Making the synthetic model $name ..."
     ./msis ldem synthesize "$@" --sample-type int16 --base "$base" --seed 1 --output-dir "$folder" --batch
-    [ -z "$(fault_of_model "$folder" "$name")" ] ||
-        die "msis ldem synthesize ended well, but: $(fault_of_model "$folder" "$name"): please report this"
+    [ -f "$folder/$name.LBL" ] || die "msis ldem synthesize ended well, but did not write $folder/$name.LBL: please report this"
 }
 
 # publish_performance FOLDER: what a whole run has left there goes into the docs; plots of scenes that are no more go out.
@@ -50,9 +49,9 @@ validate() {
         die "--validate needs the LROC strip $(basename "$strip") of USGS's ISIS test data in $(dirname "$strip"), or labels of other images"
     install_parts matplotlib gdal-library downloader certificates
     scripts/build.sh
-    scripts/get-ldem.sh --real-only || die '--validate needs the real elevation model LDEM_4'
+    fetch_data ldem >/dev/null || die '--validate needs the real elevation model LDEM_4'
     scripts/get-cspice.sh >/dev/null || say 'Going on without CSPICE, with the built-in kernel reader.'
-    scripts/get-albedo.sh || die '--validate needs the map of the reflectance'
+    fetch_data albedo >/dev/null || die '--validate needs the map of the reflectance'
     mkdir -p "$folder"
     if [ $# -gt 0 ]; then
         /usr/bin/python3 -B tests/validation/twins.py --page docs/validation.md --folder "$folder" "$@"

@@ -11,7 +11,7 @@ need_matplotlib() {
 # A clone whose models are there; SDK, program, benchmark and plots are stand-ins. Each line of "calls" is what the benchmark was asked.
 make_benchmark_clone() {
     need povray
-    export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl' CALLS=$PWD/calls PATH="$PWD/sdk:$PATH"
+    export CALLS=$PWD/calls PATH="$PWD/sdk:$PATH"
     make_clone "$PWD/clone"
     cp "$MSISF_TESTED_ROOT/benchmark.sh" clone
     mkdir -p clone/tests/Msisf.Benchmarks
@@ -35,6 +35,7 @@ esac
 SDK
     make_executable clone/publish/msis <<'PROGRAM'
 #!/usr/bin/env bash
+[ "$1" != fetch ] || exit 0
 echo "msis $*" >>"$CALLS"
 name=LDEM_$4_SYNTHETIC
 case $4 in

@@ -6,7 +6,7 @@ make_set_up_clone() {
     make_clone "$PWD/my clone"
     make_model 'my clone/input/ldem' LDEM_4 IMG LBL
     local script
-    for script in build get-ldem get-cspice; do
+    for script in build get-cspice; do
         make_executable "my clone/scripts/$script.sh" <<'DONE'
 #!/bin/sh
 echo done

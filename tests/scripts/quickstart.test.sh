@@ -4,14 +4,12 @@
 # A clone that is set up but for its images; the program and CSPICE are stand-ins.
 make_built_clone() {
     need povray
-    export MSISF_LDEM_URLS='http://127.0.0.1:9/none.lbl'
     make_clone "$PWD/clone"
     make_model clone/input/ldem LDEM_4 IMG LBL
     make_executable clone/scripts/build.sh <<'BUILD'
 #!/bin/sh
 echo built
 BUILD
-    printf '#!/bin/sh\necho no map\nexit 1\n' | make_executable clone/scripts/get-albedo.sh
     make_executable clone/scripts/get-cspice.sh <<'CSPICE'
 #!/bin/sh
 echo "${CSPICE:-}"
@@ -21,6 +19,8 @@ CSPICE
 #!/bin/sh
 echo "program: $*"
 [ -z "$BROKEN" ] || exit 3
+[ "$1 $2" != 'fetch albedo' ] || exit 3
+[ "$1" != fetch ] || exec test -f input/ldem/LDEM_4.IMG
 [ "$1" != ldem ] || exec cp ../made/LDEM_4_SYNTHETIC.IMG ../made/LDEM_4_SYNTHETIC.LBL input/ldem
 while [ "$1" != --output-name ]; do shift; done
 for file in png xml annotated.png; do echo made >"output/$2.$file"; done

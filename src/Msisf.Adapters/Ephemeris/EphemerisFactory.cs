@@ -31,7 +31,8 @@ public static class EphemerisFactory
         return request.Choice == EphemerisChoice.Auto
             ? OpenBuiltIn(kernels, request.Body, $"because {pathOrReason}")
             : throw new ExternalPartException(
-                $"{pathOrReason}. Run scripts/get-cspice.sh, name the library in MSISF_CSPICE, or use --ephemeris builtin.");
+                $"{pathOrReason}. Name the library in MSISF_CSPICE (scripts/get-cspice.sh of the source builds one), or use "
+                    + "--ephemeris builtin.");
     }
 
     /// <summary>Looks at the structure of binary kernels, because CSPICE says of a damaged one only what its own search met.</summary>

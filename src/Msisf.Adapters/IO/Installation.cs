@@ -19,12 +19,6 @@ public sealed class Installation
     /// <summary>The DTD of the meta files.</summary>
     public string MetaFileDtd => Path.Combine(Root, "lib", "MSISRendering.dtd");
 
-    /// <summary>The folder into which the set-up script puts elevation models.</summary>
-    public string ElevationModels => Path.Combine(Root, "input", "ldem");
-
-    /// <summary>The folder into which the set-up script puts maps of the Moon's reflectance.</summary>
-    public string AlbedoMaps => Path.Combine(Root, "input", "albedo");
-
     /// <summary>The folder with the presets of cameras.</summary>
     public string Cameras => Path.Combine(Root, "cameras");
 

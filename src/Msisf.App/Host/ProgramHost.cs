@@ -47,6 +47,9 @@ internal sealed class ProgramHost
     /// <summary>Folder of the user's settings; null if no variable says where it is.</summary>
     public string? ConfigFolder => UserFolder("XDG_CONFIG_HOME", "APPDATA", ".config");
 
+    /// <summary>Folder of the user's data of this program; null if no variable says where it is.</summary>
+    public string? DataFolder => UserFolder("XDG_DATA_HOME", "LOCALAPPDATA", Path.Combine(".local", "share"));
+
     /// <summary>Gets a variable of the environment; null if it is not set or empty.</summary>
     public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
 

@@ -41,7 +41,7 @@ internal static class AlbedoSource
         if (Installed(Folders(host), albedo.Band) is not { } installed)
         {
             host.Log.Note(
-                "Albedo: no map in input/albedo (scripts/get-albedo.sh fetches one); the surface reflects alike everywhere.");
+                "Albedo: no map in input/albedo ('msis fetch albedo' gets one); the surface reflects alike everywhere.");
             return [];
         }
 
@@ -65,8 +65,7 @@ internal static class AlbedoSource
         .Where(path => Images.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase) || OpenedAlbedoMap.IsKnown(path));
 
     /// <summary>Folders in which maps are searched if no path is given, in the order of the search.</summary>
-    private static string[] Folders(ProgramHost host) =>
-        [.. ((string[])[Path.Combine("input", "albedo"), host.Installation.AlbedoMaps]).DistinctBy(Path.GetFullPath)];
+    private static IReadOnlyList<string> Folders(ProgramHost host) => new DataFolders(DataFolders.Albedo, host).Searched;
 
     /// <summary>The path of a given map or folder; a plain name is also looked for where maps are installed.</summary>
     private static string Find(string given, ProgramHost host) => Path.Exists(given) || Path.GetFileName(given) != given

@@ -114,8 +114,7 @@ internal static class ModelOpening
         SurfaceOptions.Resolution.NamedInErrors(() => LdemCatalog.TryFind(pixelsPerDegree, explicitPath: null, Folders(host))) is not null;
 
     /// <summary>Folders in which models are searched if no path is given, in the order of the search.</summary>
-    public static string[] Folders(ProgramHost host) =>
-        [.. ((string[])[Path.Combine("input", "ldem"), host.Installation.ElevationModels]).DistinctBy(Path.GetFullPath)];
+    public static IReadOnlyList<string> Folders(ProgramHost host) => new DataFolders(DataFolders.Ldem, host).Searched;
 
     /// <summary>Resolution of a cylindrical label; of a raster that GDAL reads, which knows its own, any.</summary>
     private static GridResolution LdemResolutionOf(string path) => RasterFiles.IsForGdal(path)

@@ -30,14 +30,14 @@ internal sealed class ServedModels : IDisposable
     public ServedModels(IReadOnlyList<string> ldem, ProgramHost host)
     {
         _host = host;
-        string[] folders = ModelOpening.Folders(host);
+        IReadOnlyList<string> folders = ModelOpening.Folders(host);
         All = [.. SurfaceOptions.Ldem.NamedInErrors(() => ldem.Count == 0 ? Whole(path: null, folders) : ldem.SelectMany(
             path => Map(path) is { } map ? [map] : Whole(path, folders)))
             .OrderByDescending(model => model.Resolution.MetresPerPixel)];
         if (All.Count == 0)
         {
             throw new BadInputException(
-                $"No elevation model in {string.Join(", ", ldem.Count > 0 ? ldem : folders)}. Get one with 'scripts/get-ldem.sh', or name "
+                $"No elevation model in {string.Join(", ", ldem.Count > 0 ? ldem : folders)}. Get one with 'msis fetch ldem', or name "
                     + $"one with {SurfaceOptions.Ldem.Name}.");
         }
 
@@ -165,8 +165,9 @@ internal sealed class ServedModels : IDisposable
 
     private ServedModel? TryOne(string name) => All.FirstOrDefault(model => model.Name.Equals(name, StringComparison.OrdinalIgnoreCase));
 
-    private IEnumerable<ServedModel> Whole(string? path, string[] folders) => LdemCatalog.All(path, folders).Select(set => new ServedModel(
-        set.ProductId, set.PixelsPerDegree, set.IsSynthetic, set.IsWholeMoon || path is null, set.Parts[0].LabelPath, path, _host));
+    private IEnumerable<ServedModel> Whole(string? path, IReadOnlyList<string> folders) =>
+        LdemCatalog.All(path, folders).Select(set => new ServedModel(
+            set.ProductId, set.PixelsPerDegree, set.IsSynthetic, set.IsWholeMoon || path is null, set.Parts[0].LabelPath, path, _host));
 
     private ServedModel? Map(string path)
     {

@@ -279,7 +279,8 @@ internal static class CommandTable
         Commands =
         [
             Patterns, BatchConvert, Submit, States, CameraModelOptions.Command, TwinOptions.Command, DataSetOptions.Command,
-            IlluminationOptions.Command, Status, Verify, Merge, Ldem, Serve, View, Cameras, Kernels, Places, Config, Completion, Man, Help,
+            IlluminationOptions.Command, Status, Verify, Merge, FetchOptions.Command, Ldem, Serve, View, Cameras, Kernels, Places, Config,
+            Completion, Man, Help,
         ],
     };
 

@@ -36,6 +36,8 @@ internal static class CommandActions
         [CommandTable.Status] = InBackground(SeriesCommands.Status),
         [CommandTable.Verify] = InBackground(SeriesCommands.Verify),
         [CommandTable.Merge] = InBackground(SeriesCommands.MergeAsync),
+        [FetchOptions.Ldem] = InBackground((call, cancellation) => DataFetch.LdemAsync(call.Values, call.Host, cancellation)),
+        [FetchOptions.Albedo] = InBackground((call, cancellation) => DataFetch.AlbedoAsync(call.Values, call.Host, cancellation)),
         [CommandTable.Synthesize] = InBackground(Synthesize),
         [CommandTable.Pyramid] = InBackground(MakePyramid),
         [CommandTable.View] = ViewAsync,

@@ -2,7 +2,7 @@
 
 /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/indirect.py [--msis PROGRAM] [--side PIXELS] [--write]
 
-In the root of the repository, after scripts/build.sh and scripts/get-ldem.sh. First the view of docs/photometry.md, from 50 km into a
+In the root of the repository, after scripts/build.sh and ./msis fetch ldem. First the view of docs/photometry.md, from 50 km into a
 crater at the south pole, on a synthetic map of 50 m inside LDEM_4 that is made before; then several scenes at the default error, each against a
 drawing at a quarter of it, which is 16 times the work. Without --write the tables are printed only. Needs numpy.
 """

@@ -2,7 +2,7 @@
 
 /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/scans.py [--msis PROGRAM] [--lines N,...] [--write]
 
-In the root of the repository, after scripts/build.sh and scripts/get-ldem.sh. Each scan is one of LRO's narrow angle camera from 100 km over
+In the root of the repository, after scripts/build.sh and ./msis fetch ldem. Each scan is one of LRO's narrow angle camera from 100 km over
 LDEM_4, alone and with the layer depth in single precision. Without --write the table is printed only.
 """
 import argparse

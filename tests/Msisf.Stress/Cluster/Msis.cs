@@ -12,7 +12,7 @@ internal static class Msis
     public static string? MissingPart =>
         !OperatingSystem.IsLinux() ? "Linux (/proc)"
         : !File.Exists(Path.Combine(TestParts.RepositoryRoot, "publish", "msis")) ? "the published program (scripts/build.sh)"
-        : TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)"
+        : TestParts.Ldem4Label is null ? "LDEM_4 (msis fetch ldem)"
         : null;
 
     /// <summary>The launcher; it becomes the program, so that their process is one.</summary>

@@ -29,7 +29,7 @@ public sealed class PatternWriterStress : IStressTest
 
     /// <inheritdoc/>
     public string? MissingPart =>
-        TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("php") is null ? "PHP" : null;
+        TestParts.Ldem4Label is null ? "LDEM_4 (msis fetch ldem)" : TestParts.Program("php") is null ? "PHP" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

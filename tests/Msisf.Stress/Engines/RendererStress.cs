@@ -30,7 +30,7 @@ public sealed class RendererStress : IStressTest
 
     /// <inheritdoc/>
     public string? MissingPart =>
-        TestParts.Ldem4Label is null ? "LDEM_4 (scripts/get-ldem.sh)" : TestParts.Program("povray") is null ? "POV-Ray" : null;
+        TestParts.Ldem4Label is null ? "LDEM_4 (msis fetch ldem)" : TestParts.Program("povray") is null ? "POV-Ray" : null;
 
     /// <inheritdoc/>
     public StressReport Run(StressLength length, int seed)

@@ -135,7 +135,7 @@ public static class LdemCatalog
     private static string WaysToGet(int pixelsPerDegree, string wayToName)
     {
         string real = PublishedResolutions.Contains(pixelsPerDegree)
-            ? $"Get NASA's with 'scripts/get-ldem.sh --res {pixelsPerDegree}'"
+            ? $"Get NASA's with 'msis fetch ldem --res {pixelsPerDegree}'"
             : $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg";
         string continued = pixelsPerDegree > PublishedResolutions[0] ? $" --base LDEM_{PublishedResolutions[0]}.LBL" : string.Empty;
         return $"{real}, {wayToName}, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.";

@@ -81,7 +81,7 @@ public sealed class LdemCatalogTests : IDisposable
         string message = Assert.Throws<BadInputException>(() => LdemCatalog.Find(16, null, ["/nowhere", _folder.Path])).Message;
 
         Assert.Equal(
-            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}. Get NASA's with 'scripts/get-ldem.sh --res 16', "
+            $"No elevation model of 16 px/deg in /nowhere, {_folder.Path}. Get NASA's with 'msis fetch ldem --res 16', "
                 + "name another one with --ldem, or make a synthetic one with 'msis ldem synthesize --res 16 --base LDEM_4.LBL --seed 1'.",
             message);
     }
