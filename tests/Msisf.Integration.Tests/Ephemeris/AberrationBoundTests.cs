@@ -22,7 +22,7 @@ public sealed class AberrationBoundTests
 
     private static readonly double Arcsecond = double.DegreesToRadians(1.0 / 3600.0);
 
-    /// <summary>The Moon's speed over 150 years, each 1.3 days: 31.4 km/s at most, which are 21.6 arcseconds; 22.7 with an orbit's.</summary>
+    /// <summary>The Moon's speed over 150 years: 31.4 km/s at most, which are 21.6 arcseconds; 22.7 with an orbit's.</summary>
     [Fact]
     public void Speed_OfTheMoonAroundTheSun_IsThatOfThePage()
     {

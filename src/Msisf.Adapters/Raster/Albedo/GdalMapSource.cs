@@ -131,8 +131,8 @@ internal static class MapWarp
         if (found is not { } box || !(pixel > 0.0))
         {
             throw new BadInputException(
-                $"{path}: its pixels ({proj}) lie nowhere on the Moon. Say where they lie: gdal_translate -a_srs PROJECTION -a_ullr LEFT TOP "
-                    + "RIGHT BOTTOM.");
+                $"{path}: its pixels ({proj}) lie nowhere on the Moon. Say where they lie: gdal_translate -a_srs PROJECTION -a_ullr "
+                    + "LEFT TOP RIGHT BOTTOM.");
         }
 
         double nearest = box.Top * box.Bottom <= 0.0 ? 0.0 : Math.Min(Math.Abs(box.Top), Math.Abs(box.Bottom)) / radius;

@@ -114,11 +114,14 @@ public static class LdemLabelReader
         return label;
     }
 
-    /// <summary>The same label, whose limits leave out what can't be a height.</summary>
+    /// <summary>
+    /// The same label, whose limits leave out what can't be a height. Invented ground may go beyond: its limits are those of its samples.
+    /// </summary>
     private static LdemLabel WithinPlausible(LdemLabel label, (string Keyword, double Value)? missing)
     {
-        double least = LimitOf(label, label.Body.PlausibleHeights.Min);
-        double greatest = LimitOf(label, label.Body.PlausibleHeights.Max);
+        (double least, double greatest) = label.IsSynthetic && double.IsFinite(label.Minimum) && double.IsFinite(label.Maximum)
+            ? (label.Minimum, label.Maximum)
+            : (LimitOf(label, label.Body.PlausibleHeights.Min), LimitOf(label, label.Body.PlausibleHeights.Max));
         LdemLabel limited = label with
         {
             Minimum = Math.Max(label.Minimum, least),
@@ -141,9 +144,18 @@ public static class LdemLabelReader
     }
 
     /// <summary>The value that an image declares as no data.</summary>
-    private static (string Keyword, double Value)? MissingOf(PdsObject image) => MissingKeywords
-        .Select(keyword => image.OptionalNumber(keyword) is { } value ? (keyword, value) : ((string Keyword, double Value)?)null)
-        .FirstOrDefault(found => found is not null);
+    private static (string Keyword, double Value)? MissingOf(PdsObject image)
+    {
+        foreach (string keyword in MissingKeywords)
+        {
+            if (image.Find(keyword) is { Items: null } value && PdsSampleType.Of(image)?.Constant(value.Text) is { } number)
+            {
+                return (keyword, number);
+            }
+        }
+
+        return null;
+    }
 
     /// <summary>The object that describes the image's file. Labels of products that exist as .JP2, too, have one for each file.</summary>
     private static PdsObject FileHolder(PdsObject root) =>

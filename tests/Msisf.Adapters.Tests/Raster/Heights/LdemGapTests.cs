@@ -28,6 +28,9 @@ public sealed class LdemGapTests : IDisposable
     [InlineData("PC_REAL", "MINIMUM = -3.4028227E+38", -3.4028227e38, true)]
     [InlineData("PC_REAL", "MAXIMUM = 1.0E+38", double.NaN, true)]
     [InlineData("IEEE_REAL", "INVALID_CONSTANT = -9999.0", -9999.0, false)]
+    [InlineData("LSB_INTEGER", "MISSING_CONSTANT = 16#8000#", -32768.0, false)]
+    [InlineData("PC_REAL", "MISSING_CONSTANT = 16#FF7FFFFB#", -3.4028226550889045e38, false)]
+    [InlineData("LSB_INTEGER", "MINIMUM = -32768 MISSING_CONSTANT = \"N/A\"", -32768.0, true)]
     public void Open_FillValues_AreNoData(string sampleType, string says, double fill, bool isWorthANote)
     {
         using LdemImage image = LdemImage.Open(LdemLabelReader.ReadFile(Write(sampleType, says, fill)));
@@ -93,8 +96,8 @@ public sealed class LdemGapTests : IDisposable
         Match advice = Regex.Match(
             Assert.Throws<BadInputException>(() => LdemLabelReader.ReadFile(path)).Message,
             "MISSING_CONSTANT = 0 is a height that can be. Convert the file: (gdal_translate) ((-[a-z_]+ [0-9.]+ )+).* NEW.tif");
-        ChildRun.Of(
-            advice.Groups[1].Value, ["-q", .. advice.Groups[2].Value.TrimEnd().Split(' '), path, _folder["new.tif"]], _folder.Path).Succeeded();
+        string[] words = advice.Groups[2].Value.TrimEnd().Split(' ');
+        ChildRun.Of(advice.Groups[1].Value, ["-q", .. words, path, _folder["new.tif"]], _folder.Path).Succeeded();
 
         using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
         bool[] gaps = new bool[3];
