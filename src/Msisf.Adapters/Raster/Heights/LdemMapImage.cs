@@ -56,6 +56,10 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     /// <inheritdoc/>
     public bool MayHaveGaps => _image.HasGaps;
 
+    /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        _image.Parts.Any(part => part.HasGapsIn(firstLine, lines));
+
     /// <inheritdoc cref="LdemImage.NoteOfGaps"/>
     public string? NoteOfGaps() => _image.NoteOfGaps();
 

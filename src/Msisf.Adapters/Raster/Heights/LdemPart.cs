@@ -14,7 +14,7 @@ internal sealed unsafe class LdemPart : IDisposable
     private readonly byte* _moonOrigin;
     private readonly long _lineBytes;
     private readonly int _sampleBytes;
-    private readonly Lazy<(long Count, UndeclaredGaps Undeclared)> _gaps;
+    private readonly Lazy<(bool[] Lines, UndeclaredGaps Undeclared)> _gaps;
 
     private LdemPart(LdemLabel label, FileStream stream)
     {
@@ -52,7 +52,7 @@ internal sealed unsafe class LdemPart : IDisposable
     public int EndSample { get; }
 
     /// <summary>Whether any sample has no data; if the label allows it, the first request looks at all.</summary>
-    public bool HasGaps => Label.MayHaveGaps && _gaps.Value.Count > 0;
+    public bool HasGaps => HasGapsIn(FirstLine, Label.Lines);
 
     /// <summary>Samples that can't be heights, and that the label does not declare, in the file's lines and samples.</summary>
     public UndeclaredGaps Undeclared => HasGaps ? _gaps.Value.Undeclared : UndeclaredGaps.None;
@@ -90,11 +90,20 @@ internal sealed unsafe class LdemPart : IDisposable
         }
     }
 
+    /// <summary>Whether any sample of some lines has no data; those of other parts may be among them.</summary>
+    public bool HasGapsIn(int firstLine, int lines)
+    {
+        int first = Math.Max(firstLine, FirstLine) - FirstLine;
+        int end = Math.Min(firstLine + lines, EndLine) - FirstLine;
+        return Label.MayHaveGaps && first < end && _gaps.Value.Lines.AsSpan(first, end - first).Contains(true);
+    }
+
     /// <summary>Tells which of consecutive samples have no data.</summary>
     public void ReadGaps(int line, int firstSample, Span<bool> isGap)
     {
         isGap.Clear();
-        for (int i = 0; HasGaps && i < isGap.Length; i++)
+        bool hasGaps = HasGapsIn(line, 1);
+        for (int i = 0; hasGaps && i < isGap.Length; i++)
         {
             isGap[i] = !_codec.IsAllowed(_codec.ValueAt(Address(line, firstSample + i)));
         }
@@ -127,23 +136,23 @@ internal sealed unsafe class LdemPart : IDisposable
 
     private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
 
-    private (long Count, UndeclaredGaps Undeclared) FindGaps()
+    /// <summary>Which lines have samples without data, and those that the label does not declare.</summary>
+    private (bool[] Lines, UndeclaredGaps Undeclared) FindGaps()
     {
-        (long count, UndeclaredGaps undeclared) = (0, UndeclaredGaps.None);
+        (bool[] lines, UndeclaredGaps undeclared) = (new bool[Label.Lines], UndeclaredGaps.None);
         double[] radii = new double[Label.LineSamples];
         for (int line = 0; line < Label.Lines; line++)
         {
-            bool areAllowed = _codec.TryReadRadii(Address(FirstLine + line, FirstSample), radii);
-            for (int sample = 0; !areAllowed && sample < radii.Length; sample++)
+            lines[line] = !_codec.TryReadRadii(Address(FirstLine + line, FirstSample), radii);
+            for (int sample = 0; lines[line] && sample < radii.Length; sample++)
             {
                 double value = _codec.ValueAt(Address(FirstLine + line, FirstSample + sample));
-                bool isGap = !_codec.IsAllowed(value);
-                count += isGap ? 1 : 0;
-                undeclared = isGap && value != (float?)Label.Missing ? undeclared.With(line, sample, (float)value) : undeclared;
+                bool isUndeclared = !_codec.IsAllowed(value) && value != (float?)Label.Missing;
+                undeclared = isUndeclared ? undeclared.With(line, sample, (float)value) : undeclared;
             }
         }
 
-        return (count, undeclared);
+        return (lines, undeclared);
     }
 
     /// <summary>The error for the first bad sample of a run. Lines and samples in the message count in the file, from 1.</summary>

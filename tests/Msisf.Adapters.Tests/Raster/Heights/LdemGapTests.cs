@@ -45,6 +45,7 @@ public sealed class LdemGapTests : IDisposable
                     + "sample 21 (", map.NoteOfGaps(), StringComparison.Ordinal);
         }
 
+        Assert.Equal([10, 179], Enumerable.Range(0, TestModel.Lines).Where(line => map.MayHaveGapsIn(line, 1, 0, TestModel.Samples)));
         bool[] gaps = new bool[TestModel.Samples];
         map.ReadGaps(10, 359, gaps); // across the prime meridian
         Assert.Equal([21, 22, 23], Enumerable.Range(0, gaps.Length).Where(i => gaps[i]));
