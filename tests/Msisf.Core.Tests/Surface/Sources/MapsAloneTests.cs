@@ -63,8 +63,9 @@ public sealed class MapsAloneTests
     }
 
     /// <summary>
-    /// A strip of squares, each of two facets, lies between two maps, up to its outer ends, and one square where four meet. Of the four, the
-    /// northern ones give up a line and the western ones a sample, so two strips are a square shorter. None is between maps that lie apart.
+    /// A strip of squares, each of two facets, lies between two maps, up to its outer ends, and one square where four meet. Of the
+    /// four, the northern ones give up a line and the western ones a sample, so two strips are a square shorter. None is between maps
+    /// that lie apart.
     /// </summary>
     [Theory]
     [InlineData("6 20 30 5 8; 6 20 38 5 8", 2 * 29)]
