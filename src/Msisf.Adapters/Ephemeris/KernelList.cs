@@ -16,8 +16,8 @@ public static class KernelList
     /// <exception cref="BadInputException">A file is missing, or a meta-kernel can't be used.</exception>
     /// <remarks>
     /// A relative name in a meta-kernel starts at the meta-kernel's own folder or, if no file is there, at the working directory, as in
-    /// SPICE. SPICE's limit of 80 characters a value does not apply; '+' at a value's end
-    /// goes on with the next one, as in SPICE.
+    /// SPICE. SPICE's limit of 80 characters a value does not apply; '+' at a value's end goes on with the next one, as in SPICE. Blanks
+    /// around a value are left out. A backslash separates folders, as on Windows, unless a file has it in its name.
     /// </remarks>
     public static IReadOnlyList<string> Expand(IReadOnlyList<string> files)
     {
@@ -84,7 +84,12 @@ public static class KernelList
         string folder = Path.GetDirectoryName(path)!;
         foreach (string name in names)
         {
-            string file = ReplaceSymbol(name, symbols, values);
+            string file = ReplaceSymbols(name, symbols, values);
+            if (file.Length == 0)
+            {
+                throw new BadInputException($"{pool.Existing(Kernels).Source}: {Kernels} has an empty name. Remove it.");
+            }
+
             if (file.Contains('\0', StringComparison.Ordinal))
             {
                 throw new BadInputException(
@@ -112,7 +117,7 @@ public static class KernelList
                 continue;
             }
 
-            whole.Add(current.Append(trimmed).ToString());
+            whole.Add(current.Append(trimmed).ToString().Trim());
             current.Clear();
         }
 
@@ -122,21 +127,31 @@ public static class KernelList
                 $"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
     }
 
-    /// <summary>Replaces $SYMBOL. Of several symbols that fit, the longest counts, so that $KERNELS is not taken for $K.</summary>
-    private static string ReplaceSymbol(string name, List<string> symbols, List<string> values)
+    /// <summary>Replaces each $SYMBOL. Of several symbols that fit, the longest counts, so that $KERNELS is not taken for $K.</summary>
+    private static string ReplaceSymbols(string name, List<string> symbols, List<string> values)
     {
-        int dollar = name.IndexOf('$', StringComparison.Ordinal);
-        int best = -1;
-        for (int i = 0; dollar >= 0 && i < symbols.Count; i++)
+        StringBuilder replaced = new();
+        for (int i = 0; i < name.Length;)
         {
-            bool fits = string.CompareOrdinal(name, dollar + 1, symbols[i], 0, symbols[i].Length) == 0;
-            if (fits && (best < 0 || symbols[i].Length > symbols[best].Length))
-            {
-                best = i;
-            }
+            int best = name[i] == '$' ? LongestAt(name, i + 1, symbols) : -1;
+            replaced.Append(best < 0 ? name[i..(i + 1)] : values[best]);
+            i += best < 0 ? 1 : 1 + symbols[best].Length;
         }
 
-        return best < 0 ? name : name[..dollar] + values[best] + name[(dollar + 1 + symbols[best].Length)..];
+        return replaced.ToString();
+    }
+
+    /// <summary>Index of the longest symbol at a place of a name; -1 if there is none.</summary>
+    private static int LongestAt(string name, int start, List<string> symbols)
+    {
+        int best = -1;
+        for (int i = 0; i < symbols.Count; i++)
+        {
+            bool fits = string.CompareOrdinal(name, start, symbols[i], 0, symbols[i].Length) == 0;
+            best = fits && (best < 0 || symbols[i].Length > symbols[best].Length) ? i : best;
+        }
+
+        return best;
     }
 
     /// <summary>The path of a kernel that a meta-kernel lists.</summary>
@@ -145,9 +160,10 @@ public static class KernelList
         string besideMetaKernel = Path.GetFullPath(file, folder);
         string inWorkingFolder = Path.GetFullPath(file);
         string also = inWorkingFolder == besideMetaKernel ? string.Empty : $", nor {inWorkingFolder}";
-        return File.Exists(besideMetaKernel) ? besideMetaKernel
-            : File.Exists(inWorkingFolder) ? inWorkingFolder
-            : throw new BadInputException(
+        string withSlashes = file.Replace('\\', '/');
+        return ((string[])[
+            besideMetaKernel, inWorkingFolder, Path.GetFullPath(withSlashes, folder), Path.GetFullPath(withSlashes)])
+            .FirstOrDefault(File.Exists) ?? throw new BadInputException(
                 $"{besideMetaKernel}: no such kernel, which {metaKernel} lists{also}. Mend the name, or get the kernel "
                     + "(kernels/README.md says where).");
     }

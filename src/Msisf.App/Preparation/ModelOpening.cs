@@ -55,12 +55,24 @@ internal static class ModelOpening
             host.Log.Note(Invariant(
                 $"It covers latitudes {set.Parts.Min(part => part.SouthDegrees):R} to {set.Parts.Max(part => part.NorthDegrees):R}")
                     + $"{longitudes} degrees; beyond them there is no ground.");
-            return new ElevationModel(band, set, band);
+            return MapOf(band, set, host);
         }
 
         LdemImage image = SurfaceOptions.Resolution.NamedInErrors(() => SurfaceOptions.Ldem.NamedInErrors(() => LdemImage.Open(set)));
         Tell(set, host.Log);
-        return new ElevationModel(image, set, image, () => SummarySource.Of(set), host.Log, () => OpenLevels(image, isSparing, host));
+        return image.HasGaps
+            ? MapOf(LdemMapImage.Of(image), set, host)
+            : new ElevationModel(image, set, image, () => SummarySource.Of(set), host.Log, () => OpenLevels(image, isSparing, host));
+    }
+
+    private static ElevationModel MapOf(LdemMapImage map, LdemSet set, ProgramHost host)
+    {
+        if (map.NoteOfGaps() is { } gaps)
+        {
+            host.Log.Note(gaps);
+        }
+
+        return new ElevationModel(map, set, map);
     }
 
     /// <summary>Opens several models that make one surface.</summary>
@@ -128,7 +140,7 @@ internal static class ModelOpening
         LdemSet set = LdemSet.OfMap(label);
         LdemMapImage image = LdemMapImage.Open(set);
         Tell(set, host.Log);
-        return new ElevationModel(image, set, image);
+        return MapOf(image, set, host);
     });
 
     private static ElevationModel OpenRaster(

@@ -1,3 +1,4 @@
+using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Render;
@@ -8,6 +9,22 @@ namespace Msisf.App.Settings;
 /// <summary>Reads which body is drawn, and refuses what is known of the Moon only.</summary>
 internal static class BodyChoice
 {
+    /// <summary>Refuses a raster that GDAL reads, before it is opened: such rasters are read of the Moon only.</summary>
+    /// <exception cref="UsageException">One is given for another body.</exception>
+    public static void CheckModel(OptionValues values)
+    {
+        CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));
+        string? raster = body.IsMoon
+            ? null
+            : SurfaceOptions.Ldem.ReadAll(values).FirstOrDefault(path => RasterFiles.IsForGdal(ModelPath.Parse(path).Path));
+        if (raster is not null)
+        {
+            throw SurfaceOptions.Body.Wrong(
+                $"{body.Name.ToLowerInvariant()} can't be drawn from {raster}: rasters that GDAL reads are of the Moon only. Give a PDS3 "
+                    + $"model whose label has TARGET_NAME = {body.CapitalName}, as docs/other-bodies.md describes.", SurfaceOptions.Ldem);
+        }
+    }
+
     /// <param name="resolution">The resolution of the elevation model.</param>
     /// <exception cref="UsageException">Another option has no meaning with the body.</exception>
     public static CelestialBody Read(OptionValues values, RendererKind renderer, GridResolution resolution)

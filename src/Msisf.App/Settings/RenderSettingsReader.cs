@@ -41,6 +41,7 @@ internal static class RenderSettingsReader
         IReadOnlyList<CameraFormat> cameraFormats = CameraModelOptions.ReadOfRun(values, renderer);
         MapSettings? map = MapOptions.Read(values, renderer);
         bool needsTruth = surface == PixelSurface.Terrain || map is not null || cameraFormats.Any(format => format.HasPixels);
+        BodyChoice.CheckModel(values);
         GridResolution resolution = known ?? ModelChoice.ResolutionOf(values, geoTiffs);
         RenderSettings settings = new()
         {

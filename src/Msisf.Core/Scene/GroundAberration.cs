@@ -10,9 +10,9 @@ namespace Msisf.Core.Scene;
 /// </summary>
 /// <remarks>
 /// The light time is that from the ground on the line of sight, for the whole image; without ground there, from the nearest point of the
-/// sphere. The stellar aberration is that of the line of sight, too: at an angle a from it the image is off by up to v / c times sin a,
-/// where v is the camera's speed through the solar system: 21.6 arcseconds with the Moon, 22.7 in low orbit. It is v / c times 1 - cos a
-/// where the camera looks across its motion.
+/// sphere. The stellar aberration is that of the line of sight, too: at an angle a from it the image is off by up to v / c times
+/// 2 sin(a / 2), where v is the camera's speed through the solar system: v / c is 21.6 arcseconds with the Moon, 22.7 in low orbit. It is
+/// sin a where the camera looks along its motion, and 1 - cos a where it looks across.
 /// </remarks>
 public static class GroundAberration
 {

@@ -68,6 +68,56 @@ public sealed class KernelListTests : IDisposable
         Assert.Equal([kernel], KernelList.Expand([meta]));
     }
 
+    /// <summary>Paths as people write them; the kernel is always data/a.tls beside the meta-kernel.</summary>
+    [Theory]
+    [InlineData("KERNELS_TO_LOAD = ( 'da+'\n'ta/a.+'\n'tls' )")]
+    [InlineData("KERNELS_TO_LOAD = ( 'da+', 'ta/a.tls' )")]
+    [InlineData("KERNELS_TO_LOAD = ( 'data/+  ', 'a.tls  ' )")]
+    [InlineData("KERNELS_TO_LOAD = '  data/a.tls'")]
+    [InlineData("KERNELS_TO_LOAD = 'data\\a.tls'")]
+    [InlineData("KERNELS_TO_LOAD = '.\\data\\a.tls'")]
+    [InlineData("KERNELS_TO_LOAD = './data/../data//a.tls'")]
+    [InlineData("KERNELS_TO_LOAD += 'data/a.tls'")]
+    [InlineData("PATH_SYMBOLS = 'A'\nPATH_VALUES = 'data'\nKERNELS_TO_LOAD = '$A/a.tls'")]
+    [InlineData("PATH_SYMBOLS = 'A'\nPATH_VALUES = 'data'\nKERNELS_TO_LOAD = '$A\\a.tls'")]
+    [InlineData("PATH_SYMBOLS = 'A'\nPATH_VALUES = '.\\data'\nKERNELS_TO_LOAD = '$A\\a.tls'")]
+    [InlineData("PATH_SYMBOLS = ( 'K' 'KERNELS' )\nPATH_VALUES = ( 'none' 'data' )\nKERNELS_TO_LOAD = '$KERNELS/a.tls'")]
+    [InlineData("PATH_SYMBOLS = 'A '\nPATH_VALUES = ' data/ '\nKERNELS_TO_LOAD = '$A/a.tls'")]
+    [InlineData("PATH_SYMBOLS = ( 'D' 'N' )\nPATH_VALUES = ( 'data' 'a' )\nKERNELS_TO_LOAD = '$D/$N.tls'")]
+    [InlineData("PATH_VALUES = 'data'\nKERNELS_TO_LOAD = ( '$A/+', 'a.tls' )\nPATH_SYMBOLS = 'A'")]
+    [InlineData("KERNELS_TO_LOAD = (\n'data/a.tls',\n)")]
+    public void Expand_OddPath_FindsTheKernel(string data)
+    {
+        string kernel = _folder.Write("data/a.tls", "x");
+        string meta = _folder.Write("list.tm", $"KPL/MK\n\\begindata\n{data}\n\\begintext\n");
+
+        Assert.Equal([kernel], KernelList.Expand([meta]));
+    }
+
+    /// <summary>Names that hold what other names use as marks: a doubled quote, blanks within, a dollar sign that is no symbol's.</summary>
+    [Theory]
+    [InlineData("o'brien.tls", "'o''brien.tls'")]
+    [InlineData("my  kernel.tls", "'my  kernel.tls'")]
+    [InlineData("a$b.tls", "'a$b.tls'")]
+    [InlineData("c++.tls", "'c++.tls'")]
+    public void Expand_OddName_FindsTheKernel(string name, string written)
+    {
+        string kernel = _folder.Write(name, "x");
+        string meta = _folder.Write("list.tm", $"KPL/MK\n\\begindata\nKERNELS_TO_LOAD = {written}\n");
+
+        Assert.Equal([kernel], KernelList.Expand([meta]));
+    }
+
+    /// <summary>Where the file system has a file with the backslash in its name, that is the one.</summary>
+    [Fact]
+    public void Expand_BackslashInTheName_IsItself()
+    {
+        _folder.Write("data/a.tls", "x");
+        string kernel = _folder.Write("data\\a.tls", "x");
+
+        Assert.Equal([kernel], KernelList.Expand([_folder.Write("list.tm", "KPL/MK\n\\begindata\nKERNELS_TO_LOAD = 'data\\a.tls'\n")]));
+    }
+
     [Fact]
     public void Expand_KernelsAndMetaKernels_KeepTheirOrder()
     {
@@ -85,6 +135,10 @@ public sealed class KernelListTests : IDisposable
     [InlineData("KERNELS_TO_LOAD = 'a.tls+'", "ends in '+', but nothing follows")]
     [InlineData("KERNELS_TO_LOAD = 'a.tls'\nFRAME_X = 3", "line 4: a meta-kernel may assign")]
     [InlineData("KERNELS_TO_LOAD = 'list.tm'", "is a meta-kernel itself")]
+    [InlineData("KERNELS_TO_LOAD = '$A/a.tls'", "$A/a.tls: no such kernel, which")]
+    [InlineData("KERNELS_TO_LOAD = 'C:\\kernels\\a.tls'", "a.tls: no such kernel, which")]
+    [InlineData("KERNELS_TO_LOAD = ''", "KERNELS_TO_LOAD has an empty name")]
+    [InlineData("KERNELS_TO_LOAD = '.'", "no such kernel")]
     public void Expand_WrongMetaKernel_SaysWhat(string data, string expected)
     {
         _folder.Write("a.tls", "x");

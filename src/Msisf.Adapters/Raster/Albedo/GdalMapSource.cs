@@ -131,8 +131,8 @@ internal static class MapWarp
         if (found is not { } box || !(pixel > 0.0))
         {
             throw new BadInputException(
-                $"{path}: GDAL can't bring its projection ({proj}) to latitude and longitude. Warp it with gdalwarp "
-                    + $"-t_srs '+proj=longlat +R=1737400'.");
+                $"{path}: its pixels ({proj}) lie nowhere on the Moon. Say where they lie: gdal_translate -a_srs PROJECTION -a_ullr "
+                    + "LEFT TOP RIGHT BOTTOM.");
         }
 
         double nearest = box.Top * box.Bottom <= 0.0 ? 0.0 : Math.Min(Math.Abs(box.Top), Math.Abs(box.Bottom)) / radius;

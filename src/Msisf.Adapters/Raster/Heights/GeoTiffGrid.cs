@@ -77,9 +77,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public string? NoteOfGaps()
     {
         UndeclaredGaps gaps = _content.Scan().Undeclared;
-        return gaps.Count == 0 ? null : Invariant(
-            $"{ProductId}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
-                + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
+        return gaps.Count == 0 ? null : UndeclaredGaps.NoteOf(ProductId, gaps);
     }
 
     /// <summary>Opens a file.</summary>

@@ -30,16 +30,14 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
     /// <param name="height">Number of rows.</param>
     /// <param name="transform">GDAL's six numbers; null if there are none.</param>
     /// <param name="projection">The projection; null if there is none.</param>
-    /// <param name="otherForm">Why there is none; empty if there is one.</param>
     /// <returns>The placement; null if the pixels lie on the Moon, but on no grid that is read.</returns>
     /// <param name="hasRoundedScale">
     /// Whether the size of a pixel is rounded and its place is not, as in labels of PDS3: these count both from the projection's origin.
     /// </param>
     /// <exception cref="BadInputException">It is incomplete, of another body, or out of bounds.</exception>
     public static GeoTiffPlacement? Find(
-        string path, int width, int height, double[]? transform, string? projection, out string otherForm, bool hasRoundedScale = false)
+        string path, int width, int height, double[]? transform, string? projection, bool hasRoundedScale = false)
     {
-        otherForm = string.Empty;
         if (projection is null)
         {
             throw new BadInputException(
@@ -70,35 +68,25 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
                     + $"Rewrite it with gdalwarp.");
         }
 
-        switch (proj.Name)
+        return proj.Name switch
         {
-            case "stere":
-                return Polar(path, proj, radius, (left, top, across, -down), (width, height), out otherForm);
-            case "eqc" or "longlat":
-                return Cylindrical(
-                    path, proj, radius, (left, top, across, -down), (width, height), hasRoundedScale, out otherForm);
-            default:
-                otherForm = $"{path}: its projection (+proj={proj.Name}) is not read. Warp it to a polar stereographic map: "
-                    + $"gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
-                return null;
-        }
+            "stere" => Polar(path, proj, radius, (left, top, across, -down), (width, height)),
+            "eqc" or "longlat" => Cylindrical(proj, radius, (left, top, across, -down), (width, height), hasRoundedScale),
+            _ => null,
+        };
     }
 
     /// <summary>Whether a sphere is one of the Moon, m.</summary>
     public static bool IsMoonRadius(double radius) => radius >= MoonRadii.Min && radius <= MoonRadii.Max;
 
     private static GeoTiffPlacement? Polar(
-        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
-        out string otherForm)
+        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size)
     {
-        otherForm = string.Empty;
         double latitude = proj.Number("lat_0") ?? double.NaN;
         double unit = proj.MetresPerUnit;
         if (Math.Abs(latitude) != 90.0 || proj.MiddleLongitude != 0.0 || double.IsNaN(unit)
             || Math.Abs((map.Down / map.Across) - 1.0) > SameScale)
         {
-            otherForm = $"{path}: its projection ({proj}) is not polar stereographic with longitude 0 along the y axis, square pixels and "
-                + $"metres. Warp it: gdalwarp -t_srs '+proj=stere +lat_0=-90 +R=1737400' (or +lat_0=90).";
             return null;
         }
 
@@ -124,10 +112,9 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
     }
 
     private static GeoTiffPlacement? Cylindrical(
-        string path, ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
-        bool hasRoundedScale, out string otherForm)
+        ProjText proj, double radius, (double Left, double Top, double Across, double Down) map, (int Width, int Height) size,
+        bool hasRoundedScale)
     {
-        otherForm = string.Empty;
         // Degrees a map unit.
         double unit = proj.Name == "longlat" ? 1.0 : double.RadiansToDegrees(proj.MetresPerUnit / radius);
         double resolution = Math.Round(1.0 / (map.Across * unit));
@@ -151,9 +138,6 @@ internal sealed record GeoTiffPlacement(MapProjection Projection, GridWindow Win
             || Math.Round(firstLine) < 0.0 || Math.Round(firstLine) + size.Height > 180.0 * resolution
             || size.Width > turn)
         {
-            otherForm =
-                $"{path}: cylindrical maps need a whole number of pixels a degree on the grid of the whole Moon. Warp it, e.g. with "
-                    + $"gdalwarp -t_srs '+proj=longlat +R=1737400' -te ... -tr ..., or to a polar stereographic map.";
             return null;
         }
 

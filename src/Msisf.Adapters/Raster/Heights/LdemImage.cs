@@ -52,6 +52,17 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
     public (double Min, double Max) RadiusLimits =>
         (Set.Parts.Min(part => part.RadiusLimits.Min), Set.Parts.Max(part => part.RadiusLimits.Max));
 
+    /// <summary>Whether any sample has no data: one that can't be a height, or that a label declares.</summary>
+    public bool HasGaps => Array.Exists(_parts, part => part.HasGaps);
+
+    /// <summary>A note on the samples that can't be heights and that no label declares; null if there are none.</summary>
+    public string? NoteOfGaps()
+    {
+        LdemPart? first = Array.Find(_parts, part => part.Undeclared.Count > 0);
+        return first is null ? null : UndeclaredGaps.NoteOf(
+            Path.GetFileName(first.Label.ImagePath), first.Undeclared with { Count = _parts.Sum(part => part.Undeclared.Count) });
+    }
+
     /// <inheritdoc/>
     public void ReleasePages() => Array.ForEach(_parts, part => part.ReleasePages());
 
@@ -133,6 +144,14 @@ public sealed class LdemImage : IGlobalGrid, IDisposable
 
     /// <summary>The mapped files, in the order of <see cref="LdemSet.Parts"/>.</summary>
     internal IReadOnlyList<LdemPart> Parts => _parts;
+
+    /// <summary>The file of a sample, which may be one beyond the grid's last, and the sample as the file counts it.</summary>
+    internal (LdemPart Part, int Sample) PlaceOf(int line, int sample)
+    {
+        int inGrid = _parts.Length == 1 && sample < _parts[0].EndSample ? sample : sample % _samples;
+        LdemPart part = PartAt(line, inGrid);
+        return (part, InPart(part, inGrid));
+    }
 
     /// <summary>What the files have of a block of samples.</summary>
     private IEnumerable<(LdemPart Part, GridWindow Block)> PiecesOf(int firstLine, int lines, int firstSample, int samples)

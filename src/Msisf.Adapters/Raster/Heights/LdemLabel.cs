@@ -30,8 +30,8 @@ public enum LdemSampleType
 /// <param name="SampleType">SAMPLE_TYPE with SAMPLE_BITS.</param>
 /// <param name="ScalingFactor">SCALING_FACTOR, turned into m a step.</param>
 /// <param name="Offset">OFFSET, turned into m: the radius that sample value 0 means.</param>
-/// <param name="Minimum">MINIMUM: no sample value is below.</param>
-/// <param name="Maximum">MAXIMUM: no sample value is above.</param>
+/// <param name="Minimum">MINIMUM, or the least plausible height if that is more: no sample value is below.</param>
+/// <param name="Maximum">MAXIMUM, or the greatest plausible height if that is less: no sample value is above.</param>
 /// <param name="FileBytes">Bytes that the image's file must have; null if the label names no number of records.</param>
 /// <param name="Polar">The projection of a polar map; null for a cylindrical model.</param>
 /// <param name="NorthDegrees">MAXIMUM_LATITUDE, degrees: of a cylindrical model the northern border of line 1.</param>
@@ -49,6 +49,14 @@ public sealed record LdemLabel(
 {
     /// <summary>Stands in every name and label of a synthetic product.</summary>
     public const string SyntheticMark = "SYNTHETIC";
+
+    /// <summary>
+    /// Whether samples may have no data: the label limits them to no plausible heights, or declares a value for missing ones.
+    /// </summary>
+    public bool MayHaveGaps { get; init; }
+
+    /// <summary>MISSING_CONSTANT or a synonym: the sample value that the label declares as no data; null if there is none.</summary>
+    public double? Missing { get; init; }
 
     /// <summary>Other files with samples, of a raster that names them, such as a VRT.</summary>
     public IReadOnlyList<string> OtherFiles { get; init; } = [];

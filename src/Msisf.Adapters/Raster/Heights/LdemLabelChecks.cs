@@ -65,12 +65,9 @@ internal static class LdemLabelChecks
         map.CheckNumber("SAMPLE_LAST_PIXEL", label.LineSamples, PdsUnit.Pixel);
     }
 
-    /// <summary>
-    /// Checks that every allowed sample value gives a radius, that samples and map have the same sphere, and that no other bytes lie
-    /// between the samples.
-    /// </summary>
+    /// <summary>Checks that some sample values are allowed, and that no other bytes lie between the samples.</summary>
     /// <exception cref="BadInputException">It is not so.</exception>
-    public static void CheckSamples(LdemLabel label, PdsObject image, PdsObject map)
+    public static void CheckSamples(LdemLabel label, PdsObject image)
     {
         image.CheckNumber("BANDS", 1);
         image.CheckNumber("LINE_PREFIX_BYTES", 0);
@@ -81,18 +78,24 @@ internal static class LdemLabelChecks
             throw image.WrongValue("SCALING_FACTOR", "a number above 0 is needed");
         }
 
-        bool fitsType = !label.HasIntegers || (label.Minimum >= short.MinValue && label.Maximum <= short.MaxValue);
+        bool fitsType = !label.HasIntegers || (IsOfType(label.Minimum) && IsOfType(label.Maximum));
         if (!fitsType || label.Minimum > label.Maximum)
         {
             throw image.WrongValue(
                 "MINIMUM", $"with MAXIMUM = {image.Required("MAXIMUM")} no {label.SampleBytes * 8}-bit sample can be right");
         }
+    }
 
+    /// <summary>Checks that every allowed sample value gives a radius, and that samples and map have the same sphere.</summary>
+    /// <param name="label">A label within plausible heights.</param>
+    /// <exception cref="BadInputException">It is not so.</exception>
+    public static void CheckRadii(LdemLabel label, PdsObject image, PdsObject map)
+    {
         double lowest = label.Offset + (label.ScalingFactor * label.Minimum);
         double highest = label.Offset + (label.ScalingFactor * label.Maximum);
-        if (!(lowest > 0.0 && highest < LatticePoint.RadiusLimit))
+        if (!(lowest > 0.0 && lowest <= highest && highest < LatticePoint.RadiusLimit))
         {
-            throw image.WrongValue("OFFSET", "with MINIMUM, MAXIMUM and SCALING_FACTOR this gives no radius of the Moon");
+            throw image.WrongValue("OFFSET", $"with MINIMUM, MAXIMUM and SCALING_FACTOR this gives no radius of {label.Body.NameInText}");
         }
 
         foreach (string axis in new[] { "A_AXIS_RADIUS", "B_AXIS_RADIUS", "C_AXIS_RADIUS" })
@@ -118,6 +121,9 @@ internal static class LdemLabelChecks
                     + Invariant($"but the image needs {needed} (LINES x LINE_SAMPLES x SAMPLE_BITS / 8)"));
         }
     }
+
+    /// <summary>Whether a limit is a 16-bit integer, or none.</summary>
+    private static bool IsOfType(double limit) => double.IsInfinity(limit) || limit is >= short.MinValue and <= short.MaxValue;
 
     private static void CheckCount(PdsObject image, string keyword, int count, double degrees, int pixelsPerDegree)
     {

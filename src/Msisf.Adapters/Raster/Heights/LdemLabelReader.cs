@@ -16,6 +16,10 @@ public static class LdemLabelReader
     /// <summary>What DATA_SET_ID or PRODUCT_ID of LOLA's products and of synthetic ones have.</summary>
     private static readonly string[] OwnNames = ["LOLA", "LDEM", LdemLabel.SyntheticMark];
 
+    /// <summary>PDS3's names of a sample value without data.</summary>
+    private static readonly string[] MissingKeywords =
+        ["MISSING_CONSTANT", "INVALID_CONSTANT", "UNKNOWN_CONSTANT", "NOT_APPLICABLE_CONSTANT"];
+
     /// <summary>180 degrees at 23 000 px/deg, far more than any product has.</summary>
     private const int LineLimit = 1 << 22;
 
@@ -93,11 +97,6 @@ public static class LdemLabelReader
             WestDegrees: map.RequiredNumber("WESTERNMOST_LONGITUDE", PdsUnit.Degree),
             EastDegrees: map.RequiredNumber("EASTERNMOST_LONGITUDE", PdsUnit.Degree),
             CoordinateSystem: map.Find("COORDINATE_SYSTEM_NAME")?.ToString() ?? string.Empty);
-        label = label with
-        {
-            Minimum = double.IsInfinity(label.Minimum) ? LimitOf(label, label.Body.PlausibleHeights.Min) : label.Minimum,
-            Maximum = double.IsInfinity(label.Maximum) ? LimitOf(label, label.Body.PlausibleHeights.Max) : label.Maximum,
-        };
         if (label.Polar is null)
         {
             LdemLabelChecks.CheckCover(label, image, map);
@@ -108,16 +107,54 @@ public static class LdemLabelReader
             PolarLabel.CheckCover(label, image, map);
         }
 
-        LdemLabelChecks.CheckSamples(label, image, map);
+        LdemLabelChecks.CheckSamples(label, image);
+        label = WithinPlausible(label, MissingOf(image));
+        LdemLabelChecks.CheckRadii(label, image, map);
         LdemLabelChecks.CheckRecords(label, file, isDetached: pointer.FileName is not null);
         return label;
     }
 
-    /// <summary>The sample value of a height, for where the label names no limit.</summary>
+    /// <summary>
+    /// The same label, whose limits leave out what can't be a height. Invented ground may go beyond: its limits are those of its samples.
+    /// </summary>
+    private static LdemLabel WithinPlausible(LdemLabel label, (string Keyword, double Value)? missing)
+    {
+        (double least, double greatest) = label.IsSynthetic && double.IsFinite(label.Minimum) && double.IsFinite(label.Maximum)
+            ? (label.Minimum, label.Maximum)
+            : (LimitOf(label, label.Body.PlausibleHeights.Min), LimitOf(label, label.Body.PlausibleHeights.Max));
+        LdemLabel limited = label with
+        {
+            Minimum = Math.Max(label.Minimum, least),
+            Maximum = Math.Min(label.Maximum, greatest),
+            MayHaveGaps = label.Minimum < least || label.Maximum > greatest || missing is not null,
+            Missing = missing?.Value,
+        };
+        return missing is ({ } keyword, var value) && value >= limited.Minimum && value <= limited.Maximum
+            ? throw new BadInputException(Invariant(
+                $"{label.LabelPath}: {keyword} = {value:R} is a height that can be. Convert the file: gdal_translate -a_scale "
+                    + $"{label.ScalingFactor:R} -a_offset 0 {label.LabelPath} NEW.tif, and give that."))
+            : limited;
+    }
+
+    /// <summary>The sample value of a plausible height.</summary>
     private static double LimitOf(LdemLabel label, double height)
     {
         double limit = (label.ReferenceRadius + height - label.Offset) / label.ScalingFactor;
         return label.HasIntegers ? Math.Clamp(limit, short.MinValue, short.MaxValue) : limit;
+    }
+
+    /// <summary>The value that an image declares as no data.</summary>
+    private static (string Keyword, double Value)? MissingOf(PdsObject image)
+    {
+        foreach (string keyword in MissingKeywords)
+        {
+            if (image.Find(keyword) is { Items: null } value && PdsSampleType.Of(image)?.Constant(value.Text) is { } number)
+            {
+                return (keyword, number);
+            }
+        }
+
+        return null;
     }
 
     /// <summary>The object that describes the image's file. Labels of products that exist as .JP2, too, have one for each file.</summary>

@@ -49,6 +49,31 @@ public sealed class LdemMapImage : ITerrainGrid, IDisposable
     /// <exception cref="BadInputException">An image is missing, unreadable, or not as long as its label says.</exception>
     public static LdemMapImage Open(LdemSet set) => new(LdemImage.OpenParts(set));
 
+    /// <summary>A model of the whole Moon with places without data, as a map that other models fill.</summary>
+    /// <param name="image">Closed with the map.</param>
+    public static LdemMapImage Of(LdemImage image) => new(image);
+
+    /// <inheritdoc/>
+    public bool MayHaveGaps => _image.HasGaps;
+
+    /// <inheritdoc/>
+    public bool MayHaveGapsIn(int firstLine, int lines, int firstSample, int samples) =>
+        _image.Parts.Any(part => part.HasGapsIn(firstLine, lines));
+
+    /// <inheritdoc cref="LdemImage.NoteOfGaps"/>
+    public string? NoteOfGaps() => _image.NoteOfGaps();
+
+    /// <inheritdoc/>
+    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    {
+        for (int i = 0, count; i < isGap.Length; i += count)
+        {
+            (LdemPart part, int at) = _image.PlaceOf(line, firstSample + i);
+            count = Math.Min(isGap.Length - i, part.EndSample - at);
+            part.ReadGaps(line, at, isGap.Slice(i, count));
+        }
+    }
+
     /// <inheritdoc/>
     public void ReadRadii(int line, int firstSample, Span<double> radii)
     {

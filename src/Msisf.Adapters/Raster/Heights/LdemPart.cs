@@ -14,6 +14,7 @@ internal sealed unsafe class LdemPart : IDisposable
     private readonly byte* _moonOrigin;
     private readonly long _lineBytes;
     private readonly int _sampleBytes;
+    private readonly Lazy<(bool[] Lines, UndeclaredGaps Undeclared)> _gaps;
 
     private LdemPart(LdemLabel label, FileStream stream)
     {
@@ -29,6 +30,7 @@ internal sealed unsafe class LdemPart : IDisposable
         _lineBytes = label.LineBytes;
         _sampleBytes = label.SampleBytes;
         _file = new MappedFile(stream);
+        _gaps = new(FindGaps);
 
         // Where the Moon's first sample would lie, so that an address needs no subtractions.
         _moonOrigin = _file.Start + label.ImageOffset - (FirstLine * _lineBytes) - ((long)FirstSample * _sampleBytes);
@@ -48,6 +50,12 @@ internal sealed unsafe class LdemPart : IDisposable
 
     /// <summary>The sample after its easternmost one; samples count on beyond those of the grid.</summary>
     public int EndSample { get; }
+
+    /// <summary>Whether any sample has no data; if the label allows it, the first request looks at all.</summary>
+    public bool HasGaps => HasGapsIn(FirstLine, Label.Lines);
+
+    /// <summary>Samples that can't be heights, and that the label does not declare, in the file's lines and samples.</summary>
+    public UndeclaredGaps Undeclared => HasGaps ? _gaps.Value.Undeclared : UndeclaredGaps.None;
 
     /// <summary>Opens the image of a label.</summary>
     /// <exception cref="BadInputException">The image is missing, unreadable, or not as long as the label says.</exception>
@@ -82,6 +90,25 @@ internal sealed unsafe class LdemPart : IDisposable
         }
     }
 
+    /// <summary>Whether any sample of some lines has no data; those of other parts may be among them.</summary>
+    public bool HasGapsIn(int firstLine, int lines)
+    {
+        int first = Math.Max(firstLine, FirstLine) - FirstLine;
+        int end = Math.Min(firstLine + lines, EndLine) - FirstLine;
+        return Label.MayHaveGaps && first < end && _gaps.Value.Lines.AsSpan(first, end - first).Contains(true);
+    }
+
+    /// <summary>Tells which of consecutive samples have no data.</summary>
+    public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+    {
+        isGap.Clear();
+        bool hasGaps = HasGapsIn(line, 1);
+        for (int i = 0; hasGaps && i < isGap.Length; i++)
+        {
+            isGap[i] = !_codec.IsAllowed(_codec.ValueAt(Address(line, firstSample + i)));
+        }
+    }
+
     /// <summary>Has the pages of a block of samples fetched, if some are not in memory.</summary>
     public void Prefetch(int firstLine, int lines, int firstSample, int samples) =>
         MemoryAdvice.Prefetch((nint)Address(firstLine, firstSample), _lineBytes, lines, samples * _sampleBytes);
@@ -109,6 +136,25 @@ internal sealed unsafe class LdemPart : IDisposable
 
     private byte* Address(int line, int sample) => _moonOrigin + (line * _lineBytes) + ((long)sample * _sampleBytes);
 
+    /// <summary>Which lines have samples without data, and those that the label does not declare.</summary>
+    private (bool[] Lines, UndeclaredGaps Undeclared) FindGaps()
+    {
+        (bool[] lines, UndeclaredGaps undeclared) = (new bool[Label.Lines], UndeclaredGaps.None);
+        double[] radii = new double[Label.LineSamples];
+        for (int line = 0; line < Label.Lines; line++)
+        {
+            lines[line] = !_codec.TryReadRadii(Address(FirstLine + line, FirstSample), radii);
+            for (int sample = 0; lines[line] && sample < radii.Length; sample++)
+            {
+                double value = _codec.ValueAt(Address(FirstLine + line, FirstSample + sample));
+                bool isUndeclared = !_codec.IsAllowed(value) && value != (float?)Label.Missing;
+                undeclared = isUndeclared ? undeclared.With(line, sample, (float)value) : undeclared;
+            }
+        }
+
+        return (lines, undeclared);
+    }
+
     /// <summary>The error for the first bad sample of a run. Lines and samples in the message count in the file, from 1.</summary>
     private BadInputException NotAllowed(int line, int firstSample, int samples)
     {
@@ -117,10 +163,13 @@ internal sealed unsafe class LdemPart : IDisposable
             double value = _codec.ValueAt(Address(line, sample));
             if (!_codec.IsAllowed(value))
             {
-                return new BadInputException(Invariant(
-                    $"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: "
-                        + $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). "
-                        + $"The file is damaged, or the label belongs to another one: get both again."));
+                string place = Invariant($"{Label.ImagePath}, line {line - FirstLine + 1}, sample {sample - FirstSample + 1}: ");
+                return new BadInputException(place + (Label.MayHaveGaps
+                    ? "no data there. Put a coarser model around it, with a second --ldem."
+                    : Invariant(
+                        $"the value {value:R} is outside the label's MINIMUM and MAXIMUM ({Label.Minimum:R} to {Label.Maximum:R}). ")
+                        + "The file is damaged, or the label belongs to another one: get both again. If such values mean no data, delete "
+                        + "MINIMUM and MAXIMUM from the label."));
             }
         }
 

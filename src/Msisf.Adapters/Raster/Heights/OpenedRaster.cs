@@ -128,10 +128,13 @@ internal sealed class OpenedRaster : IDisposable
             }
 
             GeoTiffPlacement? placement = GeoTiffPlacement.Find(
-                path, file.Width, file.Height, file.GeoTransform(), file.Projection(), out string otherForm, file.Driver == PdsDriver);
+                path, file.Width, file.Height, file.GeoTransform(), file.Projection(), file.Driver == PdsDriver);
             return placement is not null ? new OpenedRaster(file, placement, resampled: null)
                 : ResampledMap.Of(file) is { } resampled ? new OpenedRaster(file, resampled.Placement, resampled)
-                : throw new BadInputException(otherForm);
+                : throw new BadInputException(Invariant(
+                    $"{path}: its pixels ({file.Projection()}) are smaller than {PolarLabel.MinScale:R} m, or lie nowhere on the Moon. ")
+                    + "If they are small, make them larger: "
+                    + "gdalwarp -r average -t_srs '+proj=longlat +R=1737400' -tr 0.00002 0.00002 -tap (degrees; 0.6 m).");
         }
         catch
         {

@@ -92,6 +92,12 @@ internal readonly record struct UndeclaredGaps(long Count, int Line, int Sample,
     /// <summary>None.</summary>
     public static UndeclaredGaps None => new(0, int.MaxValue, int.MaxValue, 0.0F);
 
+    /// <summary>A sentence for the log.</summary>
+    /// <param name="name">The model's, or its file's.</param>
+    public static string NoteOf(string name, UndeclaredGaps gaps) => Invariant(
+        $"{name}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
+            + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
+
     /// <summary>With one more.</summary>
     public UndeclaredGaps With(int line, int sample, float value) => With(new UndeclaredGaps(1, line, sample, value));
 

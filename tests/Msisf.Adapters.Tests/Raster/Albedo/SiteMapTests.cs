@@ -97,7 +97,28 @@ public sealed class SiteMapTests : IDisposable
 
         Assert.Contains("its values along the border are 0 or below", Refused(Moon(0.1), dark));
         Assert.Contains("is not one on a sphere of the Moon", Refused(Moon(0.1), mars));
+        string nowhere = Image(
+            "nowhere.tif", "+proj=ortho +lat_0=-90 +R=1737400", "5000000 20 0 50000 0 -20", "100 100", "Float32", "50 + 0 * x");
+        Assert.Contains("lie nowhere on the Moon. Say where they lie: gdal_translate -a_srs PROJECTION", Refused(Moon(0.1), nowhere));
+        ChildRun.Of(
+            "gdal_translate", ["-q", "-a_srs", "+proj=ortho +lat_0=-90 +R=1737400", "-a_ullr", "50000", "50000", "52000", "48000", nowhere,
+                _folder["placed.tif"]], _folder.Path).Succeeded();
+        Open(Moon(0.1), _folder["placed.tif"]).Dispose();
         Assert.Contains("no coarser map shows the half of its border", Refused(Band(0.1), $"{site},factor=auto"));
+        Open(Band(0.1), $"{site},scale=0.002,incidence=30,emission=0,phase=30").Dispose(); // as advised
+
+        // A border of zeros: raised by an offset, or declared as no data.
+        string framed = Image(
+            "framed.tif", "+proj=stere +lat_0=-90 +R=1737400", "50000 20 0 50000 0 -20", "100 100", "Float32",
+            "np.where((x < 5) | (x > 94) | (y < 5) | (y > 94), 0.0, 50.0)");
+        Assert.Contains("Give offset=, or declare what is no data, e.g. with gdal_edit.py -a_nodata 0.", Refused(Moon(0.1), framed));
+        Open(Moon(0.1), $"{framed},offset=5").Dispose();
+        ChildRun.Of("gdal_edit.py", ["-a_nodata", "0", framed], _folder.Path).Succeeded();
+        using (Opened maps = Open(Moon(0.1), framed))
+        {
+            Assert.Equal(0.1 / 50.0, maps.Sites[1].Factor!.Value, 1e-5);
+        }
+
         Assert.Contains("factor is a number from", Refused(Moon(0.1), $"{site},factor=bright"));
         Assert.Contains("'scal=2' is no property of a map", Refused(Moon(0.1), $"{site},scal=2"));
     }

@@ -114,10 +114,10 @@ public sealed class GeoTiffPlacementTests
         // 12 degrees north and east of the origin at 4096 px/deg, 7.4031617 m written with four digits.
         const double Edge = 12.0 * 4096.0 * 7.403;
         GeoTiffPlacement placement = GeoTiffPlacement.Find(
-            "a.lbl", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400", out _, hasRoundedScale: true)!;
+            "a.lbl", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400", hasRoundedScale: true)!;
         Assert.Equal(new GridWindow(78 * 4096, 81 * 4096, 12 * 4096, 15 * 4096), placement.Window);
         Assert.Null(GeoTiffPlacement.Find(
-            "a.tif", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400", out _));
+            "a.tif", 12288, 12288, [Edge, 7.403, 0.0, Edge, 0.0, -7.403], "+proj=eqc +R=1737400"));
     }
 
     /// <summary>Samples count on beyond 360 degrees.</summary>
@@ -149,17 +149,11 @@ public sealed class GeoTiffPlacementTests
     [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=6371000 +units=m", "is not one on a sphere of the Moon")]
     [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +a=1738100 +b=1736000 +units=m", "is not one on a sphere of the Moon")]
     [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=2439700 +units=m", "is not one on a sphere of the Moon")]
-    [InlineData("+proj=stere +lat_0=-80 +lon_0=0 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
-    [InlineData("+proj=stere +lat_0=-90 +lon_0=30 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
-    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +pm=10 +R=1737400 +units=m", "is not polar stereographic with longitude 0")]
-    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=1737400 +units=fathom", "is not polar stereographic with longitude 0")]
     [InlineData("+proj=stere +lat_0=-90 +R=1737400 +towgs84=1,0,0,0,0,0,0", "has +towgs84=1,0,0,0,0,0,0, which is not read")]
     [InlineData("+proj=longlat +R=1737400 +axis=wnu", "gdal_translate -a_srs '+proj=longlat +R=1737400'")]
     [InlineData("+proj=longlat +R=1737400 +pm=paris", "has +pm=paris, which is not read")]
     [InlineData("+proj=longlat +R=1737400 +nadgrids=moon.gsb", "has +nadgrids=moon.gsb, which is not read")]
     [InlineData("+proj=longlat +R=1737400 +angular_unit=0.0157", "has +angular_unit=0.0157, which is not read")]
-    [InlineData("+proj=ortho +lat_0=-90 +lon_0=0 +R=1737400 +units=m", "(+proj=ortho) is not read. Warp it")]
-    [InlineData("+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +R=1737400 +units=m", "cylindrical maps need a whole number")]
     [InlineData("", "is not one on a sphere of the Moon")]
     public void Of_WrongSystem_IsRefusedInOneLine(string? projection, string message) =>
         AssertRefused(200, 200, Piece, projection, message);
@@ -169,7 +163,6 @@ public sealed class GeoTiffPlacementTests
     [InlineData("177000 5 0.1 -500 0 -5", "has no place on the map")]
     [InlineData("177000 -5 0 -500 0 -5", "has no place on the map")]
     [InlineData("177000 NaN 0 -500 0 -5", "has no place on the map")]
-    [InlineData("177000 5 0 -500 0 -6", "is not polar stereographic with longitude 0")]
     [InlineData("177000 0.1 0 -500 0 -0.1", "0.5 to 30400 m are read")]
     [InlineData("2E6 5 0 -500 0 -5", "a map that reaches farther than 1737.4 km")]
     [InlineData("Infinity 5 0 -500 0 -5", "a map that reaches farther than 1737.4 km")]
@@ -178,22 +171,37 @@ public sealed class GeoTiffPlacementTests
         [.. transform.Split(' ').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture))],
         South, message);
 
+    /// <summary>On no grid that is read: such a map is resampled.</summary>
+    [Theory]
+    [InlineData("+proj=stere +lat_0=-80 +lon_0=0 +R=1737400 +units=m")]
+    [InlineData("+proj=stere +lat_0=-90 +lon_0=30 +R=1737400 +units=m")]
+    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +pm=10 +R=1737400 +units=m")]
+    [InlineData("+proj=stere +lat_0=-90 +lon_0=0 +R=1737400 +units=fathom")]
+    [InlineData("+proj=ortho +lat_0=-90 +lon_0=0 +R=1737400 +units=m")]
+    [InlineData("+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=0 +R=1737400 +units=m")]
+    public void Find_OtherSystem_IsOnNoGrid(string projection) =>
+        Assert.Null(GeoTiffPlacement.Find("a.tif", 200, 200, Piece, projection));
+
     [Theory]
     [InlineData(1440, 480, 0.25, 60.1, -180.0)] // between the lines
     [InlineData(100, 480, 0.3, 60.0, 10.0)] // no whole number a degree
     [InlineData(100, 800, 0.25, 60.0, 10.0)] // beyond the pole
-    [InlineData(1, 480, 0.25, 60.0, 10.0)]
-    public void Of_CylindricalMapThatIsNotRead_SaysWhichAre(int width, int height, double pixel, double north, double west) =>
-        AssertRefused(
-            width, height, [west, pixel, 0.0, north, 0.0, -pixel], Degrees,
-            width == 1 ? "less than 2 x 2" : "cylindrical maps need a whole number");
+    public void Find_CylindricalMapBetweenSamples_IsOnNoGrid(int width, int height, double pixel, double north, double west) =>
+        Assert.Null(GeoTiffPlacement.Find("a.tif", width, height, [west, pixel, 0.0, north, 0.0, -pixel], Degrees));
+
+    [Fact]
+    public void Find_PolarPixelsThatAreNotSquare_AreOnNoGrid() =>
+        Assert.Null(GeoTiffPlacement.Find("a.tif", 200, 200, [177_000.0, 5.0, 0.0, -500.0, 0.0, -6.0], South));
+
+    [Fact]
+    public void Of_OneColumn_IsRefused() => AssertRefused(1, 480, [10.0, 0.25, 0.0, 60.0, 0.0, -0.25], Degrees, "less than 2 x 2");
 
     [Fact]
     public void Of_NoTransform_IsRefused() => AssertRefused(200, 200, null, South, "has no place on the map");
 
-    /// <summary>The placement; what is in another form is warped, or refused with these words.</summary>
+    /// <summary>The placement on a grid that is read.</summary>
     private static GeoTiffPlacement Of(string path, int width, int height, double[]? transform, string? projection) =>
-        GeoTiffPlacement.Find(path, width, height, transform, projection, out string otherForm) ?? throw new BadInputException(otherForm);
+        GeoTiffPlacement.Find(path, width, height, transform, projection)!;
 
     private static void AssertRefused(int width, int height, double[]? transform, string? projection, string message)
     {

@@ -55,7 +55,7 @@ public sealed partial class RasterAdviceTests : IDisposable
         const string Degrees = "s, t = '+proj=longlat +R=1737400', [30, 0.001, 0, 20.28, 0, -0.001]";
         string path = TestRaster.Write(_folder, "site.tif", Degrees);
         string message = Assert.Throws<BadInputException>(() => GeoTiffPlacement.Find(
-            path, 300, 280, [30.0, 0.001, 0.0, 20.28, 0.0, -0.001], $"+proj=longlat +R=1737400 {part}", out _)).Message;
+            path, 300, 280, [30.0, 0.001, 0.0, 20.28, 0.0, -0.001], $"+proj=longlat +R=1737400 {part}")).Message;
         Match command = Command().Match(message);
         Assert.Contains(part, message, StringComparison.Ordinal);
         string[] words = [.. Words().Matches(command.Groups["arguments"].Value).Select(word => word.Value.Trim('\''))];
@@ -64,6 +64,26 @@ public sealed partial class RasterAdviceTests : IDisposable
         using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
 
         Assert.Equal((69_720, 30_000), (grid.Window.FirstLine, grid.Window.FirstSample));
+    }
+
+    /// <summary>Pixels too small for the grid: in degrees, in a projection that is resampled, and about a site.</summary>
+    [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
+    [InlineData("s = '+proj=longlat +R=1737400'; t = [30, 1e-5, 0, 20.001, 0, -1e-5]")]
+    [InlineData("s = '+proj=ortho +lat_0=20 +lon_0=30 +R=1737400'; t = [-30, 0.2, 0, 30, 0, -0.2]")]
+    [InlineData("s = '+proj=eqc +lat_ts=20 +lon_0=30 +R=1737400'; t = [0, 0.3, 0, 606500, 0, -0.3]")]
+    public void Open_SmallPixels_AreReadAsAdvised(string then)
+    {
+        string path = TestRaster.Write(_folder, "site.tif", then + "; a = 500 + 0.01 * line");
+        string message = Assert.Throws<BadInputException>(() => GeoTiffGrid.Open(path, libraryPath: null)).Message;
+        Assert.Contains("are smaller than 0.5 m, or lie nowhere on the Moon. If they are small, make them larger: ", message);
+        string[] words = [.. Words().Matches(message.Split("larger: gdalwarp ")[1].Split(" (")[0]).Select(word => word.Value.Trim('\''))];
+        ChildRun.Of("gdalwarp", ["-q", .. words, "-dstnodata", "-9999", path, _folder["new.tif"]], _folder.Path).Succeeded();
+
+        using GeoTiffGrid grid = GeoTiffGrid.Open(_folder["new.tif"], libraryPath: null);
+        double[] radius = new double[1];
+        grid.ReadRadii(grid.Window.FirstLine + (grid.Window.Lines / 2), grid.Window.FirstSample + (grid.Window.Samples / 2), radius);
+        Assert.Equal(1_737_400.0 + 500.0 + (0.01 * TestRaster.Lines / 2.0), radius[0], 0.05);
+        Assert.Equal(50_000, grid.Projection.Resolution.PixelsPerDegree);
     }
 
     /// <summary>A band whose numbers all mean the same height gets the factor and the offset of the message.</summary>
