@@ -61,7 +61,7 @@ public sealed class SphereRaysTests(RuggedMoon rugged, Ldem4Fixture ldem4) : ICl
 
     private static int NumberFromNorth(TileId tile) => (tile.RowFromNorth * TileId.Columns) + tile.Column;
 
-    /// <summary>Listing 8.2, without rays that lead away from the Moon: the listing takes hits behind the camera, eq. 8.2 does not.</summary>
+    /// <summary>Listing 8.2, without rays that lead away from the Moon: the listing takes hits behind the camera.</summary>
     private static List<string> PatternsOf(PinholeCamera camera)
     {
         List<string> patterns = [];
