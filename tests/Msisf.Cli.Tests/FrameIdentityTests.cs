@@ -100,11 +100,6 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
             "--ldem", "--ldem FILE:models/LDEM_2_SYNTHETIC.LBL",
             "--ldem FILE:models/LDEM_2_SYNTHETIC.LBL --ldem FILE:models/LDEM_80S_10000M_SYNTHETIC.LBL"
         },
-        {
-            "--nest-blend",
-            "--fixed-state {55289,0,0,-3E6,0,0.7071067811865476,0,0.7071067811865476} --fov 40 --lod off "
-                + "--ldem FILE:models/LDEM_2_SYNTHETIC.LBL --ldem FILE:models/LDEM_80S_10000M_SYNTHETIC.LBL", "--nest-blend inward"
-        },
         { "--body", $"{Far} --ldem FILE:models/LDEM_1_SYNTHETIC.LBL", "--body mercury --ldem FILE:mercury/MERCURY_DEM_1_SYNTHETIC.LBL" },
         { "--look", "", "--look photo" },
         { "--lod", "--fixed-state {55289,3E7,0,0,0,0,0,1} --fov 4", "--lod off" },

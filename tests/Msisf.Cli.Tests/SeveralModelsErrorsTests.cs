@@ -14,7 +14,6 @@ public sealed class SeveralModelsErrorsTests : IDisposable
     [InlineData("MOON MAP --res 4", 1, "--res has no meaning with several --ldem")]
     [InlineData("MOON MAP --renderer povray --list-patterns", 1, "only one model of the whole Moon has tiles")]
     [InlineData("MOON MAP MAP", 1, "is given twice")]
-    [InlineData("MAP OTHER --nest-blend inward", 2, "there is no ground to which its border could be bent")]
     [InlineData("MOON FOLDER", 2, "a folder; of several --ldem each names")]
     [InlineData("MOON missing.LBL", 2, "missing.LBL")]
     [InlineData("MOON ''", 1, "--ldem is empty")]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How much of a map is lit alone, in a model of the whole Moon, and bent inwards (docs/elevation-seams.md).
+"""How much of a map is lit alone and in a model of the whole Moon (docs/elevation-seams.md).
 
     nested_light.py MSIS LDEM_4.LBL NPC_final_adj_5mpp_surf_piece_2km_2_1.tif
 
@@ -35,14 +35,12 @@ def share(mask, cell, part):
 
 def main():
     moon, site = ["--ldem", sys.argv[2]], ["--ldem", sys.argv[3]]
-    print("Sun, degrees   alone    outward   inward")
+    print("Sun, degrees   alone    nested")
     for number, when in enumerate(WHEN):
         with tempfile.TemporaryDirectory() as folder:
             alone = draw(folder, "alone", when, *site)
-            outward = draw(folder, "outward", when, *moon, *site)
-            inward = draw(folder, "inward", when, *moon, *site, "--nest-blend", "inward")
-            print(f"{90.0 - np.nanmean(alone[2]):8.2f}     {share(*alone[:2], 0):6.2f}   {share(*outward[:2], 1):6.2f}"
-                  f"   {share(*inward[:2], 1):6.2f}")
+            nested = draw(folder, "nested", when, *moon, *site)
+            print(f"{90.0 - np.nanmean(alone[2]):8.2f}     {share(*alone[:2], 0):6.2f}   {share(*nested[:2], 1):6.2f}")
 
 
 if __name__ == "__main__":

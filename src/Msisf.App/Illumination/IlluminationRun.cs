@@ -11,7 +11,6 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Illumination;
 using Msisf.Core.Maps;
 using Msisf.Core.Navigation;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Illumination;
@@ -186,7 +185,7 @@ internal sealed class IlluminationRun
     {
         string content = string.Create(
             CultureInfo.InvariantCulture,
-            $"{HorizonSurvey.Version} {_model.Fingerprint().Sha256} {_surface} {(_model.Grid as NestedTerrain)?.Blend} "
+            $"{HorizonSurvey.Version} {_model.Fingerprint().Sha256} {_surface} "
                 + $"{region.Projection.Kind} {region.Projection.Latitude:R} {region.Projection.Radius:R} {region.Lines} {region.Samples} "
                 + $"{region.CellWidth:R} {region.CellHeight:R} {region.Left:R} {region.Top:R} {height:R}");
         string key = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(content)))[..16];

@@ -22,8 +22,7 @@ internal sealed class ModelOnDemand(RenderSettings settings, ProgramHost host, C
     /// <summary>With invented detail, as with levels of detail, few frames or none show the models alone.</summary>
     private ElevationModel Open() => settings.Ldem.Count > 1
         ? ModelOpening.OpenSeveral(
-            settings.Ldem, settings.NestBlend, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host,
-            cancellation)
+            settings.Ldem, settings.LevelOfDetailError is not null || settings.Native.Refine is not null, host, cancellation)
         : ModelOpening.Open(
             settings.Ldem.SingleOrDefault(), settings.Resolution, isSparing: settings.Renderer == RendererKind.PovRay, host,
             settings.Body, cancellation);

@@ -77,11 +77,10 @@ internal static class ModelOpening
 
     /// <summary>Opens several models that make one surface.</summary>
     /// <param name="paths">Labels or images.</param>
-    /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them all frames need the models themselves.</param>
     /// <exception cref="MsisfException">A model can't be opened, or they don't fit together.</exception>
     public static ElevationModel OpenSeveral(
-        IReadOnlyList<string> paths, NestBlend blend, bool hasLevels, ProgramHost host, CancellationToken cancellation = default)
+        IReadOnlyList<string> paths, bool hasLevels, ProgramHost host, CancellationToken cancellation = default)
     {
         List<ElevationModel> opened = [];
         try
@@ -98,12 +97,12 @@ internal static class ModelOpening
             return SurfaceOptions.Ldem.NamedInErrors(() =>
             {
                 UnitAgainstModel.Check(opened);
-                MovedModel.MeetBorders(opened, paths, blend, host.Log);
+                MovedModel.MeetBorders(opened, paths, host.Log);
                 SeamFiles files = new([.. opened.Select(model => model.Set)], host.CacheFolder, host.Log.Warning);
-                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files), blend);
+                NestedTerrain nested = new(opened.Select(model => (ITerrainGrid)model.Grid), new SeamMemory(files));
                 nested.Prepare(hasLevels);
                 BorderMisfit?[] misfits = [.. nested.BorderMisfits()];
-                TellMisfits(nested, misfits.OfType<BorderMisfit>(), host.Log);
+                TellMisfits(misfits.OfType<BorderMisfit>(), host.Log);
                 if (!nested.IsWholeBody)
                 {
                     host.Log.Note("No model is of the whole Moon: around the maps there is no ground.");
@@ -197,7 +196,7 @@ internal static class ModelOpening
     }
 
     /// <summary>Says of each border how well the models meet there.</summary>
-    private static void TellMisfits(NestedTerrain nested, IEnumerable<BorderMisfit> misfits, ILog log)
+    private static void TellMisfits(IEnumerable<BorderMisfit> misfits, ILog log)
     {
         foreach (BorderMisfit misfit in misfits)
         {
@@ -206,9 +205,8 @@ internal static class ModelOpening
                 $"along its border it lies {Off(height.Mean)} it in the mean ({height.Rms:F1} m rms), at most {Off(height.Greatest)}, and "
                     + $"rises inwards {Degrees(slope.Mean):F1} degrees more steeply ({Degrees(slope.Rms):F1} rms, at most "
                     + $"{Degrees(slope.Greatest):F1}).");
-            string remedy = nested.Blend == NestBlend.Outward
-                ? Invariant($"The difference is carried into that ground over {misfit.BlendedMetres / 1000.0:F1} km and more.")
-                : Invariant($"Over its outermost {misfit.BlendedMetres:F0} m it is bent to meet that ground.");
+            string remedy = Invariant(
+                $"The difference is carried into that ground over {misfit.BlendedMetres / 1000.0:F1} km and more.");
             log.Note(height.Rms <= MisfitWorthANote
                 ? $"{misfit.ProductId} meets the ground of the models around it: {numbers}"
                 : $"{misfit.ProductId} does not meet the ground of the models around it: {numbers} {remedy}");

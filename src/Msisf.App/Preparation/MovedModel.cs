@@ -52,9 +52,8 @@ internal static class MovedModel
     /// <summary>Raises the models that are to meet those around them by what makes them do so in the mean.</summary>
     /// <param name="models">The models, which are replaced.</param>
     /// <param name="paths">Their paths with options.</param>
-    /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <param name="log">Is told by how much.</param>
-    public static void MeetBorders(List<ElevationModel> models, IReadOnlyList<string> paths, NestBlend blend, ILog log)
+    public static void MeetBorders(List<ElevationModel> models, IReadOnlyList<string> paths, ILog log)
     {
         HashSet<ITerrainGrid> wanted = [.. models.Where((_, index) => ModelPath.Parse(paths[index]).Placement.MeetsBorder)
             .Select(model => (ITerrainGrid)model.Grid)];
@@ -63,7 +62,7 @@ internal static class MovedModel
             return;
         }
 
-        IReadOnlyList<double> offsets = AutomaticOffset.Of([.. models.Select(model => (ITerrainGrid)model.Grid)], blend, wanted.Contains);
+        IReadOnlyList<double> offsets = AutomaticOffset.Of([.. models.Select(model => (ITerrainGrid)model.Grid)], wanted.Contains);
         for (int i = 0; i < models.Count; i++)
         {
             ElevationModel model = models[i];

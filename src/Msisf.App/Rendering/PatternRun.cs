@@ -68,7 +68,7 @@ internal static class PatternList
         foreach (Frame frame in run.Frames)
         {
             cancellation.ThrowIfCancellationRequested();
-            foreach (TileChoice choice in run.Model.Select(frame).All)
+            foreach (TileChoice choice in run.Model.Select(frame).WithRays(SphereRays.TilesOf(frame.Camera)).All)
             {
                 host.Results.WriteLine(Invariant(
                     $"{frame.Step}\t{choice.Tile.RangeText}\t{(choice.IsKept ? "taken" : "left out")}\t{choice.ReasonText}"));

@@ -140,7 +140,6 @@ internal sealed class JsonOptions
                 $"{NativeOptions.AutomaticTime} is found from the images of a whole run, and a request is one image. Give seconds.");
         }
 
-        model = _names.Models.Joined(model, settings.NestBlend);
         return new RequestedFrame(
             settings.Native.Refine is { } detail ? _names.Models.Refined(model, detail) : model, place, settings)
         {

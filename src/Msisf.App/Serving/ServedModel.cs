@@ -4,7 +4,6 @@ using Msisf.App.Preparation;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Render;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Serving;
@@ -57,17 +56,13 @@ internal sealed class ServedModel : IDisposable
     /// <summary>The <c>--ldem</c> of a run that draws it; empty if the run finds it without.</summary>
     public IReadOnlyList<string> Ldem { get; }
 
-    /// <summary>The models of which it is one surface; empty for one.</summary>
-    public IReadOnlyList<ServedModel> Parts { get; private init; } = [];
-
     public bool IsSeveral => Ldem.Count > 1;
 
     public ElevationModel Opened => _model.Value;
 
     /// <summary>Several models as one surface.</summary>
     /// <param name="models">Two or more.</param>
-    /// <param name="blend">Which of two models gives way where they meet.</param>
-    public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host, NestBlend blend)
+    public static ServedModel Of(IReadOnlyList<ServedModel> models, string name, ProgramHost host)
     {
         string[] paths = [.. models.Select(model => model.Path)];
         return new ServedModel(
@@ -75,10 +70,7 @@ internal sealed class ServedModel : IDisposable
             models.MinBy(model => model.Resolution.MetresPerPixel)!.Resolution,
             models.Any(model => model.IsSynthetic),
             paths,
-            () => ModelOpening.OpenSeveral(paths, blend, hasLevels: true, host))
-        {
-            Parts = models,
-        };
+            () => ModelOpening.OpenSeveral(paths, hasLevels: true, host));
     }
 
     /// <summary>The same model with invented detail. Its files stay those of this model, which closes them.</summary>

@@ -3,7 +3,6 @@ using Msisf.App.Host;
 using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
-using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Serving;
 
@@ -21,7 +20,7 @@ internal sealed class ServedModels : IDisposable
 
     private readonly ProgramHost _host;
     private readonly Lock _gate = new();
-    private readonly Dictionary<(string Name, NestBlend Blend), ServedModel> _several = [];
+    private readonly Dictionary<string, ServedModel> _several = [];
     private readonly LinkedList<(ServedModel Model, RefineSettings Detail, ServedModel Refined)> _refined = [];
 
     /// <summary>Looks for the models, and opens none.</summary>
@@ -96,13 +95,8 @@ internal sealed class ServedModels : IDisposable
             throw new UsageException($"'model' has {twice.Key} twice. Leave one of them out.");
         }
 
-        return Several(models, NestBlend.Outward);
+        return Several(models);
     }
-
-    /// <summary>The same models joined in another way; itself if it is one.</summary>
-    /// <param name="model">One of these models, alone or as one surface.</param>
-    /// <param name="blend">Which of two models gives way where they meet.</param>
-    public ServedModel Joined(ServedModel model, NestBlend blend) => model.IsSeveral ? Several(model.Parts, blend) : model;
 
     /// <summary>A model with invented detail; frames that are drawn from it may go on when it is no longer kept.</summary>
     /// <param name="model">One of these models, alone or as one surface.</param>
@@ -139,12 +133,12 @@ internal sealed class ServedModels : IDisposable
         }
     }
 
-    private ServedModel Several(IReadOnlyList<ServedModel> models, NestBlend blend)
+    private ServedModel Several(IReadOnlyList<ServedModel> models)
     {
         string name = string.Join(Joint, models.Select(model => model.Name));
         lock (_gate)
         {
-            if (!_several.TryGetValue((name, blend), out ServedModel? several))
+            if (!_several.TryGetValue(name, out ServedModel? several))
             {
                 if (_several.Count == MaxSets)
                 {
@@ -152,7 +146,7 @@ internal sealed class ServedModels : IDisposable
                         $"the server draws {MaxSets} sets of several models already, and keeps no more open. Ask for one of them.");
                 }
 
-                _several[(name, blend)] = several = ServedModel.Of(models, name, _host, blend);
+                _several[name] = several = ServedModel.Of(models, name, _host);
             }
 
             return several;

@@ -131,8 +131,7 @@ internal static class IlluminationOptions
         new OptionGroup("Where", [Centre, Size, Corners, Cell, Points, Columns, Heights]),
         new OptionGroup("When and what", [TimeInterval, Sun, Exact, Plane, NightLimit]),
         new OptionGroup("Models and kernels", [
-            SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.Body, SurfaceOptions.NestBlend, LightOptions.Ephemeris,
-            LightOptions.Kernels]),
+            SurfaceOptions.Resolution, SurfaceOptions.Ldem, SurfaceOptions.Body, LightOptions.Ephemeris, LightOptions.Kernels]),
         new OptionGroup("Output", [Format, Compare, Folder, Jobs, Piece]),
     ];
 }

@@ -7,7 +7,6 @@ using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
-using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Settings;
@@ -97,9 +96,6 @@ internal sealed record RenderSettings
 
     /// <summary>Paths of the elevation models; empty for the one that is found for the resolution.</summary>
     public required IReadOnlyList<string> Ldem { get; init; }
-
-    /// <summary>Which of two models gives way where they meet.</summary>
-    public NestBlend NestBlend { get; init; }
 
     public required EphemerisChoice Ephemeris { get; init; }
 

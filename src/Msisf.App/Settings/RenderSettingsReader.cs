@@ -70,7 +70,6 @@ internal static class RenderSettingsReader
             OutputName = OutputOptions.Name.Read(values),
             PatternRepository = PovOptions.PatternRepository.Read(values),
             Ldem = SurfaceOptions.Ldem.ReadAll(values),
-            NestBlend = SurfaceOptions.ReadNestBlend(values),
             Ephemeris = LightOptions.Ephemeris.Read(values),
             Aberration = Aberration(values),
             Kernels = LightOptions.Kernels.ReadAll(values),

@@ -1,7 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Lod;
-using Msisf.Core.Surface.Sources;
 
 namespace Msisf.App.Settings;
 
@@ -44,16 +43,6 @@ internal static class SurfaceOptions
         Default = CelestialBody.Moon.NaifNumber,
     };
 
-    public static ChoiceSpec<NestBlend> NestBlend { get; } = new(
-        "--nest-blend", DecidesBytes.UnlessDefault(frame => frame.NamesOfSeveralModels is null ? null : frame.Settings.NestBlend),
-        [
-            new Choice("outward", Core.Surface.Sources.NestBlend.Outward), new Choice("inward", Core.Surface.Sources.NestBlend.Inward),
-        ],
-        "Of several models, where a finer one ends: carry the difference into the coarser one around it, or bend the finer one")
-    {
-        Default = Core.Surface.Sources.NestBlend.Outward,
-    };
-
     public static ChoiceSpec<bool> LevelOfDetail { get; } = new(
         "--lod", DecidesBytes.As(frame => frame.Settings.LevelOfDetailError is null ? true : null).AndTiles(),
         [new Choice("auto", false), new Choice("off", true)],
@@ -71,12 +60,5 @@ internal static class SurfaceOptions
             $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
     };
 
-    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, NestBlend, Body, LevelOfDetail, LevelOfDetailError]);
-
-    /// <summary>Reads which of two models gives way where they meet.</summary>
-    /// <exception cref="UsageException">It is given for one model.</exception>
-    public static NestBlend ReadNestBlend(OptionValues values) => values.IsGiven(NestBlend) && Ldem.ReadAll(values).Count < 2
-        ? throw NestBlend.Wrong(
-            $"has no meaning with one model: it says how several are joined. Leave it out, or give more {Ldem.Name}.", Ldem)
-        : NestBlend.Read(values);
+    public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, Body, LevelOfDetail, LevelOfDetailError]);
 }

@@ -1,4 +1,5 @@
 using Msisf.Core.Surface;
+using Msisf.Core.Terrain;
 
 namespace Msisf.Core.Tiles;
 
@@ -39,6 +40,14 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
 
     /// <summary>The tile with an index in <see cref="All"/>.</summary>
     public static TileId FromNumber(int number) => new((number / Columns * SizeDegrees) - 90, number % Columns * SizeDegrees);
+
+    /// <summary>The tile that holds a point; latitude +90 belongs to the last row, longitude 360 to the first column.</summary>
+    public static TileId Containing(SelenographicPoint point)
+    {
+        int row = (int)((double.RadiansToDegrees(point.Latitude) + 90.0) / SizeDegrees);
+        int column = (int)(double.RadiansToDegrees(point.Longitude) / SizeDegrees);
+        return FromNumber((Math.Min(row, Rows - 1) * Columns) + (column % Columns));
+    }
 
     /// <summary>
     /// The tile whose pattern draws a facet: the one that holds the cell's north-west sample; the northern fan belongs to the tiles of line

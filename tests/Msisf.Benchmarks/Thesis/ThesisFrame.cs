@@ -8,6 +8,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
 using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Benchmarks.Thesis;
 
@@ -32,7 +33,7 @@ internal static class ThesisFrame
         Vector3D sun = ephemeris.SunPositionBodyFixed(scene.State.Time);
 
         long start = Stopwatch.GetTimestamp();
-        IReadOnlyList<TileId> selected = ThesisSelection.Select(camera);
+        IReadOnlyList<TileId> selected = [.. SphereRays.TilesOf(camera).Order()];
         double selection = Stopwatch.GetElapsedTime(start).TotalSeconds;
 
         start = Stopwatch.GetTimestamp();

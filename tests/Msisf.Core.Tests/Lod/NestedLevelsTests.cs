@@ -53,19 +53,6 @@ public sealed class NestedLevelsTests
         }
     }
 
-    [Fact]
-    public void Terrain_FinerModelsBent_TheFirstModelsHaveTheirBoundsInCommon()
-    {
-        NestedLevels levels = NestedScenes.NewLevelsOf(new NestedTerrain(NestedScenes.ModelsOf("five"), seams: null, NestBlend.Inward));
-        NestedTerrain one = levels.Terrain([0, 0, 0, 0, 1]);
-        NestedTerrain other = levels.Terrain([0, 0, 0, 1, 1]);
-
-        Assert.Same(levels.Scene.Parts[3].Bounds, one.Parts[3].Bounds);
-        Assert.Same(one.Parts[2].Bounds, other.Parts[2].Bounds);
-        Assert.NotSame(one.Parts[3].Bounds, other.Parts[3].Bounds);
-        Assert.NotSame(one.Parts[4].Bounds, other.Parts[4].Bounds); // on other ground
-    }
-
     /// <summary>What a model gets from finer ones does not depend on their levels, only on whether they are there.</summary>
     [Fact]
     public void Terrain_CoarserModelsChanged_ModelsOfTheSameLevelHaveTheirBoundsInCommon()

@@ -26,7 +26,7 @@ public sealed class ScannedSceneTests
 
     [Theory]
     [InlineData("gaps", ScanKind.LineScan, "barrel")]
-    [InlineData("gaps inward", ScanKind.PushFrame, "principal-point")]
+    [InlineData("gaps", ScanKind.PushFrame, "principal-point")]
     [InlineData("gaps", ScanKind.RollingShutter, "fisheye")]
     public void Render_TumblingScan_IsAsTracedWithTheStateOfEachRow(string models, ScanKind kind, string lens)
     {

@@ -9,25 +9,22 @@ namespace Msisf.Core.Tests.Support;
 /// <summary>Scenes of several small models.</summary>
 internal static class NestedScenes
 {
-    /// <summary>Ends the name of a scene in which the finer models are bent.</summary>
-    private const string Inward = " inward";
-
     private static readonly ConcurrentDictionary<string, Lazy<NestedTerrain>> Made = new(StringComparer.Ordinal);
     private static readonly ConcurrentDictionary<string, Lazy<NestedLevels>> Levels = new(StringComparer.Ordinal);
     private static readonly ConcurrentDictionary<string, Lazy<AllFacets>> Collected = new(StringComparer.Ordinal);
 
-    /// <summary>The names; "inward" may follow, and a level of each model, the coarsest first, or a hyphen for none.</summary>
+    /// <summary>The names; a level of each model may follow, the coarsest first, or a hyphen for none.</summary>
     public static IReadOnlyList<string> Names { get; } =
     [
         "polar", "north", "five", "beside-the-pole", "band", "crossing", "gaps", "piece", "meridian", "one-corner-at-the-pole",
-        "five at 0-102", "gaps at 02", "meridian at 011", "five inward", "gaps inward", "gaps inward at 02", "crossing inward",
+        "five at 0-102", "gaps at 02", "meridian at 011",
     ];
 
     /// <summary>The models of a scene, in no order.</summary>
     public static IReadOnlyList<ITerrainGrid> ModelsOf(string name)
     {
         FunctionGrid moon = FunctionGrid.Rugged(1);
-        return name.Replace(Inward, string.Empty, StringComparison.Ordinal) switch
+        return name switch
         {
             "polar" => [moon, Map(true, 6000.0, 90, 44.5, 44.5)],
             "north" => [moon, Map(false, 6000.0, 75, 30.25, 44.5), Map(false, 700.0, 70, 34.5, 34.5)],
@@ -65,9 +62,7 @@ internal static class NestedScenes
     public static NestedTerrain Named(string name) =>
         Made.GetOrAdd(name, static made => new(() => made.Split(" at ") is [string scene, string levels]
             ? LevelsOf(scene).Terrain([.. levels.Select(level => level == '-' ? (int?)null : level - '0')])
-            : new NestedTerrain(
-                ModelsOf(made), new SeamMemory(),
-                made.EndsWith(Inward, StringComparison.Ordinal) ? NestBlend.Inward : NestBlend.Outward))).Value;
+            : new NestedTerrain(ModelsOf(made), new SeamMemory()))).Value;
 
     /// <summary>The levels of a scene.</summary>
     public static NestedLevels LevelsOf(string name) => Levels.GetOrAdd(name, static made => new(() => NewLevelsOf(Named(made)))).Value;

@@ -1,4 +1,5 @@
 using Msisf.Core.Surface;
+using Msisf.Core.Terrain;
 using Msisf.Core.Tiles;
 using Xunit;
 
@@ -20,6 +21,22 @@ public class TileIdTests
     {
         Assert.Equal(new TileId(south, west), TileId.Holding(new FacetId(line, sample, FacetHalf.SouthWest), 4));
         Assert.Equal(new TileId(south, west), TileId.Holding(new FacetId(line, sample, FacetHalf.NorthEast), 4));
+    }
+
+    // docs/deviations.md, row 12: latitude +90 belongs to the last row, longitude 360 to the first column.
+    [Theory]
+    [InlineData(0.0, 0.0, 0, 0)]
+    [InlineData(-1e-9, 359.9, -5, 355)]
+    [InlineData(-5.0, 5.0, -5, 5)]
+    [InlineData(-5.1, 4.9, -10, 0)]
+    [InlineData(90.0, 0.0, 85, 0)]
+    [InlineData(-90.0, 180.0, -90, 180)]
+    [InlineData(12.0, 360.0, 10, 0)]
+    public void Containing_PointInDegrees_IsTheTileAroundIt(double latitude, double longitude, int south, int west)
+    {
+        SelenographicPoint point = new(double.DegreesToRadians(latitude), double.DegreesToRadians(longitude));
+
+        Assert.Equal(new TileId(south, west), TileId.Containing(point));
     }
 
     [Theory]

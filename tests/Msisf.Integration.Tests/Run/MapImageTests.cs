@@ -23,15 +23,15 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
     public void Dispose() => _folder.Dispose();
 
     /// <summary>
-    /// From the side a ray gets below a map, whose facets are met from outside only. The site's plateau of 4 km stands alone where the map
-    /// is blended inwards: outwards, the ridges around it rise with it.
+    /// From the side a ray gets below a map, whose facets are met from outside only. The ridges around the site rise with it: there the Sun
+    /// is 16 degrees high.
     /// </summary>
     [RequiresTheory(Part.Ldem4, Part.PovRay)]
     [InlineData("map alone, over the pole", "COARSE", "-89,30,150000", "-89.5,40", 60, "2000")]
     [InlineData("map alone, from the side and below", "COARSE", "-50,250,1500000", "-88,20", 25, "2000")]
     [InlineData("nested maps, low Sun", "MOON COARSE FINE", "-86,0,60000", "-89.2,0", 60, "4 2000 250")]
     [InlineData("a seam at a corner", "MOON COARSE", "-82,225,60000", "-82.2,225", 70, "4 2000")]
-    [InlineData("a site of 1 m, low Sun", "MOON COARSE SITE", "-89.9985,0,terrain+30", "-89.9999,0", 60, "4 2000 1")]
+    [InlineData("a rough site of 1 m", "MOON COARSE SITE", "-89.9985,0,terrain+30", "-89.9999,0", 60, "4 2000 1")]
     [InlineData("map alone, at a level", "COARSE", "-89,30,1500000", "-89.5,40", 60, "4000", "auto")]
     [InlineData("nested maps at levels", "MOON COARSE FINE", "-82,0,900000", "-86,0", 90, "4 4000 no", "auto")]
     [InlineData("nested maps, one at a level", "MOON COARSE FINE", "-89,0,270000", "-89,0", 40, "4 2000 500", "auto")]
@@ -50,7 +50,7 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
             $"--position={position}", $"--look-at={target}", "--time", "2026-01-07T00:00:00Z", "--lod", lod,
             "--fov", fieldOfView.ToString(CultureInfo.InvariantCulture), "--width", $"{Side}", "--height", $"{Side}",
             "--output-dir", _folder["out"], "--ephemeris", "builtin", "--surface", "terrain", "--grid", "15",
-            "--batch", .. models.EndsWith("SITE", StringComparison.Ordinal) ? (string[])["--nest-blend", "inward"] : [],
+            "--batch", .. models.EndsWith("SITE", StringComparison.Ordinal) ? (string[])["--sun-position", "{1.4E11,0,-4E10}"] : [],
         ];
         CommandLineRun povRay = CommandLineRun.Of(
             [.. arguments, "--output-name", "povray", "--pov-options", "Antialias=Off", "--pattern-repos", maps.Repository]);
@@ -102,7 +102,7 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
         public string Fine => _fine.Value;
 
         /// <summary>
-        /// Label of a map of 1 m from 89.995 degrees on: waves of 0.2 m and bumps of some centimetres on a plateau in the sunlight, 4 km
+        /// Label of a map of 1 m from 89.995 degrees on: waves of 0.2 m and bumps of some decimetres on a plateau in the sunlight, 4 km
         /// above the ground around it.
         /// </summary>
         public string Site => _site.Value;
@@ -132,7 +132,7 @@ public sealed class MapImageTests(ITestOutputHelper output, MapImageTests.Maps m
             {
                 (int line, int sample) = (i / side, i % side);
                 double waves = 0.2 * (Math.Sin(sample / 7.0) + Math.Sin(line / 5.0));
-                kilometres[i] = (float)(4.0 + ((waves + (0.1 * random.NextDouble())) / 1000.0));
+                kilometres[i] = (float)(4.0 + ((waves + (0.5 * random.NextDouble())) / 1000.0));
             }
 
             File.WriteAllBytes(image, MemoryMarshal.AsBytes<float>(kilometres));

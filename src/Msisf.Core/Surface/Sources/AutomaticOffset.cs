@@ -7,14 +7,13 @@ public static class AutomaticOffset
 {
     /// <summary>Models with those raised that are to be: each by the mean misfit at its border, the coarser ones first.</summary>
     /// <param name="models">The models, in any order.</param>
-    /// <param name="blend">Which of two models gives way where they meet; it decides which of two alike is finer.</param>
     /// <param name="isWanted">Which of them.</param>
     /// <returns>m for each, in the order in which they were given; 0 for the others.</returns>
     /// <exception cref="BadInputException">There is no coarser model below the border of a wanted one.</exception>
-    public static IReadOnlyList<double> Of(IReadOnlyList<ITerrainGrid> models, NestBlend blend, Func<ITerrainGrid, bool> isWanted)
+    public static IReadOnlyList<double> Of(IReadOnlyList<ITerrainGrid> models, Func<ITerrainGrid, bool> isWanted)
     {
         double[] offsets = new double[models.Count];
-        ITerrainGrid[] order = [.. models.Order(new ModelOrder(blend))];
+        ITerrainGrid[] order = [.. models.Order(new ModelOrder())];
         for (int part = 0; part < order.Length; part++)
         {
             if (isWanted(order[part]))

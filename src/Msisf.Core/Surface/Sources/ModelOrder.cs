@@ -6,11 +6,7 @@ namespace Msisf.Core.Surface.Sources;
 /// The order of models in a scene of several, which does not depend on the order in which they are given, or on their files' names and
 /// folders: the coarsest first; of models with the same resolution their places and heights decide.
 /// </summary>
-/// <param name="blend">
-/// Which of two models gives way where they meet: bent inwards, as in older versions, of models with the same resolution that with the
-/// first name is last, as the finer one, before places and heights are looked at.
-/// </param>
-internal sealed class ModelOrder(NestBlend blend) : IComparer<ITerrainGrid>
+internal sealed class ModelOrder : IComparer<ITerrainGrid>
 {
     /// <inheritdoc/>
     public int Compare(ITerrainGrid? x, ITerrainGrid? y)
@@ -18,7 +14,6 @@ internal sealed class ModelOrder(NestBlend blend) : IComparer<ITerrainGrid>
         ArgumentNullException.ThrowIfNull(x);
         ArgumentNullException.ThrowIfNull(y);
         int order = y.Projection.Resolution.MetresPerPixel.CompareTo(x.Projection.Resolution.MetresPerPixel);
-        order = order != 0 || blend == NestBlend.Outward ? order : string.CompareOrdinal(y.ProductId, x.ProductId);
         return order != 0 ? order : ComparePlaces(x, y);
     }
 

@@ -45,21 +45,21 @@ internal sealed class NestedParts
 
     /// <summary>Takes all models as they are.</summary>
     /// <param name="models">The models, the coarsest first.</param>
-    /// <param name="fields">What models get from finer ones; null if the finer ones are bent.</param>
-    public static NestedParts OfAll(IReadOnlyList<ITerrainGrid> models, OutlineFields? fields) =>
+    /// <param name="fields">What models get from finer ones.</param>
+    public static NestedParts OfAll(IReadOnlyList<ITerrainGrid> models, OutlineFields fields) =>
         new(WholeOf(models, models, fields, new GridPatch?[models.Count]), needsAll: true);
 
     /// <summary>Takes levels of the models.</summary>
     /// <param name="models">The models, the coarsest first.</param>
     /// <param name="grids">Their levels; null for one that is left out.</param>
-    /// <param name="fields">What models get from finer ones; null if the finer ones are bent.</param>
+    /// <param name="fields">What models get from finer ones.</param>
     /// <param name="known">Parts of a surface that is alike, whose heights and bounds are used; null for others.</param>
     public static NestedParts OfLevels(
-        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields? fields,
+        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields fields,
         IReadOnlyList<GridPatch?> known) => new(WholeOf(models, grids, fields, known), needsAll: false);
 
     private static List<GridPatch> WholeOf(
-        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields? fields, IReadOnlyList<GridPatch?> known)
+        IReadOnlyList<ITerrainGrid> models, IReadOnlyList<ITerrainGrid?> grids, OutlineFields fields, IReadOnlyList<GridPatch?> known)
     {
         bool[] isDrawn = [.. grids.Select(grid => grid is not null)];
         List<GridPatch> whole = [];
@@ -77,10 +77,7 @@ internal sealed class NestedParts
             else
             {
                 CoarserGround? coarser = grid.IsWholeBody ? null : new CoarserGround(whole, models[0].ReferenceRadius);
-                whole.Add(new GridPatch(
-                    fields is not null ? OutwardBlend.Of(grid, fields.Of(part, isDrawn), coarser)
-                    : coarser is null ? grid
-                    : new BorderBlend(grid, coarser)));
+                whole.Add(new GridPatch(OutwardBlend.Of(grid, fields.Of(part, isDrawn), coarser)));
             }
         }
 

@@ -21,21 +21,13 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <summary>Takes the models; nothing is read yet.</summary>
     /// <param name="models">Two or more, in any order; of the whole Moon only the coarsest may be.</param>
     /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
-    /// <param name="blend">Which of two models gives way where they meet.</param>
     /// <exception cref="BadInputException">They are no such models.</exception>
-    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null, NestBlend blend = NestBlend.Outward)
+    public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
     {
-        Models = [.. models.Order(new ModelOrder(blend))];
+        Models = [.. models.Order(new ModelOrder())];
         if (Models.Count is < 2 or > MaxModels)
         {
             throw new BadInputException($"{Models.Count} elevation models: 2 to {MaxModels} make a scene of several.");
-        }
-
-        if (blend == NestBlend.Inward && !Models[0].IsWholeBody)
-        {
-            throw new BadInputException(
-                $"{Models[0].ProductId}, the coarsest of several elevation models, is not of the whole Moon: there is no ground to which "
-                    + "its border could be bent. Give one that is as well, for instance LDEM_4.");
         }
 
         if (Models.Skip(1).FirstOrDefault(model => model.IsWholeBody) is { } whole)
@@ -55,8 +47,8 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
 
         _seams = seams;
         _drawn = Models;
-        (Blend, _fields) = (blend, new OutlineFields(Models));
-        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models, FieldsIfOutward));
+        _fields = new OutlineFields(Models);
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfAll(Models, _fields));
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
@@ -67,9 +59,9 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     internal NestedTerrain(NestedTerrain scene, IReadOnlyList<ITerrainGrid?> levels, NestedTerrain alike)
     {
         Models = [.. scene.Models.Zip(levels, (model, level) => level ?? model)];
-        (_seams, _fields, Blend) = (scene._seams, scene._fields, scene.Blend);
+        (_seams, _fields) = (scene._seams, scene._fields);
         _drawn = levels;
-        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, FieldsIfOutward, alike.PartsAt(levels)));
+        _parts = new Lazy<NestedParts>(() => NestedParts.OfLevels(Models, levels, _fields, alike.PartsAt(levels)));
         _surface = new Lazy<SurfaceModel>(Join);
     }
 
@@ -77,10 +69,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     public IReadOnlyList<ITerrainGrid> Models { get; }
 
     /// <inheritdoc/>
-    public IReadOnlyList<ITerrainGrid> Grounds => Blend == NestBlend.Outward ? [.. WholeParts.Select(part => part.Grid)] : Models;
-
-    /// <summary>Which of two models gives way where they meet.</summary>
-    public NestBlend Blend { get; }
+    public IReadOnlyList<ITerrainGrid> Grounds => [.. WholeParts.Select(part => part.Grid)];
 
     /// <inheritdoc/>
     public double ReferenceRadius => Models[0].ReferenceRadius;
@@ -143,9 +132,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     public IEnumerable<BorderMisfit?> BorderMisfits() => Enumerable.Range(1, Models.Count - 1).Select(part =>
         _fields.MisfitOf(part) is not { } misfit ? (BorderMisfit?)null : misfit with
         {
-            BlendedMetres = WholeParts[part].Grid is BorderBlend bent
-                ? bent.Width * bent.Projection.Resolution.MetresPerPixel
-                : OutlineField.WidthOf(misfit.Height.Rms, Models[part - 1].Projection.Resolution.MetresPerPixel),
+            BlendedMetres = OutlineField.WidthOf(misfit.Height.Rms, Models[part - 1].Projection.Resolution.MetresPerPixel),
         });
 
     /// <inheritdoc/>
@@ -157,15 +144,13 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
         }
     }
 
-    private OutlineFields? FieldsIfOutward => Blend == NestBlend.Outward ? _fields : null;
-
     /// <summary>The models that have the same heights at other levels; null for the others.</summary>
     private GridPatch?[] PartsAt(IReadOnlyList<ITerrainGrid?> levels) =>
         [.. WholeParts.Zip(IsSame(levels), (part, same) => same ? part : null)];
 
     /// <summary>
-    /// Whether a model has the same heights at other levels: it is at the same level, and so are the models that change it. These are the
-    /// coarser ones if it is bent to meet them; else finer ones, which count if they are drawn, at whatever level.
+    /// Whether a model has the same heights at other levels: it is at the same level, and the same finer models, which change it, are
+    /// drawn, at whatever level.
     /// </summary>
     private IEnumerable<bool> IsSame(IReadOnlyList<ITerrainGrid?> levels)
     {
@@ -173,24 +158,10 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
         int finest = Models.Count - 1
             - _drawn.Zip(levels).Reverse().TakeWhile(pair => pair.First is null == pair.Second is null).Count();
         return _drawn.Zip(levels, (own, other) => ReferenceEquals(own, other))
-            .Select((same, part) => Blend == NestBlend.Inward
-                ? part < coarsest
-                : same && part >= finest && (part < coarsest || !Models[part].MayHaveGaps));
+            .Select((same, part) => same && part >= finest && (part < coarsest || !Models[part].MayHaveGaps));
     }
 
     double IGround.RadiusAt(Vector3D direction) => TerrainHeight.RadiusOn(Parts, () => Surface.Seams, direction) ?? ReferenceRadius;
 
-    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams, isDelaunay: Blend == NestBlend.Outward));
-}
-
-/// <summary>Which of two models gives way where a finer one meets a coarser one (docs/elevation-seams.md).</summary>
-public enum NestBlend
-{
-    /// <summary>
-    /// The coarser one: the finer model keeps its samples to the last, and the difference at its border is carried into the coarser one.
-    /// </summary>
-    Outward,
-
-    /// <summary>The finer one: along its border it is bent to meet the facets of the coarser one.</summary>
-    Inward,
+    private SurfaceModel Join() => new(Parts, SeamBuilder.Join(Parts, _seams, isDelaunay: true));
 }

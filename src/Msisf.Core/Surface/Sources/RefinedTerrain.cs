@@ -136,11 +136,9 @@ public sealed class RefinedTerrain : ITerrain, IGround
             }
             else
             {
-                ITerrainGrid window = new DetailWindow(_detail, _tiles, place);
+                DetailWindow window = new(_detail, _tiles, place);
                 known = (place, isCoarsest, new GridPatch(
-                    isCoarsest
-                        ? new BorderBlend(window, new CoarserGround(WholeParts, ReferenceRadius), WindowPlan.WidestBorder)
-                        : window));
+                    isCoarsest ? new BorderBlend(window, new CoarserGround(WholeParts, ReferenceRadius)) : window));
             }
 
             _windows.AddFirst(known);

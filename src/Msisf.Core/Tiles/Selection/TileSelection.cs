@@ -14,18 +14,25 @@ public sealed class TileSelection
 
     /// <summary>The tiles to load, by latitude, then longitude.</summary>
     public IReadOnlyList<TileChoice> Kept { get; }
+
+    /// <summary>The same selection, in which visible tiles that the thesis's rays do not hit are <see cref="TileReason.Relief"/>.</summary>
+    /// <param name="hit">The tiles that the rays hit (<see cref="SphereRays"/>).</param>
+    public TileSelection WithRays(IReadOnlySet<TileId> hit) => new(All.Select(choice =>
+        choice.Reason == TileReason.Visible && !hit.Contains(choice.Tile) ? choice with { Reason = TileReason.Relief } : choice));
 }
 
 /// <summary>The decision whether a scene needs a tile.</summary>
 public readonly record struct TileChoice(TileId Tile, TileReason Reason)
 {
     /// <summary>Whether the scene needs the tile.</summary>
-    public bool IsKept => Reason is TileReason.Visible or TileReason.DarkButCovering or TileReason.CastsShadow;
+    public bool IsKept =>
+        Reason is TileReason.Visible or TileReason.Relief or TileReason.DarkButCovering or TileReason.CastsShadow;
 
     /// <summary>The reason in words for a list.</summary>
     public string ReasonText => Reason switch
     {
         TileReason.Visible => "visible",
+        TileReason.Relief => "visible relief, no ray hits the sphere there",
         TileReason.DarkButCovering => "dark, covers what lies behind",
         TileReason.CastsShadow => "casts shadow",
         TileReason.OutsideFrame => "outside the frame",
@@ -40,6 +47,9 @@ public enum TileReason
 {
     /// <summary>Kept: some of it can be seen, perhaps in sunlight.</summary>
     Visible,
+
+    /// <summary>Kept: some of its relief can be seen, though no pixel's ray hits the reference sphere there.</summary>
+    Relief,
 
     /// <summary>Kept: it can be seen and is dark, but without it ground behind it would show.</summary>
     DarkButCovering,

@@ -16,8 +16,8 @@ public sealed class AutomaticOffsetTests
             new PolarStereographic(IsSouth: true, 100.0, 49.5, 49.5), 100, 100, (line, _) => line < 50 ? 20.0 : 40.0);
         FunctionGrid moon = new(8, (_, _) => 1_737_400.0);
 
-        IReadOnlyList<double> both = AutomaticOffset.Of([site, moon, map], NestBlend.Outward, grid => grid != moon);
-        IReadOnlyList<double> one = AutomaticOffset.Of([site, moon, map], NestBlend.Outward, grid => grid == site);
+        IReadOnlyList<double> both = AutomaticOffset.Of([site, moon, map], grid => grid != moon);
+        IReadOnlyList<double> one = AutomaticOffset.Of([site, moon, map], grid => grid == site);
 
         Assert.InRange(both[0], -31.1, -30.0); // facets of a sphere with 8 px/deg lie up to a metre below it
         Assert.Equal(0.0, both[1]);

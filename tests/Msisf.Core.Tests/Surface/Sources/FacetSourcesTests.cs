@@ -12,7 +12,6 @@ public sealed class FacetSourcesTests
     /// <summary>A facet is measured if its corners have their models' own radii, and blended if one has another.</summary>
     [Theory]
     [InlineData("five")]
-    [InlineData("five inward")]
     [InlineData("gaps at 02")]
     [InlineData("meridian")]
     public void Of_AllFacets_TellsWhichHaveTheirModelsRadii(string name)

@@ -101,17 +101,11 @@ public sealed class MapsAloneTests
     }
 
     [Fact]
-    public void Maps_BentInwards_NeedAModelAround() => Assert.Contains(
-        "no ground to which its border could be bent",
-        Assert.Throws<BadInputException>(() => new NestedTerrain(MapsOf("6 20 30 5 8; 6 20 38 5 8"), blend: NestBlend.Inward)).Message,
-        StringComparison.Ordinal);
-
-    [Fact]
     public void Offset_ToMeetNothing_IsRefused()
     {
         ITerrainGrid[] models = MapsOf("6 20 30 5 8; 6 20 38 5 8");
         Assert.Contains(
-            "and there are none", Assert.Throws<BadInputException>(() => AutomaticOffset.Of(models, NestBlend.Outward, _ => true)).Message,
+            "and there are none", Assert.Throws<BadInputException>(() => AutomaticOffset.Of(models, _ => true)).Message,
             StringComparison.Ordinal);
     }
 

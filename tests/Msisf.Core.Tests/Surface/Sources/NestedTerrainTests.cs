@@ -23,23 +23,20 @@ public sealed class NestedTerrainTests
     public void Surface_Facets_FaceOutwards(string name) => Assert.DoesNotContain(
         NestedScenes.FacetsOf(name).Facets, facet => !(Vector3D.Dot(facet.A, Vector3D.Cross(facet.B, facet.C)) > 0.0));
 
-    /// <summary>
-    /// The finest model that has data wins: each of its samples is a vertex with its own radius, unless it is bent along its border.
-    /// </summary>
+    /// <summary>The finest model that has data wins: each of its samples is a vertex with its own radius.</summary>
     [Theory]
     [MemberData(nameof(Scenes))]
-    public void Surface_InsideTheBorder_HasTheFinestModelsOwnHeights(string name)
+    public void Surface_FinestModel_HasItsOwnHeights(string name)
     {
         NestedTerrain terrain = NestedScenes.Named(name);
         GridPatch finest = terrain.Surface.Parts[^1];
-        int border = terrain.Blend == NestBlend.Inward ? Assert.IsType<BorderBlend>(finest.Grid).Width + 1 : 0;
         ITerrainGrid own = terrain.Models[^1];
         GridWindow window = own.Window;
         double[] radius = new double[1];
         int inside = 0;
-        for (int line = window.FirstLine + border; line < window.EndLine - 1 - border; line++)
+        for (int line = window.FirstLine; line < window.EndLine - 1; line++)
         {
-            for (int sample = window.FirstSample + border; sample < window.EndSample - 1 - border; sample++)
+            for (int sample = window.FirstSample; sample < window.EndSample - 1; sample++)
             {
                 if (own.MayHaveGaps)
                 {
@@ -54,34 +51,6 @@ public sealed class NestedTerrainTests
         }
 
         Assert.True(inside > 0 || own.MayHaveGaps);
-    }
-
-    /// <summary>No step where the finer model is bent: the outermost vertices lie on the coarser facets, up to the lattice.</summary>
-    [Theory]
-    [InlineData("polar inward")]
-    [InlineData("gaps inward")]
-    [InlineData("band inward")]
-    public void Surface_Border_LiesOnTheCoarserFacets(string name)
-    {
-        NestedTerrain terrain = NestedScenes.Named(name);
-        SurfaceModel surface = terrain.Surface;
-        FacetMesh coarse = new(terrain.Models[0]);
-        int count = 0;
-        for (int facet = 0; facet < surface.Seams.Count; facet++)
-        {
-            for (int corner = 0; corner < 3; corner++)
-            {
-                SeamVertex vertex = surface.Seams.VertexOf(facet, corner);
-                if (vertex.Part == 1)
-                {
-                    double under = TerrainHeight.RadiusOn(coarse, vertex.Position.Normalized())!.Value;
-                    Assert.InRange(vertex.Position.Length - under, -0.1, 0.1); // a lattice step beside a slope
-                    count++;
-                }
-            }
-        }
-
-        Assert.True(count > 100);
     }
 
     [Fact]
@@ -111,23 +80,21 @@ public sealed class NestedTerrainTests
         Assert.Equal(new NestedTerrain(models).Models, new NestedTerrain(models.Reverse()).Models);
     }
 
-    /// <summary>The same maps with each other's names are in the same order: names say nothing; bent inwards they come first.</summary>
-    [Theory]
-    [InlineData(NestBlend.Outward, true)]
-    [InlineData(NestBlend.Inward, false)]
-    public void Models_OfOneResolution_AreOrderedByWhatTheyHold(NestBlend blend, bool isSame)
+    /// <summary>The same maps with each other's names are in the same order: names say nothing.</summary>
+    [Fact]
+    public void Models_OfOneResolution_AreOrderedByWhatTheyHold()
     {
         PolarFunctionGrid high = new(new PolarStereographic(IsSouth: true, 4000.0, 19.5, 19.5), 40, 40, (_, _) => 100.0);
         PolarFunctionGrid low = new(new PolarStereographic(IsSouth: true, 4000.0, 19.5, 19.5), 40, 40, (_, _) => 50.0);
         double LastHeight(string highName, string lowName)
         {
             double[] radius = new double[1];
-            new NestedTerrain([FunctionGrid.Rugged(1), new NamedGrid(high, highName), new NamedGrid(low, lowName)], seams: null, blend)
+            new NestedTerrain([FunctionGrid.Rugged(1), new NamedGrid(high, highName), new NamedGrid(low, lowName)])
                 .Models[2].ReadRadii(3, 3, radius);
             return radius[0];
         }
 
-        Assert.Equal(isSame, LastHeight("A", "B") == LastHeight("B", "A"));
+        Assert.Equal(LastHeight("A", "B"), LastHeight("B", "A"));
     }
 
     [Fact]

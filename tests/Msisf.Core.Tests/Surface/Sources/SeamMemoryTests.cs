@@ -30,15 +30,15 @@ public sealed class SeamMemoryTests
         Assert.Equal(FacetsOf(first), FacetsOf(again));
     }
 
-    /// <summary>The gap around the map is the same with a site in its middle, which changes no ground of the map at its border.</summary>
+    /// <summary>The gap around the map is the same with a site in its middle, if the map's ground stays as it is.</summary>
     [Fact]
     public void Surface_OneModelMore_TakesTheOtherGaps()
     {
         IReadOnlyList<ITerrainGrid> models = NestedScenes.ModelsOf("five");
         CountingStore store = new();
-        _ = new NestedTerrain([models[1], models[0], models[3]], store, NestBlend.Inward).Surface;
+        JoinUnchanged([models[1], models[0], models[3]], store);
         Assert.Equal(2, store.Kept.Count);
-        _ = new NestedTerrain([models[1], models[0], models[3], models[4]], store, NestBlend.Inward).Surface;
+        JoinUnchanged([models[1], models[0], models[3], models[4]], store);
         Assert.Equal(3, store.Kept.Count);
     }
 
@@ -49,14 +49,14 @@ public sealed class SeamMemoryTests
         FunctionGrid moon = FunctionGrid.Rugged(1);
         PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 6000.0, 90, 44.5, 44.5); // 267 km to each side
         CountingStore store = new();
-        _ = new NestedTerrain([moon, map], store, NestBlend.Inward).Surface;
+        JoinUnchanged([moon, map], store);
         string[] borders = [.. Assert.Single(store.Kept).Borders];
         int within = 0;
         foreach (int kilometres in (int[])[272, 274, 282])
         {
             PolarFunctionGrid site = PolarFunctionGrid.Rugged(true, 100.0, 16, 7.5, 7.5 - (10.0 * kilometres));
-            SeamPatch seams = new NestedTerrain([moon, map, site], store, NestBlend.Inward).Surface.Seams;
-            Assert.Equal(FacetsOf(new NestedTerrain([moon, map, site], seams: null, NestBlend.Inward).Surface.Seams), FacetsOf(seams));
+            SeamPatch seams = JoinUnchanged([moon, map, site], store);
+            Assert.Equal(FacetsOf(JoinUnchanged([moon, map, site], store: null)), FacetsOf(seams));
             within += borders.All(border => store.Kept[^1].Borders.Contains(border)) ? 1 : 0;
         }
 
@@ -92,6 +92,19 @@ public sealed class SeamMemoryTests
         Assert.Same(large, Assert.Single(files.Kept));
         Assert.Same(large, new SeamMemory(files).Find("A", "2"));
         Assert.Null(new SeamMemory(files).Find("A", "1"));
+    }
+
+    /// <summary>The seams of models with their own heights, as if they met.</summary>
+    /// <param name="models">The coarsest first.</param>
+    private static SeamPatch JoinUnchanged(IReadOnlyList<ITerrainGrid> models, ISeamStore? store)
+    {
+        GridPatch[] parts = [.. models.Select(model => new GridPatch(model))];
+        for (int part = parts.Length - 1; part >= 0; part--)
+        {
+            parts[part] = parts[part].WithCells(KeptCells.Of(parts[part], parts[(part + 1)..]));
+        }
+
+        return SeamBuilder.Join(parts, store, isDelaunay: true);
     }
 
     private static List<(Vector3D, Vector3D, Vector3D)> FacetsOf(SeamPatch seams) =>
