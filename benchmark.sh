@@ -19,6 +19,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/data.sh"
 . "$root/scripts/lib/benchmark.sh"
 
+help_if_asked "$@"
 choice=()
 is_partial=''
 is_micro=''

@@ -11,6 +11,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/install.sh"
 . "$root/scripts/lib/data.sh"
 
+help_if_asked "$@"
 usage='Usage: ./quickstart.sh [--install FOLDER | --uninstall FOLDER], e.g. --install ~/.local'
 prefix=''
 case "${1:-} $#" in

@@ -9,8 +9,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" >/dev/null && pwd -P)
 . "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/results.sh"
 . "$root/scripts/lib/data.sh"
+help_if_asked "$@"
+[ $# -eq 0 ] || die "unknown argument $1. Usage: ./test.sh; tests/README.md says how to run single tests"
 cd "$root"
 require_own_folders
+end_with_children
 
 # The suites, scripts/suites/NAME.sh; of xunit each project by itself. The longest first, so that none runs alone at the
 # end. A new suite is added here, and what it needs to install_parts below; a new project is found by itself.
@@ -68,7 +71,10 @@ dotnet build-server shutdown --vbcscompiler >/dev/null 2>&1 || true # it would s
 
 # Side by side, two more than there are cores: many tests wait for other programs.
 say "Running ${#suites[@]} more suites side by side; each shows its output when it has ended."
-run_suites $(($(getconf _NPROCESSORS_ONLN) + 2)) "${suites[@]}"
+# In the background, so that a signal is heard at once; with job control, or the programs under test would ignore Ctrl-C.
+set -m
+run_suites $(($(getconf _NPROCESSORS_ONLN) + 2)) "${suites[@]}" &
+set +m
 wait
 for suite in "${early[@]}" "${suites[@]}"; do
     cat "$MSISF_RESULTS.$suite" >>"$MSISF_RESULTS" || record failed "$suite" 'it was not started'

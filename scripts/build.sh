@@ -11,6 +11,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 . "$root/scripts/lib/dotnet.sh"
 cd "$root"
 
+help_if_asked "$@"
 usage='Usage: scripts/build.sh [--native | --native-all]'
 levels=()
 case "${1:-} $#" in

@@ -13,6 +13,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly root
 . "$root/scripts/lib/common.sh"
 . "$root/scripts/lib/packages.sh"
+help_if_asked "$@"
+[ $# -eq 0 ] || die "unknown argument $1. Usage: scripts/get-cspice.sh"
 readonly library="$root/lib/native/libcspice.so"
 readonly shared="$root/../shared/cspice/libcspice.so"
 

@@ -24,6 +24,7 @@ test_bytes() {
     rm -r "$work"
 }
 
+help_if_asked "$@"
 case "${1:-} $#" in
     '--test 1')
         test_bytes

@@ -10,6 +10,30 @@ die() {
     exit 1
 }
 
+# help_if_asked ARGUMENTS...: with --help the comment at the head of the script is printed, and nothing else is done.
+help_if_asked() {
+    case ${1:-} in
+        -h | --help)
+            sed -n '2,/^[^#]/s/^#\( \|$\)//p' "${BASH_SOURCE[-1]}"
+            exit 0
+            ;;
+    esac
+}
+
+# end_with_children: what the script has started ends with it, when a signal ends it.
+end_with_children() {
+    trap 'end_children $$; exit 130' INT
+    trap 'end_children $$; exit 143' TERM
+}
+
+end_children() {
+    local child
+    for child in $(pgrep -P "$1" 2>/dev/null); do
+        end_children "$child"
+        kill "$child" 2>/dev/null || true
+    done
+}
+
 # within SECONDS COMMAND...: ends a command that hangs, where the system has a timeout.
 within() {
     local seconds=$1
