@@ -98,7 +98,7 @@ public sealed class FetchCommandTests : IDisposable
         File.WriteAllText(Path.Combine(site, "lroc_color_poles_4k.tif"), "<html>log in first</html>");
 
         CommandLineRun model = Fetch("ldem", new Uri(site).AbsoluteUri);
-        CommandLineRun map = Fetch("albedo", new Uri(site).AbsoluteUri, "--size", "4k");
+        CommandLineRun map = Fetch("albedo", new Uri(site).AbsoluteUri, "--map-size", "4k");
 
         Assert.Equal((3, 3), (model.ExitCode, map.ExitCode));
         Assert.Contains("lroc_color_poles_4k.tif: what was sent is no image.", map.Error, StringComparison.Ordinal);
@@ -121,8 +121,8 @@ public sealed class FetchCommandTests : IDisposable
     [Theory]
     [InlineData(
         "ldem --from /nowhere", 1, "--from /nowhere: there is no such folder. Name one, or the address of one, or leave the option out.")]
-    [InlineData("ldem --res 5", 1, "--res is '5'; one of 4, 16, 64, 128, 256, 512, 1024 is needed.")]
-    [InlineData("albedo --size 3k", 1, "--size is '3k'; one of 2k, 4k, 8k, 16k is needed: did you mean 2k?")]
+    [InlineData("ldem --res 5", 1, "--res is '5'; NASA has models of 4, 16, 64, 128, 256, 512, 1024 px/deg.")]
+    [InlineData("albedo --map-size 3k", 1, "--map-size is '3k'; one of 2k, 4k, 8k, 16k is needed: did you mean 2k?")]
     public void Fetch_WrongOption_SaysWhatIsRight(string words, int exitCode, string expected)
     {
         CommandLineRun run = CommandLineRun.Of(["fetch", .. words.Split(' ')]);

@@ -64,6 +64,7 @@ public sealed class WrongValueTests : IDisposable
         ["--catalogues"] = ["a=", "a=b,a=c", "a/b=c"],
         ["--sbatch-options"] = ["-x", "time=1"],
         ["--batch-euler"] = ["XYQ", "12"],
+        ["--from"] = ["x", ""],
         ["--near"] = ["x", "nadir", "1,2,3,4", "91,0"],
         ["--columns"] = ["x", "lat=", "depth=2", "lat=1,lat=2"],
     };

@@ -49,7 +49,7 @@ internal sealed class DataFetch
         bool hasFloats = FetchOptions.Floats.Read(values);
         try
         {
-            foreach (string name in LdemProducts.Of(FetchOptions.Resolution.Read(values), hasFloats))
+            foreach (string name in LdemProducts.Of(FetchOptions.ReadResolution(values), hasFloats))
             {
                 host.Results.WriteLine(await fetch.ProductAsync(name, LdemProducts.Sites(hasFloats), cancellation).ConfigureAwait(false));
             }

@@ -6,18 +6,18 @@ namespace Msisf.App.Settings;
 /// <summary><c>msis fetch</c> and its options.</summary>
 internal static class FetchOptions
 {
-    public static ChoiceSpec<int> Resolution { get; } = new(
-        "--res", DecidesBytes.OfNoFrame, [.. LdemProducts.Resolutions.Select(value => (Invariant($"{value}"), value))],
-        "Resolution of the elevation model, px/deg: 2 MB, 33 MB, 531 MB, 2.1 GB, 8.5 GB, 34 GB or 136 GB")
+    public static WholeNumberSpec Resolution { get; } = SurfaceOptions.Resolution with
     {
-        Default = 4,
+        Help = $"Resolution, px/deg, one of {string.Join(", ", LdemProducts.Resolutions)}: "
+            + "2 MB, 33 MB, 531 MB, 2.1 GB, 8.5 GB, 34 GB or 136 GB",
+        DefaultNote = null,
     };
 
     public static FlagSpec Floats { get; } = new(
         "--float", DecidesBytes.OfNoFrame, "Samples as 32-bit floats, twice the size, in place of 16-bit steps of 0.5 m");
 
     public static ChoiceSpec<int> Size { get; } = new(
-        "--size", DecidesBytes.OfNoFrame, [("2k", 2), ("4k", 4), ("8k", 8), ("16k", 16)],
+        "--map-size", DecidesBytes.OfNoFrame, [("2k", 2), ("4k", 4), ("8k", 8), ("16k", 16)],
         "Pixels along the equator, in thousands")
     {
         Default = 8,
@@ -41,7 +41,7 @@ internal static class FetchOptions
     public static CommandSpec Albedo { get; } = new("albedo", "Get a map of the Moon's reflectance (LROC WAC, by NASA's SVS 4720).")
     {
         Details = "The map is a TIFF image, which GDAL reads.",
-        Examples = [("The largest one:", "msis fetch albedo --size 16k")],
+        Examples = [("The largest one:", "msis fetch albedo --map-size 16k")],
         MakeGroups = () => [new OptionGroup("The map", [Size, From, To]), OnlyHelp],
     };
 
@@ -51,6 +51,12 @@ internal static class FetchOptions
         MakeGroups = () => [OnlyHelp],
         Commands = [Ldem, Albedo],
     };
+
+    /// <summary>Reads the resolution of a product of NASA.</summary>
+    /// <exception cref="UsageException">NASA has no model of it.</exception>
+    public static int ReadResolution(OptionValues values) => Resolution.Read(values) is var read && LdemProducts.Resolutions.Contains(read)
+        ? read
+        : throw Resolution.Wrong($"is '{read}'; NASA has models of {string.Join(", ", LdemProducts.Resolutions)} px/deg.");
 
     private static OptionGroup OnlyHelp => new("General", [RunOptions.Help]);
 }
