@@ -1,3 +1,4 @@
+using Msisf.Adapters.Fetching;
 using Msisf.Core.Ephemeris;
 
 namespace Msisf.Adapters.Raster.Heights;
@@ -5,9 +6,6 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <summary>Finds the elevation model of a resolution.</summary>
 public static class LdemCatalog
 {
-    /// <summary>The resolutions of NASA's cylindrical products, px/deg.</summary>
-    private static readonly int[] PublishedResolutions = [4, 16, 64, 128, 256, 512, 1024];
-
     private static readonly EnumerationOptions Labels = new() { MatchCasing = MatchCasing.CaseInsensitive, IgnoreInaccessible = true };
 
     /// <summary>
@@ -134,10 +132,10 @@ public static class LdemCatalog
 
     private static string WaysToGet(int pixelsPerDegree, string wayToName)
     {
-        string real = PublishedResolutions.Contains(pixelsPerDegree)
+        string real = LdemProducts.Resolutions.Contains(pixelsPerDegree)
             ? $"Get NASA's with 'msis fetch ldem --res {pixelsPerDegree}'"
-            : $"NASA has models of {string.Join(", ", PublishedResolutions)} px/deg";
-        string continued = pixelsPerDegree > PublishedResolutions[0] ? $" --base LDEM_{PublishedResolutions[0]}.LBL" : string.Empty;
+            : $"NASA has models of {string.Join(", ", LdemProducts.Resolutions)} px/deg";
+        string continued = pixelsPerDegree > LdemProducts.Resolutions[0] ? $" --base LDEM_{LdemProducts.Resolutions[0]}.LBL" : string.Empty;
         return $"{real}, {wayToName}, or make a synthetic one with 'msis ldem synthesize --res {pixelsPerDegree}{continued} --seed 1'.";
     }
 
