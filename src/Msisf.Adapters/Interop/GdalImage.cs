@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Msisf.Adapters.Interop;
 
-/// <summary>An image that GDAL reads; its first band counts. Not safe for several threads.</summary>
+/// <summary>An image that GDAL reads; its first band counts. Not safe for several threads, unless <see cref="IsMapped"/>.</summary>
 internal sealed unsafe class GdalImage : IDisposable
 {
     /// <summary>
@@ -25,6 +25,7 @@ internal sealed unsafe class GdalImage : IDisposable
     private readonly nint _band;
     private readonly GdalImage? _source;
     private readonly SpecialValues _special;
+    private readonly GdalMapping? _mapping;
     private nint _image;
 
     private GdalImage(GdalNative gdal, string path, nint image, GdalImage? source = null)
@@ -42,11 +43,12 @@ internal sealed unsafe class GdalImage : IDisposable
         int across = 0;
         int down = 0;
         gdal.GDALGetBlockSize(_band, &across, &down);
-        HasWideBlocks = across > Width / 2;
         int isThere = 0;
         double value = gdal.GDALGetRasterNoDataValue(_band, &isThere);
         NoData = isThere != 0 ? value : null;
         _special = SpecialValues.Of(Driver, type, Metadata(gdal, image, "xml:PDS4"));
+        _mapping = source is null && !IsRemote(path) ? GdalMapping.Of(gdal, _band, type) : null;
+        HasWideBlocks = _mapping is null && across > Width / 2;
     }
 
     /// <summary>Pixels of a row.</summary>
@@ -60,6 +62,9 @@ internal sealed unsafe class GdalImage : IDisposable
 
     /// <summary>The file is stored in blocks as wide as the image, as rows are: a part of a row costs as much as all of it.</summary>
     public bool HasWideBlocks { get; }
+
+    /// <summary>The pixels are mapped into memory: several threads may read them at once.</summary>
+    public bool IsMapped => _mapping is not null;
 
     /// <summary>The values are complex numbers.</summary>
     public bool IsComplex { get; }
@@ -187,7 +192,7 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <param name="lines">How many rows.</param>
     /// <param name="sample">Leftmost pixel, from 0.</param>
     /// <param name="samples">How many pixels of a row.</param>
-    public bool IsEmpty(int line, int lines, int sample, int samples) => _gdal.GDALGetDataCoverageStatus(
+    public bool IsEmpty(int line, int lines, int sample, int samples) => _mapping is null && _gdal.GDALGetDataCoverageStatus(
         _band, sample, line, samples, lines, GdalNative.CoverageData, null) == GdalNative.CoverageEmpty;
 
     private static string Metadata(GdalNative gdal, nint image, string domain)
@@ -236,12 +241,7 @@ internal sealed unsafe class GdalImage : IDisposable
     {
         stride = stride == 0 ? samples : stride;
         ArgumentOutOfRangeException.ThrowIfLessThan(values.Length, ((lines - 1) * stride) + samples);
-        fixed (float* start = values)
-        {
-            Require(_gdal.GDALRasterIO(
-                _band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, stride * sizeof(float)));
-        }
-
+        ReadStored(line, lines, sample, samples, values, stride);
         for (int i = 0; NoData is double noData && i < lines; i++)
         {
             values.Slice(i * stride, samples).Replace((float)noData, float.NaN);
@@ -250,6 +250,25 @@ internal sealed unsafe class GdalImage : IDisposable
         for (int i = 0; _special.Any && i < lines; i++)
         {
             _special.Remove(values.Slice(i * stride, samples));
+        }
+    }
+
+    private void ReadStored(int line, int lines, int sample, int samples, Span<float> values, int stride)
+    {
+        if (_mapping is not null)
+        {
+            for (int i = 0; i < lines; i++)
+            {
+                _mapping.Read(line + i, sample, values.Slice(i * stride, samples));
+            }
+
+            return;
+        }
+
+        fixed (float* start = values)
+        {
+            Require(_gdal.GDALRasterIO(
+                _band, 0, sample, line, samples, lines, start, samples, lines, GdalNative.TypeFloat32, 0, stride * sizeof(float)));
         }
     }
 
@@ -267,6 +286,7 @@ internal sealed unsafe class GdalImage : IDisposable
     {
         if (Interlocked.Exchange(ref _image, 0) is not 0 and nint image)
         {
+            _mapping?.Dispose();
             _gdal.GDALClose(image);
         }
     }

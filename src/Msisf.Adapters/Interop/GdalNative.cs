@@ -23,6 +23,12 @@ internal sealed unsafe class GdalNative
     /// <summary>GDT_Float32.</summary>
     internal const int TypeFloat32 = 6;
 
+    /// <summary>GDT_Int16.</summary>
+    internal const int TypeInt16 = 3;
+
+    /// <summary>GF_Read.</summary>
+    internal const int ToRead = 0;
+
     /// <summary>OGRERR_NONE.</summary>
     internal const int NoError = 0;
 
@@ -65,6 +71,9 @@ internal sealed unsafe class GdalNative
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterNoDataValue;
     internal readonly delegate* unmanaged[Cdecl]<nint, double*, int> GDALGetGeoTransform;
     internal readonly delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int> GDALRasterIO;
+    internal readonly delegate* unmanaged[Cdecl]<nint, int, int*, long*, byte**, nint> GDALGetVirtualMemAuto;
+    internal readonly delegate* unmanaged[Cdecl]<nint, byte*> CPLVirtualMemGetAddr;
+    internal readonly delegate* unmanaged[Cdecl]<nint, void> CPLVirtualMemFree;
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterScale;
     internal readonly delegate* unmanaged[Cdecl]<nint, int*, double> GDALGetRasterOffset;
     internal readonly delegate* unmanaged[Cdecl]<nint, byte*> GDALGetRasterUnitType;
@@ -128,6 +137,10 @@ internal sealed unsafe class GdalNative
         GDALGetGeoTransform = (delegate* unmanaged[Cdecl]<nint, double*, int>)Find(nameof(GDALGetGeoTransform));
         GDALRasterIO = (delegate* unmanaged[Cdecl]<nint, int, int, int, int, int, void*, int, int, int, int, int, int>)
             Find(nameof(GDALRasterIO));
+        GDALGetVirtualMemAuto =
+            (delegate* unmanaged[Cdecl]<nint, int, int*, long*, byte**, nint>)Find(nameof(GDALGetVirtualMemAuto));
+        CPLVirtualMemGetAddr = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(CPLVirtualMemGetAddr));
+        CPLVirtualMemFree = (delegate* unmanaged[Cdecl]<nint, void>)Find(nameof(CPLVirtualMemFree));
         GDALGetRasterScale = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterScale));
         GDALGetRasterOffset = (delegate* unmanaged[Cdecl]<nint, int*, double>)Find(nameof(GDALGetRasterOffset));
         GDALGetRasterUnitType = (delegate* unmanaged[Cdecl]<nint, byte*>)Find(nameof(GDALGetRasterUnitType));

@@ -5,7 +5,7 @@ namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
 /// A raster that GDAL has opened, resampled if its pixels lie on no grid that is read, and where its samples lie. Not safe for several
-/// threads.
+/// threads, unless <see cref="IsShared"/>.
 /// </summary>
 internal sealed class OpenedRaster : IDisposable
 {
@@ -24,6 +24,9 @@ internal sealed class OpenedRaster : IDisposable
 
     /// <summary>Where the samples lie.</summary>
     public GeoTiffPlacement Placement { get; }
+
+    /// <summary>Whether several threads may read at once.</summary>
+    public bool IsShared => File.IsMapped && !IsWarped;
 
     /// <summary>Whether samples are bilinear between the file's pixels, and not these.</summary>
     public bool IsWarped => _resampled is not null;

@@ -4,7 +4,7 @@ namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
 /// The values of a raster in squares, read by GDAL where they are asked for and kept in memory up to a limit. Each thread that reads has
-/// the file open for itself. Safe for several threads.
+/// the file open for itself, unless several may share it. Safe for several threads.
 /// </summary>
 internal sealed class RasterBlocks : IDisposable
 {
@@ -18,6 +18,7 @@ internal sealed class RasterBlocks : IDisposable
     private const int BlocksPerCollection = 256;
 
     private readonly Func<OpenedRaster> _open;
+    private readonly OpenedRaster? _shared;
     private readonly HeightRule _rule;
     private readonly ConcurrentBag<OpenedRaster> _idle = [];
     private readonly Lock _gate = new();
@@ -36,7 +37,8 @@ internal sealed class RasterBlocks : IDisposable
         (_open, _rule) = (open, rule);
         (Height, Width) = (first.Placement.Window.Lines, first.Placement.Window.Samples);
         (HasWideBlocks, IsRing) = (first.File.HasWideBlocks, first.Placement.IsRing);
-        _idle.Add(first);
+        _shared = first.IsShared ? first : null;
+        Return(first);
         _blockColumns = (Width + BlockSide - 1) >> BlockShift;
         _blocks = new KeptBlock?[]?[(Height + BlockSide - 1) >> BlockShift];
     }
@@ -81,6 +83,7 @@ internal sealed class RasterBlocks : IDisposable
     public void Dispose()
     {
         _isClosed = true;
+        _shared?.Dispose();
         while (_idle.TryTake(out OpenedRaster? raster))
         {
             raster.Dispose();
@@ -99,14 +102,14 @@ internal sealed class RasterBlocks : IDisposable
     public UndeclaredGaps Read(int line, int lines, int sample, int samples, Span<float> values, int stride)
     {
         ObjectDisposedException.ThrowIf(_isClosed, this);
-        OpenedRaster raster = _idle.TryTake(out OpenedRaster? known) ? known : _open();
+        OpenedRaster raster = Take();
         try
         {
             return raster.Read(line, lines, sample, samples, values, stride, _rule);
         }
         finally
         {
-            _idle.Add(raster);
+            Return(raster);
         }
     }
 
@@ -114,12 +117,22 @@ internal sealed class RasterBlocks : IDisposable
     /// <param name="found">Those that were found while samples were read.</param>
     public UndeclaredGaps Counted(UndeclaredGaps found)
     {
-        OpenedRaster raster = _idle.TryTake(out OpenedRaster? known) ? known : _open();
+        OpenedRaster raster = Take();
         try
         {
             return found.Count > 0 && raster.IsWarped ? raster.Undeclared(_rule) : found;
         }
         finally
+        {
+            Return(raster);
+        }
+    }
+
+    private OpenedRaster Take() => _shared ?? (_idle.TryTake(out OpenedRaster? known) ? known : _open());
+
+    private void Return(OpenedRaster raster)
+    {
+        if (raster != _shared)
         {
             _idle.Add(raster);
         }
