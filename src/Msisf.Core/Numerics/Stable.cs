@@ -28,6 +28,17 @@ public static class Stable
         return difference + error;
     }
 
+    /// <summary>Four numbers at a time, with the same bits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Vector256<double> DifferenceOfProducts(
+        Vector256<double> a, Vector256<double> b, Vector256<double> c, Vector256<double> d)
+    {
+        Vector256<double> cd = c * d;
+        Vector256<double> error = Vector256.FusedMultiplyAdd(-c, d, cd);
+        Vector256<double> difference = Vector256.FusedMultiplyAdd(a, b, -cd);
+        return difference + error;
+    }
+
     /// <summary>The point origin + parameter * direction; each coordinate is rounded once, at the end.</summary>
     public static Vector3D PointAlong(Vector3D origin, double parameter, Vector3D direction) => new(
         Along(origin.X, parameter, direction.X), Along(origin.Y, parameter, direction.Y), Along(origin.Z, parameter, direction.Z));

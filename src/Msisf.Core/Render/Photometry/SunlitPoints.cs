@@ -17,6 +17,7 @@ internal sealed class SunlitPoints
     private const int Block = 8;
 
     private int[] _ownColumns = [];
+    private int[] _ownFacets = [];
     private double[] _ownX = [];
     private double[] _ownY = [];
     private double[] _ownZ = [];
@@ -30,6 +31,11 @@ internal sealed class SunlitPoints
 
     /// <summary>Column of each pixel, from 0.</summary>
     public int[] Columns { get; private set; } = [];
+
+    /// <summary>
+    /// Index of each pixel's facet, as in <see cref="SurfaceRow.Facets"/>; undefined for pixels that were added one by one.
+    /// </summary>
+    public int[] Facets { get; private set; } = [];
 
     /// <summary>Weight of each pixel's radiance factor in its mean.</summary>
     public double[] Weights { get; private set; } = [];
@@ -76,7 +82,7 @@ internal sealed class SunlitPoints
         int size = width + Padding;
         if (Weights.Length < size)
         {
-            _ownColumns = new int[size];
+            (_ownColumns, _ownFacets) = (new int[size], new int[size]);
             _ownX = new double[size];
             _ownY = new double[size];
             _ownZ = new double[size];
@@ -86,7 +92,7 @@ internal sealed class SunlitPoints
             (Factors, ReferenceFactors) = (new double[size], new double[size]);
         }
 
-        Columns = _ownColumns;
+        (Columns, Facets) = (_ownColumns, _ownFacets);
         (X, Y, Z) = (_ownX, _ownY, _ownZ);
         (NormalX, NormalY, NormalZ) = (_ownNormalX, _ownNormalY, _ownNormalZ);
         CosIncidence = _ownCosIncidence;
@@ -110,6 +116,7 @@ internal sealed class SunlitPoints
     public void AddRun(SurfaceRow row, ReadOnlySpan<double> cosIncidence, int first, int count)
     {
         row.Columns.AsSpan(first, count).CopyTo(Columns.AsSpan(Count));
+        row.Facets.AsSpan(first, count).CopyTo(Facets.AsSpan(Count));
         row.X.AsSpan(first, count).CopyTo(X.AsSpan(Count));
         row.Y.AsSpan(first, count).CopyTo(Y.AsSpan(Count));
         row.Z.AsSpan(first, count).CopyTo(Z.AsSpan(Count));
@@ -127,7 +134,7 @@ internal sealed class SunlitPoints
     public void Share(SurfaceRow row, double[] cosIncidence)
     {
         Count = row.Count;
-        Columns = row.Columns;
+        (Columns, Facets) = (row.Columns, row.Facets);
         (X, Y, Z) = (row.X, row.Y, row.Z);
         (NormalX, NormalY, NormalZ) = (row.NormalX, row.NormalY, row.NormalZ);
         CosIncidence = cosIncidence;

@@ -50,4 +50,19 @@ internal sealed class PixelSunlight
         double ofPoint = Hidden[pixel] == 0 && CosIncidence[pixel] > 0.0 ? 1.0 : 0.0;
         return VisibleFractions.Length > 0 ? VisibleFractions[pixel] : ofPoint;
     }
+
+    /// <summary>Reads the cosines and the visible fractions of some pixels of a row.</summary>
+    /// <param name="start">The row's first pixel.</param>
+    /// <param name="columns">Columns of the pixels, from left to right.</param>
+    public void Read(int start, ReadOnlySpan<int> columns, Span<double> cosines, Span<double> fractions)
+    {
+        bool isPoint = VisibleFractions.Length == 0;
+        for (int i = 0; i < columns.Length; i++)
+        {
+            int pixel = start + columns[i];
+            double cosine = CosIncidence[pixel];
+            cosines[i] = cosine;
+            fractions[i] = !isPoint ? VisibleFractions[pixel] : Hidden[pixel] == 0 && cosine > 0.0 ? 1.0 : 0.0;
+        }
+    }
 }

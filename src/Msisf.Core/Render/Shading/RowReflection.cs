@@ -15,6 +15,8 @@ internal sealed class RowReflection(SurfaceModel surface)
 
     private readonly AlbedoSampler _albedo = new();
     private double[] _ofLaw = [];
+    private double[] _cosines = [];
+    private double[] _fractions = [];
     private readonly SurfaceRow _row = new();
     private readonly SmoothNormals _normals = new(surface);
 
@@ -27,41 +29,8 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// </summary>
     /// <param name="cosIncidence">Cosines of the incidence angles of its pixels.</param>
     /// <param name="width">Pixels of a whole row.</param>
-    public void TakeFacing(SurfaceRow row, double[] cosIncidence, int width)
-    {
-        Points.Clear(width);
-        if (MostFace(cosIncidence.AsSpan(0, row.Count)))
-        {
-            Points.Share(row, cosIncidence);
-            return;
-        }
-
-        int end = row.Count;
-        for (int i = 0; i < end; i++)
-        {
-            int first = i;
-            while (i < end && cosIncidence[i] > 0.0)
-            {
-                i++;
-            }
-
-            if (i > first)
-            {
-                Points.AddRun(row, cosIncidence, first, i - first);
-            }
-        }
-    }
-
-    private static bool MostFace(ReadOnlySpan<double> cosIncidence)
-    {
-        int away = 0;
-        foreach (double cosine in cosIncidence)
-        {
-            away += cosine > 0.0 ? 0 : 1;
-        }
-
-        return away <= cosIncidence.Length / MostOver;
-    }
+    public void TakeFacing(SurfaceRow row, double[] cosIncidence, int width) =>
+        Take(row, cosIncidence.AsSpan(0, row.Count), cosIncidence, width, unlit: row.Count / MostOver);
 
     /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
@@ -72,38 +41,70 @@ internal sealed class RowReflection(SurfaceModel surface)
     public void TakeLit(
         ISurfaceRows visible, int row, SceneLight light, PixelSunlight sunlight, NormalModel normals)
     {
-        int start = row * visible.Width;
-        SurfaceRow pixels = _row;
-        visible.Read(row + 1, pixels);
-        Points.Clear(visible.Width);
-        for (int i = 0; i < pixels.Count; i++)
+        ReadOnlySpan<double> fractions = Read(visible, row, sunlight);
+        Take(_row, fractions, _cosines, visible.Width, unlit: 0);
+        int lit = 0;
+        foreach (double fraction in fractions)
         {
-            int column = pixels.Columns[i];
-            double fraction = sunlight.VisibleFraction(start + column);
-            if (fraction <= 0.0)
+            if (fraction > 0.0)
             {
-                continue;
+                Points.Weights[lit++] = fraction;
+            }
+        }
+
+        // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
+        // give 0 there.
+        if (normals == NormalModel.Smooth)
+        {
+            _normals.Smooth(Points, visible, row + 1, light.PositionBodyFixed);
+        }
+    }
+
+    /// <summary>Reads the points of a row with the cosines of their incidence angles, and returns the visible fractions.</summary>
+    private ReadOnlySpan<double> Read(ISurfaceRows visible, int row, PixelSunlight sunlight)
+    {
+        visible.Read(row + 1, _row);
+        if (_cosines.Length < _row.Count + SurfaceRow.Padding)
+        {
+            _cosines = new double[visible.Width + SurfaceRow.Padding];
+            _fractions = new double[visible.Width + SurfaceRow.Padding];
+        }
+
+        Span<double> fractions = _fractions.AsSpan(0, _row.Count);
+        sunlight.Read(row * visible.Width, _row.Columns.AsSpan(0, _row.Count), _cosines, fractions);
+        return fractions;
+    }
+
+    /// <summary>Takes the pixels of a row with light, or all of them.</summary>
+    /// <param name="light">Above 0 for pixels with light.</param>
+    /// <param name="unlit">Maximum number of pixels without light of a row that is taken as a whole.</param>
+    private void Take(SurfaceRow row, ReadOnlySpan<double> light, double[] cosIncidence, int width, int unlit)
+    {
+        Points.Clear(width);
+        int dark = 0;
+        foreach (double ofPixel in light)
+        {
+            dark += ofPixel > 0.0 ? 0 : 1;
+        }
+
+        if (dark <= unlit)
+        {
+            Points.Share(row, cosIncidence);
+            return;
+        }
+
+        for (int i = 0; i < light.Length; i++)
+        {
+            int first = i;
+            while (i < light.Length && light[i] > 0.0)
+            {
+                i++;
             }
 
-            Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
-            Vector3D normal = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
-            double cosIncidence = sunlight.CosIncidence[start + column];
-            if (normals == NormalModel.Smooth)
+            if (i > first)
             {
-                FacetId facet = visible.FacetOf(row + 1, pixels.Facets[i]);
-                Vector3D smooth = Smooth(facet, normal, point, visible.View.Camera.PositionBodyFixed);
-                if (smooth != normal)
-                {
-                    // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
-                    Vector3D toLight = light.PositionBodyFixed - point;
-                    normal = smooth;
-                    cosIncidence = Math.Min(Vector3D.Dot(normal, toLight / Math.Sqrt(toLight.LengthSquared)), 1.0);
-                }
+                Points.AddRun(row, cosIncidence, first, i - first);
             }
-
-            // A smooth normal can point away from the light where the facet's normal does not, and a facet can be seen edge-on: the laws
-            // give 0 there.
-            Points.Add(column, fraction, point, normal, cosIncidence);
         }
     }
 
@@ -148,18 +149,7 @@ internal sealed class RowReflection(SurfaceModel surface)
     /// <param name="scales">Receives it, by column; nothing where a point is dark.</param>
     public void FindScales(ISurfaceRows visible, int row, PixelSunlight sunlight, NativeRenderOptions options, Span<double> scales)
     {
-        visible.Read(row + 1, _row);
-        Points.Clear(visible.Width);
-        for (int i = 0; i < _row.Count; i++)
-        {
-            int column = _row.Columns[i];
-            if (sunlight.VisibleFraction((row * visible.Width) + column) > 0.0)
-            {
-                Vector3D normal = new(_row.NormalX[i], _row.NormalY[i], _row.NormalZ[i]);
-                Points.Add(column, 1.0, new Vector3D(_row.X[i], _row.Y[i], _row.Z[i]), normal, 1.0);
-            }
-        }
-
+        Take(_row, Read(visible, row, sunlight), _cosines, visible.Width, unlit: 0);
         FindScales(visible.View.Camera, options);
         for (int i = 0; i < Points.Count; i++)
         {

@@ -1,4 +1,8 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+using Msisf.Core.Render.Photometry;
+using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shading;
@@ -6,7 +10,7 @@ namespace Msisf.Core.Render.Shading;
 /// <summary>
 /// Interpolates normals between the vertices. The normal of a vertex is perpendicular to the line through its west and east neighbours
 /// and to the line through its north and south neighbours. The normal at a point of a facet is the mean of the facet's vertex normals,
-/// weighted by the point's barycentric coordinates. Vertices are kept, so each thread needs its own object.
+/// weighted by the point's barycentric coordinates. Vertices and facets are kept, so each thread needs its own object.
 /// </summary>
 /// <remarks>B. T. Phong, "Illumination for computer generated pictures", Comm. ACM 18 (1975) 311.</remarks>
 internal sealed class SmoothNormals
@@ -14,20 +18,136 @@ internal sealed class SmoothNormals
     /// <summary>Number of vertices that are kept: a row of pixels crosses the same cells as the row above it.</summary>
     private const int KeptVertices = 1 << 13;
 
+    /// <summary>Number of facets that are kept.</summary>
+    private const int KeptFacets = 1 << 12;
+
+    private const int CornersOfFacet = 3;
+
+    /// <summary>Numbers of a facet's corners: position and normal of each.</summary>
+    private const int Numbers = CornersOfFacet * 6;
+
+    /// <summary>Points that are interpolated together; their facets' numbers stay in the processor's first cache.</summary>
+    private const int Together = 64;
+
     private readonly SurfaceModel _surface;
     private GridPatch _part;
     private int _partNumber;
     private readonly Corner[] _kept = new Corner[KeptVertices];
     private readonly long[] _keptKeys = new long[KeptVertices];
+    private readonly FacetId[] _facets = new FacetId[KeptFacets];
+    private readonly Corner[] _corners = new Corner[KeptFacets * CornersOfFacet];
+    private readonly double[] _ofPoints = new double[Numbers * Together];
     private readonly double[] _radii = new double[3];
-    private readonly Corner[] _corners = new Corner[3];
-    private FacetId _facet = new(int.MinValue, 0, default);
 
     public SmoothNormals(SurfaceModel surface)
     {
         _surface = surface;
         _part = surface.Parts[0];
         Array.Fill(_keptKeys, -1);
+        Array.Fill(_facets, new FacetId(int.MinValue, 0, default));
+    }
+
+    /// <summary>
+    /// Gives points their smooth normals and the cosines of the incidence angles on them, with the bits of <see cref="At"/>. Where the
+    /// smooth normal points away from the camera, as it can at the limb, the facet's stays: reflectance laws are undefined there.
+    /// </summary>
+    /// <param name="points">The points of a row.</param>
+    /// <param name="rows">Knows their facets.</param>
+    /// <param name="y">The row, from 1.</param>
+    /// <param name="lightBodyFixed">Position of the Sun or lamp, m.</param>
+    public void Smooth(SunlitPoints points, ISurfaceRows rows, int y, Vector3D lightBodyFixed)
+    {
+        Vector3D camera = rows.View.Camera.PositionBodyFixed;
+        int facet = -1;
+        int corners = 0;
+        for (int first = 0; first < points.Count; first += Together)
+        {
+            int end = Math.Min(points.Count, first + Together);
+            for (int i = first; i < end;)
+            {
+                if (points.Facets[i] != facet)
+                {
+                    facet = points.Facets[i];
+                    corners = CornersOf(rows.FacetOf(y, facet));
+                }
+
+                int start = i++;
+                while (i < end && points.Facets[i] == facet)
+                {
+                    i++;
+                }
+
+                CopyCorners(corners, start - first, i - first);
+            }
+
+            // What fills up the last vector lies on the last facet.
+            int count = end - first;
+            CopyCorners(corners, count, (count + Vector256<double>.Count - 1) / Vector256<double>.Count * Vector256<double>.Count);
+            for (int i = first; i < end; i += Vector256<double>.Count)
+            {
+                uint isMeant = end - i >= Vector256<double>.Count ? 0xfu : (1u << (end - i)) - 1;
+                Smooth(points, i, i - first, isMeant, camera, lightBodyFixed);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    private void Smooth(SunlitPoints points, int at, int place, uint isMeant, Vector3D camera, Vector3D light)
+    {
+        LaneVectors point = new(ArrayLanes.Load256(points.X, at), ArrayLanes.Load256(points.Y, at), ArrayLanes.Load256(points.Z, at));
+        LaneVectors ofFacet = new(
+            ArrayLanes.Load256(points.NormalX, at), ArrayLanes.Load256(points.NormalY, at), ArrayLanes.Load256(points.NormalZ, at));
+        LaneVectors toA = OfPoints(0, place) - point;
+        LaneVectors toB = OfPoints(2, place) - point;
+        LaneVectors toC = OfPoints(4, place) - point;
+        Vector256<double> weightA = LaneVectors.Dot(ofFacet, LaneVectors.Cross(toB, toC));
+        Vector256<double> weightB = LaneVectors.Dot(ofFacet, LaneVectors.Cross(toC, toA));
+        Vector256<double> weightC = LaneVectors.Dot(ofFacet, LaneVectors.Cross(toA, toB));
+        LaneVectors sum = (weightA * OfPoints(1, place)) + (weightB * OfPoints(3, place)) + (weightC * OfPoints(5, place));
+        Vector256<double> length = Vector256.Hypot(Vector256.Hypot(sum.X, sum.Y), sum.Z);
+        Vector256<double> hasDirection = Vector256.GreaterThan(length, Vector256<double>.Zero)
+            & Vector256.LessThan(length, Vector256.Create(double.PositiveInfinity));
+        if ((~(uint)hasDirection.ExtractMostSignificantBits() & isMeant) != 0)
+        {
+            throw new InvalidOperationException($"A facet of row {points.Columns[at]} has no smooth normal.");
+        }
+
+        LaneVectors smooth = sum / length;
+        Vector256<double> isSeen = Vector256.GreaterThan(
+            LaneVectors.Dot(smooth, LaneVectors.Of(camera) - point), Vector256<double>.Zero);
+        LaneVectors toLight = LaneVectors.Of(light) - point;
+
+        // Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.
+        Vector256<double> cosine = Vector256.MinNative(
+            LaneVectors.Dot(smooth, toLight / Vector256.Sqrt(LaneVectors.Dot(toLight, toLight))), Vector256<double>.One);
+        Vector256<double> isOther = isSeen & ~(Vector256.Equals(smooth.X, ofFacet.X) & Vector256.Equals(smooth.Y, ofFacet.Y)
+            & Vector256.Equals(smooth.Z, ofFacet.Z));
+        Vector256.ConditionalSelect(isOther, smooth.X, ofFacet.X).StoreTo(points.NormalX, at);
+        Vector256.ConditionalSelect(isOther, smooth.Y, ofFacet.Y).StoreTo(points.NormalY, at);
+        Vector256.ConditionalSelect(isOther, smooth.Z, ofFacet.Z).StoreTo(points.NormalZ, at);
+        Vector256.ConditionalSelect(isOther, cosine, ArrayLanes.Load256(points.CosIncidence, at)).StoreTo(points.CosIncidence, at);
+    }
+
+    /// <summary>Three numbers of the facets' corners at four points.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private LaneVectors OfPoints(int vector, int place) => new(
+        ArrayLanes.Load256(_ofPoints, (3 * vector * Together) + place),
+        ArrayLanes.Load256(_ofPoints, (((3 * vector) + 1) * Together) + place),
+        ArrayLanes.Load256(_ofPoints, (((3 * vector) + 2) * Together) + place));
+
+    /// <summary>Copies the numbers of a facet's corners to the places of some points.</summary>
+    private void CopyCorners(int corners, int start, int end)
+    {
+        ReadOnlySpan<double> numbers = MemoryMarshal.Cast<Corner, double>(_corners.AsSpan(corners, CornersOfFacet));
+        for (int number = 0; number < Numbers; number++)
+        {
+            double value = numbers[number];
+            Span<double> ofPoints = _ofPoints.AsSpan(number * Together, Together);
+            for (int place = start; place < end; place++)
+            {
+                ofPoints[place] = value;
+            }
+        }
     }
 
     /// <summary>The interpolated normal at a point of a facet.</summary>
@@ -36,14 +156,10 @@ internal sealed class SmoothNormals
     /// <returns>The normal, body-fixed, outward, length 1.</returns>
     public Vector3D At(FacetId facet, Vector3D facetNormalBodyFixed, Vector3D pointBodyFixed)
     {
-        if (facet != _facet)
-        {
-            Load(facet);
-        }
-
-        ref readonly Corner a = ref _corners[0];
-        ref readonly Corner b = ref _corners[1];
-        ref readonly Corner c = ref _corners[2];
+        int corners = CornersOf(facet);
+        ref readonly Corner a = ref _corners[corners];
+        ref readonly Corner b = ref _corners[corners + 1];
+        ref readonly Corner c = ref _corners[corners + 2];
         Vector3D toA = a.Position - pointBodyFixed;
         Vector3D toB = b.Position - pointBodyFixed;
         Vector3D toC = c.Position - pointBodyFixed;
@@ -58,16 +174,27 @@ internal sealed class SmoothNormals
     private static double Weight(Vector3D normal, Vector3D toOneEnd, Vector3D toOther) =>
         Vector3D.Dot(normal, Vector3D.Cross(toOneEnd, toOther));
 
-    /// <summary>A vertex of a seam has the normal that it has in its own model.</summary>
-    private void Load(FacetId facet)
+    /// <summary>
+    /// Index of the first of a facet's corners in the kept ones. A vertex of a seam has the normal that it has in its own model.
+    /// </summary>
+    private int CornersOf(FacetId facet)
     {
-        _facet = facet;
-        for (int corner = 0; corner < _corners.Length; corner++)
+        // As with the vertices; both facets of a cell lie beside each other.
+        int place = ((((facet.Line << 6) ^ facet.Sample) << 1) | (int)facet.Half) & (KeptFacets - 1);
+        int corners = place * CornersOfFacet;
+        if (_facets[place] != facet)
         {
-            (_partNumber, int line, int sample) = _surface.Patches[facet.Part].VertexOf(facet, corner);
-            _part = _surface.Parts[_partNumber];
-            _corners[corner] = CornerAt(line, sample);
+            for (int corner = 0; corner < CornersOfFacet; corner++)
+            {
+                (_partNumber, int line, int sample) = _surface.Patches[facet.Part].VertexOf(facet, corner);
+                _part = _surface.Parts[_partNumber];
+                _corners[corners + corner] = CornerAt(line, sample);
+            }
+
+            _facets[place] = facet;
         }
+
+        return corners;
     }
 
     private Corner CornerAt(int line, int sample)

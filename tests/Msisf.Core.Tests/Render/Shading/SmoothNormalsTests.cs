@@ -1,5 +1,8 @@
+using Msisf.Core.Camera;
 using Msisf.Core.Numerics;
+using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render.Shading;
+using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
@@ -110,6 +113,51 @@ public sealed class SmoothNormalsTests(RuggedTerrain rugged) : IClassFixture<Rug
         // 800 m over a quarter of a degree of 1739267 m: atan(0.105415) = 6.0177 degrees; the curve of the ground adds below 0.03.
         Assert.Equal(6.0177, double.RadiansToDegrees(Vector3D.AngleBetween(normal, point)), 0.03);
         Assert.True(normal.Y < 0.0, "it leans to the west");
+    }
+
+    /// <summary>
+    /// The normals of a row's points are those of single points, bit for bit, also in rows that end within a vector; at the limb the
+    /// facet's.
+    /// </summary>
+    [Theory]
+    [InlineData("nadir-100km", 64)]
+    [InlineData("half-sky", 61)]
+    [InlineData("grazing-sun", 131)] // longer than what is interpolated together
+    public void Smooth_Row_IsWhatAtSays(string scene, int side)
+    {
+        RenderScenes.RenderSceneCase given = RenderScenes.Named(scene);
+        PinholeCamera camera = given.Camera(rugged.Grid, side, side);
+        SurfaceModel surface = new(rugged.Grid);
+        VisibleSurface visible = new VisibilityPass(surface).Run(camera, threads: 1, CancellationToken.None);
+        SmoothNormals normals = new(surface);
+        SmoothNormals single = new(surface);
+        SurfaceRow pixels = new();
+        SunlitPoints points = new();
+        int smooth = 0;
+        for (int y = 1; y <= side; y++)
+        {
+            visible.Read(y, pixels);
+            points.Clear(side);
+            points.AddRun(pixels, new double[side], first: 0, pixels.Count);
+            normals.Smooth(points, visible, y, given.Sun);
+            for (int i = 0; i < pixels.Count; i++)
+            {
+                Vector3D point = new(pixels.X[i], pixels.Y[i], pixels.Z[i]);
+                Vector3D ofFacet = new(pixels.NormalX[i], pixels.NormalY[i], pixels.NormalZ[i]);
+                Vector3D expected = single.At(visible.FacetOf(y, pixels.Facets[i]), ofFacet, point);
+                bool isSeen = Vector3D.Dot(expected, camera.PositionBodyFixed - point) > 0.0;
+                expected = isSeen ? expected : ofFacet;
+                Assert.Equal(expected, new Vector3D(points.NormalX[i], points.NormalY[i], points.NormalZ[i]));
+                if (isSeen)
+                {
+                    double cosine = Vector3D.Dot(expected, given.Sun - point) / (given.Sun - point).Length;
+                    Assert.Equal(cosine, points.CosIncidence[i], 1e-15);
+                    smooth++;
+                }
+            }
+        }
+
+        Assert.True(smooth > side, "many points have a smooth normal");
     }
 
     private static FacetId FacetAtEast(int line, FacetId southWest, FacetId northEast) => line < 0 ? southWest : northEast;
