@@ -22,7 +22,7 @@ namespace Msisf.Architecture.Tests
             "Render.Sampling", "Render",
             "Blocks", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
-            "Navigation",
+            "Navigation", "Sky",
             "Maps",
             "Metadata", "Layers",
         ];

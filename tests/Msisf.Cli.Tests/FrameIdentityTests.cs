@@ -151,6 +151,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--columns", "--landmarks FILE:landmarks.csv", "--columns id=lat" },
         { "--flow", "", "--flow {55289,1.9E6,9E3,0,0,0,0.28,0.96}" },
         { "--stereo", "", "--stereo 100" },
+        { "--stars", $"{Place} --look-at horizon:0", "--stars" },
+        { "--star-limit", $"{Place} --look-at horizon:0 --stars", "--star-limit 3" },
         { "--flow-format", "--stereo 100", "--flow-format npy" },
         { "--jobs", "", "--jobs 2" },
         { "--frames", "", "--frames 1" },

@@ -66,6 +66,7 @@ public sealed class WrongValueTests : IDisposable
         ["--batch-euler"] = ["XYQ", "12"],
         ["--from"] = ["x", ""],
         ["--near"] = ["x", "nadir", "1,2,3,4", "91,0"],
+        ["--stars"] = ["no-such-file"],
         ["--columns"] = ["x", "lat=", "depth=2", "lat=1,lat=2"],
     };
 

@@ -166,4 +166,5 @@ def main():
             name, mp.nstr(least[0], 8), least[2], mp.nstr(greatest[0], 8), greatest[2], mp.nstr(max(f[1] for f in found), 8)))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -51,6 +51,11 @@ public static class MetadataXmlWriter
             stream.Write(Encoding.UTF8.GetBytes(NavigationXml.Elements(navigation, frame.Globe.ReferenceRadius)));
         }
 
+        if (frame.Stars is { } stars)
+        {
+            stream.Write(Encoding.UTF8.GetBytes(StarXml.Elements(stars)));
+        }
+
         stream.Write("</MSISRendering>\n"u8);
     }
 
@@ -74,7 +79,7 @@ public static class MetadataXmlWriter
     private static string Grammar(FrameMetadata frame) => $"""
         <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
         <!DOCTYPE MSISRendering [
-        {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null)}
+        {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null, frame.Stars is not null)}
         ]>
 
         """;

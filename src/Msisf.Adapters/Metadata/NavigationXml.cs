@@ -135,6 +135,10 @@ internal static class CraterFields
         double UnitOf(int index) => index == size - 1 ? double.RadiansToDegrees(1.0) : 1.0;
     }
 
+    /// <summary>Part, line, sample and half of the cell.</summary>
+    public static string TextOf(FacetId facet) =>
+        Invariant($"{facet.Part} {facet.Line} {facet.Sample} {(facet.Half == FacetHalf.SouthWest ? "SW" : "NE")}");
+
     /// <summary>A number as text; empty for none.</summary>
     public static string TextOf(double? value) => value?.ToString("R", CultureInfo.InvariantCulture) ?? string.Empty;
 }
@@ -159,7 +163,7 @@ internal static class LandmarkFields
             ("h", Text(view.X)),
             ("v", Text(view.Y)),
             ("visible", view.HiddenBy is null ? "yes" : "no"),
-            ("hiddenBy", view.HiddenBy is { } facet ? Text(facet) : string.Empty),
+            ("hiddenBy", view.HiddenBy is { } facet ? CraterFields.TextOf(facet) : string.Empty),
             ("lit", view.IsLit ? "yes" : "no"),
             ("incidence", view.Incidence is { } incidence ? Text(double.RadiansToDegrees(incidence)) : string.Empty),
             ("range", Text(view.Range)),
@@ -176,8 +180,4 @@ internal static class LandmarkFields
     private static string Text(double value) => CraterFields.TextOf(value);
 
     private static string Text(Vector3D vector) => $"{Text(vector.X)} {Text(vector.Y)} {Text(vector.Z)}";
-
-    /// <summary>Part, line, sample and half of the cell.</summary>
-    private static string Text(FacetId facet) =>
-        Invariant($"{facet.Part} {facet.Line} {facet.Sample} {(facet.Half == FacetHalf.SouthWest ? "SW" : "NE")}");
 }

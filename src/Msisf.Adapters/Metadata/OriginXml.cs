@@ -45,6 +45,7 @@ internal static class OriginXml
         InputKind.Rig => "rig",
         InputKind.CraterCatalogue => "crater-catalogue",
         InputKind.Landmarks => "landmarks",
+        InputKind.StarCatalogue => "star-catalogue",
         _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "Not a kind of input."),
     };
 

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Ephemeris;
 
 namespace Msisf.App.Cluster;
 
@@ -24,6 +25,13 @@ internal sealed class PieceArguments
             Refuse(
                 RunOptions.Frames,
                 "makes a part of the run, and this script looks at all of it in the end; what is there and complete is not made again");
+        }
+
+        if (SkyOptions.Stars.ReadIfGiven(values) is not null && MissionOptions.OfGround.Read(values) != Aberration.None)
+        {
+            Refuse(
+                SkyOptions.Stars,
+                $"with {MissionOptions.OfGround.Name} needs the velocity of the camera, which the states of pieces do not have");
         }
 
         Refuse(RunOptions.Overwrite, "would make all frames again each time a piece is run again; remove the outputs in place of it");

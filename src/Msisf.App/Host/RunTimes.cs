@@ -123,4 +123,7 @@ internal enum Phase
 
     /// <summary>Writing the layers: the ground truth of every pixel.</summary>
     Layers,
+
+    /// <summary>Reading catalogues of stars, finding those of frames, and adding their light.</summary>
+    Sky,
 }

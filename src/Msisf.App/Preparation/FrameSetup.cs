@@ -3,9 +3,11 @@ using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 using Msisf.Core.Scene;
+using Msisf.Core.Sky;
 using Msisf.Core.Time;
 
 namespace Msisf.App.Preparation;
@@ -17,10 +19,11 @@ internal static class FrameSetup
     /// <param name="states">The states of the whole run, in the order of the input.</param>
     /// <param name="settings">The settings of the run, which also select the steps to make.</param>
     /// <param name="sun">Where the Sun is; not used if it is ignored.</param>
+    /// <param name="sky">How the sky lies; null where none is drawn.</param>
     /// <exception cref="MsisfException">A step is not part of the run, a time lies outside the kernels' coverage, ...</exception>
     public static Frame[] Of(
         IReadOnlyList<SpacecraftState> states, IReadOnlyList<string> names, RenderSettings settings, SunPositions sun,
-        CancellationToken cancellation)
+        CancellationToken cancellation, SkyPositions? sky = null)
     {
         CameraModel model = settings.CameraModel;
         List<Frame> frames = [];
@@ -30,6 +33,14 @@ internal static class FrameSetup
             SpacecraftState state = states[step - 1];
             RefuseUndrawable(step, state, settings.Renderer);
             ICamera camera = CameraOf(state);
+            if (settings.Rig is not null && state.Sky?.OfGround == Aberration.LightTimeAndStellar)
+            {
+                throw new UsageException(
+                    $"{SkyOptions.Stars.Name}: with {MissionOptions.OfGround.Name} lt+s the ground of a rig's cameras is turned by what "
+                        + "its body sees, so that stars would not fit it. Take lt or none, or leave one of them out.")
+                    .About(SkyOptions.Stars, MissionOptions.OfGround);
+            }
+
             frames.Add(new Frame(
                 step, names[step - 1], state.Time, camera, LightOf(FlowState.Of(state)), state.Motion, state.Noise)
             {
@@ -38,6 +49,7 @@ internal static class FrameSetup
                 Path = state.Path,
                 Scan = settings.Scan,
                 Model = model,
+                Sky = sky?.Of(camera, state.Time, state.Sky) ?? [],
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
                         model.At(new CameraState(flow.PositionBodyFixed, flow.MoonFromCamera)), LightOf(flow))
@@ -109,6 +121,9 @@ internal sealed record Frame(
     public Scan? Scan { get; init; }
 
     public CameraModel? Model { get; init; }
+
+    /// <summary>How the sky lies, for each band of the camera; empty where none is drawn.</summary>
+    public IReadOnlyList<SkyAxes> Sky { get; init; } = [];
 
     /// <summary>
     /// The image as it is exposed part by part: a scan, or the rows of a frame with a rolling shutter whose camera moves; null for others.

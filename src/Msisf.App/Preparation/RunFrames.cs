@@ -54,11 +54,12 @@ internal sealed record RunFrames(
         SunPositions sun = new(ephemeris.Engine, first.Aberration, cameras.Count > 1 ? new SharedReadings() : null);
         return [.. cameras.Select((settings, index) =>
         {
+            SkyPositions? sky = settings.Native.Sky is null ? null : new SkyPositions(ephemeris.Engine, geometry.ReferenceRadius);
             IReadOnlyList<SpacecraftState> states = host.Times.Measure(
                 Phase.States, () => FlowStates.Of(needs[index].Of(read, trajectory), settings));
             IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)
                 .NamesOf([.. states.Select(state => state.Time)]);
-            Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, sun, cancellation));
+            Frame[] frames = host.Times.Measure(Phase.Sun, () => FrameSetup.Of(states, names, settings, sun, cancellation, sky));
             return new RunFrames(settings, states, names, frames)
             {
                 BodyStates = needs.Any(needed => needed.NeedsPath) ? MovingOf(read, trajectory, needs)

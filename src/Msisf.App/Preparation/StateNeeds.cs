@@ -19,6 +19,9 @@ internal sealed record StateNeeds
     /// <summary>Whether a detector needs to know its noise.</summary>
     public bool HasDetector { get; init; }
 
+    /// <summary>Whether a sky is drawn that must fit the ground.</summary>
+    public bool HasSky { get; init; }
+
     /// <summary>How images are scanned; null for frames.</summary>
     public Scan? Scan { get; init; }
 
@@ -42,6 +45,7 @@ internal sealed record StateNeeds
     {
         CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
         HasDetector = settings.Native.Detector is not null,
+        HasSky = settings.Native.Sky is not null,
         Scan = settings.Scan,
         Jitter = settings.Jitter,
         ExposureReach = settings.ExposureReach,

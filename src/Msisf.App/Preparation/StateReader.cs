@@ -240,6 +240,7 @@ internal sealed class StateReader(Func<IEphemeris> ephemeris, ISceneGeometry geo
             cancellation.ThrowIfCancellationRequested();
             SpacecraftState state = mission.Path.StateAt(time) with
             {
+                Sky = Needs.Any(needs => needs.HasSky) ? mission.Path.Observer : null,
                 Path = NeedsPath
                     ? new ScanPath(
                         seconds => mission.Path.At(time.After(seconds)), seconds => mission.Path.StatedMotionAt(time.After(seconds)))

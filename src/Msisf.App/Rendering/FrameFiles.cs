@@ -2,6 +2,7 @@ using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.IO;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Navigation;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -39,6 +40,7 @@ internal sealed class FrameFiles(
         FrameMetadata metadata = description.Describe(frame, rendered, ledger.Plan.ArgumentsOf(frame.Step, frame.CameraIndex)) with
         {
             Navigation = times.Measure(Phase.Navigation, () => _navigation?.Of(rendered)),
+            Stars = rendered.Stars,
         };
         PixelSampler pixels = description.Sampler(frame, rendered);
         comparison.Compare($"{stem}.xml", metadata.Inputs);
@@ -79,6 +81,12 @@ internal sealed class FrameFiles(
         }
 
         paths.AddRange(times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));
+        if (rendered.Stars is { } stars)
+        {
+            times.Measure(Phase.Sky, () => files.WriteText($"{stem}.stars.csv", writer => StarCsvWriter.Write(writer, stars)));
+            paths.Add($"{stem}.stars.csv");
+        }
+
         if (_flows is not null)
         {
             paths.AddRange(times.Measure(Phase.Navigation, () => _flows.Write(

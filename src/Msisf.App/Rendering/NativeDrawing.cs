@@ -7,13 +7,14 @@ using Msisf.Core.Detector;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render;
+using Msisf.Core.Sky;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>Draws frames of one camera and one set of options with the program's own renderer, in memory. Thread-safe.</summary>
 internal sealed class NativeDrawing(
-    NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times)
+    NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times, StarsOfCamera? stars = null)
 {
     /// <summary>
     /// Number of frames after which the model's memory pages are released. Mapping the pages of the next frames again takes some ms, which
@@ -69,10 +70,11 @@ internal sealed class NativeDrawing(
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try
         {
+            StarLights? lights = StarsOf(frame, window, detector);
             DetectorImage? detected = detector is null ? null
-                : shot is null ? Expose(detector, renderer, frame, drawn, threads, cancellation)
-                : ExposeRows(detector, renderer, shot with { NoiseCamera = drawn.Camera }, threads, cancellation);
-            return new NativeImage(this, renderer, frame, drawn, detector, detected);
+                : shot is null ? Expose(detector, renderer, frame, drawn, lights, threads, cancellation)
+                : ExposeRows(detector, renderer, shot with { NoiseCamera = drawn.Camera }, lights, threads, cancellation);
+            return new NativeImage(this, renderer, frame, drawn, detector, detected, Found(lights, frame, detector, threads, cancellation));
         }
         catch
         {
@@ -80,6 +82,24 @@ internal sealed class NativeDrawing(
             throw;
         }
     }
+
+    /// <summary>The radiance factors that stars add to pixels of an image of grey levels; empty without stars.</summary>
+    internal IReadOnlyList<(int Pixel, double Factor)> FactorsOf(StarsOfFrame? found, IGroundTruth frame) =>
+        found is null || stars is null ? [] : stars.RadianceFactors(found, frame);
+
+    /// <summary>The stars of a frame; null where none are drawn.</summary>
+    /// <param name="drawn">The camera with which its ground is drawn.</param>
+    private StarLights? StarsOf(Frame frame, ICamera drawn, CameraDetector? detector) => stars is null ? null : stars.Of(
+        frame, levels.TracerFor(drawn, Settings.Render.DetailSubsamplesPerAxis), detector,
+        Settings.Detector is { Settings: var exposed }
+            ? exposed.Exposed(frame.ExposureFactor) is var own && own.Shutter is { } shutter
+                ? shutter.Span(own.ExposureTime, frame.Camera.Height)
+                : own.ExposureTime
+            : 0.0);
+
+    private StarsOfFrame? Found(
+        StarLights? lights, Frame frame, CameraDetector? detector, int threads, CancellationToken cancellation) => lights is null ? null
+        : times.Measure(Phase.Sky, () => lights.Find(frame.Camera, detector is not null, threads, cancellation));
 
     /// <summary>Counts a frame whose image is done with, and releases the model's memory pages now and then.</summary>
     internal void Finished()
@@ -137,18 +157,23 @@ internal sealed class NativeDrawing(
         CancellationToken cancellation)
     {
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
-        ScanReadout readout = new(detector, renderer, options);
+        StarLights? lights = StarsOf(frame, frame.Camera, detector);
+        ScanReadout readout = new(detector, renderer, options) { Points = lights };
         (NativeFrame drawn, DetectorImage image) = times.Measure(
             Phase.Detector, () => readout.Expose(shot, rows, threads, cancellation));
-        return new NativeImage(this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image);
+        return new NativeImage(
+            this, renderer, frame with { Camera = drawn.Camera }, drawn, null, image,
+            Found(lights, frame, detector, threads, cancellation));
     }
 
     /// <summary>Exposes the rows of a frame one by one, each about its own time, and reads them out together.</summary>
     /// <param name="renderer">Draws the rows.</param>
+    /// <param name="lights">The stars of the frame; null for none.</param>
     private DetectorImage ExposeRows(
-        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, int threads, CancellationToken cancellation)
+        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, StarLights? lights, int threads,
+        CancellationToken cancellation)
     {
-        ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false });
+        ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false }) { Points = lights };
         return times.Measure(
             Phase.Detector, () => readout.Expose(shot, new PixelRows(0, shot.Scan.Count), threads, cancellation).Image);
     }
@@ -159,8 +184,10 @@ internal sealed class NativeDrawing(
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
     /// <param name="middle">It at its own time.</param>
+    /// <param name="lights">The stars of the frame; null for none.</param>
     private DetectorImage Expose(
-        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, int threads, CancellationToken cancellation)
+        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, StarLights? lights, int threads,
+        CancellationToken cancellation)
     {
         CameraMotion motion = frame.Motion ?? default;
         SubExposures exposures = times.Measure(
@@ -175,6 +202,21 @@ internal sealed class NativeDrawing(
             times.Measure(
                 Phase.Detector, () => detector.Collect(other ?? middle, exposures.Weight, image, threads, cancellation));
         }
+
+        if (lights is not null)
+        {
+            DetectorSettings exposed = Settings.Detector!.Settings.Exposed(frame.ExposureFactor);
+            double span = exposed.Shutter is null ? 0.0 : exposed.ExposureTime;
+            PointExposure whole = new(new PixelRows(0, image.Height), CameraOf, 0.0, span)
+            {
+                AngularSpeed = motion.AngularVelocityCamera.Length,
+            };
+            times.Measure(Phase.Sky, () => lights.Collect(whole, detector, image, cancellation));
+        }
+
+        FrameCamera CameraOf(double seconds) => frame is { Path: { } path, Model: { } camera }
+            ? camera.At(path.At(seconds))
+            : (FrameCamera)frame.Camera.Moved(motion, seconds);
 
         ICamera InstantOf(double seconds) => frame is { Path: { } path, Model: { } camera }
             ? detector.WindowOf(camera.At(path.At(seconds)))

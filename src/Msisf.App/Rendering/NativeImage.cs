@@ -6,12 +6,14 @@ using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Sky;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>A drawn frame in memory: its grey levels or the numbers of the detector, and its ground truth.</summary>
 internal sealed class NativeImage(
-    NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected)
+    NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected,
+    StarsOfFrame? stars = null)
     : IDisposable
 {
     /// <summary>px: a thread's start takes as long as the levels of some thousand.</summary>
@@ -93,6 +95,16 @@ internal sealed class NativeImage(
             return;
         }
 
+        ConvertGround(levels, threads);
+        foreach (IGrouping<int, (int Pixel, double Factor)> added in drawing.FactorsOf(stars, _truth).GroupBy(star => star.Pixel))
+        {
+            double factor = drawn.RadianceFactors[added.Key] + added.Sum(star => star.Factor);
+            ConvertLevels([factor], levels.Span.Slice(added.Key * BytesPerPixel, BytesPerPixel));
+        }
+    }
+
+    private void ConvertGround(Memory<byte> levels, int threads)
+    {
         int parts = Width * Height / LeastOfAThread;
         if (parts < 2 || threads < 2)
         {
@@ -148,6 +160,7 @@ internal sealed class NativeImage(
         Threads = threads,
         Terrain = renderer.Terrain,
         PartResolutions = renderer.PartResolutions,
+        Stars = stars,
     };
 
     public void Dispose()

@@ -57,9 +57,11 @@ internal sealed class RenderRun
         using SurfaceInputs maps = _times.Measure(Phase.Model, () => SurfaceInputs.Open(Settings, _host));
         NavigationInputs? navigation = _times.Measure(
             Phase.Navigation, () => NavigationInputs.Open(Settings.Native.Navigation, run.Model.Grid.ReferenceRadius));
+        SkyInputs? sky = _times.Measure(Phase.Sky, () => SkyInputs.Open(Settings.Native.Sky, _host.Log));
         IReadOnlyList<InputFile> files =
         [
-            .. maps.Files, .. navigation?.Files ?? [], .. Settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
+            .. maps.Files, .. navigation?.Files ?? [], .. sky?.Files ?? [],
+            .. Settings.Jitter is { } jitter ? [jitter.ToInput()] : (InputFile[])[],
             .. Settings.RigFile is { } rig ? [rig] : (InputFile[])[],
         ];
         inputs.Begin(run.Model.Sets, files);
@@ -86,7 +88,7 @@ internal sealed class RenderRun
                     files)))]);
         });
         IEphemeris? ofModels = Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? ephemeris.Engine() : null;
-        return await RenderAsync(run, plan, inputs, maps, (navigation, ofModels), cancellation).ConfigureAwait(false);
+        return await RenderAsync(run, plan, inputs, maps, (navigation, ofModels), sky, cancellation).ConfigureAwait(false);
     }
 
     /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
@@ -109,7 +111,7 @@ internal sealed class RenderRun
 
     private async Task<IReadOnlyList<FrameOutputs>> RenderAsync(
         PreparedRun run, RunPlan plan, RunInputs inputs, SurfaceInputs maps,
-        (NavigationInputs? Navigation, IEphemeris? OfModels) truth, CancellationToken cancellation)
+        (NavigationInputs? Navigation, IEphemeris? OfModels) truth, SkyInputs? sky, CancellationToken cancellation)
     {
         IReadOnlyList<Frame> frames = run.Frames;
         RequireRoom(frames, FrameLedger.AreThere(Settings.OutputFolder, plan, frames, Settings.Overwrite));
@@ -134,7 +136,7 @@ internal sealed class RenderRun
         using IRunProgress display = _host.Progress.Start("Frames", missing * FrameProgress.StepsOf(isLong), Settings.Unattended);
         FrameProgress progress = new(display, isLong);
         using RendererOfRun renderer = new(Settings.Renderer == RendererKind.Native
-            ? Native(run.Model, maps, files, exposures, progress)
+            ? Native(run.Model, (maps, sky), files, exposures, progress)
             : [PovRay(run.Model, maps.Albedo, files[0], atOnce, ResourceCheck.SmallScenesAtOnce(Settings, atOnce, MemoryThere))]);
         using FrameTimes frameTimes = new(Settings.FrameTimes);
         FrameMaker maker = new(renderer.RenderAsync, ledger, frameTimes);
@@ -219,11 +221,15 @@ internal sealed class RenderRun
 
     /// <summary>The cameras share the surface with its vertices and trees, and the memory that frames are drawn in.</summary>
     private NativeFrameRenderer[] Native(
-        ElevationModel model, SurfaceInputs maps, FrameFiles[] files, ExposureNote?[] exposures, FrameProgress progress)
+        ElevationModel model, (SurfaceInputs Maps, SkyInputs? Sky) inputs, FrameFiles[] files, ExposureNote?[] exposures,
+        FrameProgress progress)
     {
         NativeLevels levels = new(model.DetailOf(Settings.LevelOfDetailError));
         return [.. _cameras.Select((settings, index) => new NativeFrameRenderer(
-            new NativeDrawing(settings.Native, model.Grid, maps, levels, _times), files[index], exposures[index], progress, _times))];
+            new NativeDrawing(
+                settings.Native, model.Grid, inputs.Maps, levels, _times,
+                inputs.Sky is { } sky ? new StarsOfCamera(sky.Stars, settings.Albedo.Band) : null),
+            files[index], exposures[index], progress, _times))];
     }
 
     private static void CreateFolder(string folder) => OutputOptions.Folder.NamedInErrors(

@@ -14,7 +14,7 @@ internal static class CommandTable
     private static OptionGroup[] OfRender =>
     [
         CameraOptions.Group, ImageOptions.Group, LightOptions.Group, SurfaceOptions.Group, AlbedoOptions.Group, OutputOptions.Group,
-        RendererOptions.Group, NativeOptions.Group, NavigationOptions.Group, PovOptions.Group, RunOptions.Group,
+        RendererOptions.Group, NativeOptions.Group, NavigationOptions.Group, SkyOptions.Group, PovOptions.Group, RunOptions.Group,
     ];
 
     public static IEnumerable<OptionSpec> OptionsOfRun => OfRender.SelectMany(group => group.Options);

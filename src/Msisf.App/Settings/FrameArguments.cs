@@ -52,6 +52,9 @@ internal static class FrameArguments
             .. state.SunPositionBodyFixed is { } sun ? (string[])[LightOptions.SunPosition.Name, List([sun.X, sun.Y, sun.Z])] : [],
             .. state.Path is { States.Count: > 1 } path ? (string[])[ScanOptions.Trajectory.Name, $"#{path.Digest()}"] : [],
             settings,
+            .. state.Sky is { } sky
+                ? (string[])[MissionOptions.OfGround.Name, MissionOptions.OfGround.WordOf(sky.OfGround)]
+                : [],
             .. state.Flow is { } flow ? (string[])[NavigationOptions.Flow.Name, State(flow.Time, flow.ToNumbers())] : [],
             .. state.ExposureFactor is { } factor
                 ? (string[])[NativeOptions.ExposureFactor.Name, NumberSpec.TextOf(factor)]

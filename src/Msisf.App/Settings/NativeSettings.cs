@@ -38,6 +38,9 @@ internal sealed record NativeSettings
 
     public NavigationSettings? Navigation { get; init; }
 
+    /// <summary>The sky behind the ground; null for none.</summary>
+    public SkySettings? Sky { get; init; }
+
     /// <summary>Layers of ground truth to write; null for none.</summary>
     public required LayerSet? Layers { get; init; }
 

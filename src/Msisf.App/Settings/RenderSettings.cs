@@ -108,7 +108,7 @@ internal sealed record RenderSettings
     public SpacecraftKernels SpacecraftKernels { get; init; } = SpacecraftKernels.None;
 
     /// <summary>Whether kernels are needed: for the Sun, for the trajectory, or for camera models.</summary>
-    public bool NeedsKernels => !IgnoreSun || IsMission || CameraFormats.Any(format => format.NeedsEphemeris);
+    public bool NeedsKernels => !IgnoreSun || IsMission || Native.Sky is not null || CameraFormats.Any(format => format.NeedsEphemeris);
 
     /// <summary>Whether the files of a mission say where the camera is.</summary>
     public bool IsMission { get; init; }

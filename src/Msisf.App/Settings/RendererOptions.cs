@@ -21,7 +21,7 @@ internal static class RendererOptions
     /// <summary>The options that a renderer does not support and would ignore.</summary>
     public static IReadOnlyList<OptionSpec> WithoutMeaning(RendererKind renderer) =>
         renderer == RendererKind.PovRay
-            ? [.. NativeOptions.Group.Options, .. NavigationOptions.Group.Options]
+            ? [.. NativeOptions.Group.Options, .. NavigationOptions.Group.Options, .. SkyOptions.Group.Options]
             : PovOptions.Group.Options;
 
     /// <summary>Rejects options that the selected renderer would ignore.</summary>

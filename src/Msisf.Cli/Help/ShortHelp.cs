@@ -58,7 +58,7 @@ internal static class ShortHelp
             ["camera"] = () => [CameraOptions.Group, ImageOptions.Group],
             ["light"] = () => [LightOptions.Group, AlbedoOptions.Group],
             ["elevation"] = () => [SurfaceOptions.Group],
-            ["renderer"] = () => [RendererOptions.Group, NativeOptions.Group, PovOptions.Group],
+            ["renderer"] = () => [RendererOptions.Group, NativeOptions.Group, SkyOptions.Group, PovOptions.Group],
             ["outputs"] = () => [OutputOptions.Group, NavigationOptions.Group],
             ["missions"] = () => [new OptionGroup("Missions", [.. MissionOptions.All, .. ScanOptions.OfTrajectory, LightOptions.Kernels])],
             ["series"] = () => [RunOptions.Group, new OptionGroup("Pieces", [CutOptions.Pieces, CutOptions.FramesPerPiece])],

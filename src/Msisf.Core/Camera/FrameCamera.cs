@@ -199,6 +199,14 @@ public abstract class FrameCamera : ICamera
         return rayParameter * (ImagePlaneDistance * Math.Sqrt(area * ImagePlaneDistance / direction.Length));
     }
 
+    /// <summary>sr: solid angle of a pixel in a direction, to first order in its size.</summary>
+    /// <param name="directionBodyFixed">Forward, length 1.</param>
+    public double SolidAngle(Vector3D directionBodyFixed)
+    {
+        double cosine = Vector3D.Dot(ForwardBodyFixed, directionBodyFixed);
+        return Model.PixelArea(TangentsOf(directionBodyFixed)) * cosine * cosine * cosine;
+    }
+
     /// <summary>How a direction in the image plane of a pinhole appears in the image.</summary>
     /// <param name="lineOfSightBodyFixed">The line of sight through the point, forward.</param>
     internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightBodyFixed, double right, double down) =>

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector.Noise;
+using Msisf.Core.Detector.Psf;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Scene;
@@ -19,6 +20,7 @@ public sealed class CameraDetector
     private readonly double[] _throughput;
     private readonly DetectorPass _pass;
     private readonly ConcurrentBag<DetectorImage> _idle = [];
+    private readonly Lazy<PointImage> _pointImage;
 
     /// <summary>Prepares a camera.</summary>
     /// <param name="camera">Size and geometry of the images; its states do not matter.</param>
@@ -27,6 +29,7 @@ public sealed class CameraDetector
     {
         _settings = settings;
         Margin = settings.PointSpread?.Radius ?? 0;
+        _pointImage = new Lazy<PointImage>(() => new PointImage(settings.PointSpread));
         _ = WindowOf(camera);
         _electronsPerSteradian = settings.ApertureArea * settings.ExposureTime * settings.Response.ElectronRate(SolarSpectrum.IrradianceAt);
         _throughput = PixelThroughput.Of(camera, settings.IsFlatFielded, threads);
@@ -107,6 +110,33 @@ public sealed class CameraDetector
         NativeFrame drawn, PixelRows rows, double weight, DetectorImage image, int threads, CancellationToken cancellation) => _pass.Expose(
         drawn.RadianceFactorMemory, _throughput, row => PerSteradian(drawn, row - rows.First), _ => weight, rows, image, threads,
         cancellation);
+
+    /// <summary>The image of a point on this detector.</summary>
+    internal PointImage PointImage => _pointImage.Value;
+
+    /// <summary>px: how far the image of a point reaches.</summary>
+    public int PointReach => _pointImage.Value.Radius;
+
+    /// <summary>Electrons that the whole image of a point gets in an exposure.</summary>
+    /// <param name="rate">Electrons per second and m^2 of light that falls on the aperture at right angles.</param>
+    /// <param name="camera">Sees the point.</param>
+    /// <param name="directionBodyFixed">From the camera to the point, length 1.</param>
+    /// <remarks>
+    /// A flat aperture at an angle t off the axis takes cos t of the light. An ideal flat-field correction divides by what a pixel takes of
+    /// an even scene, its solid angle times cos t, over that of a pixel on the axis.
+    /// </remarks>
+    internal double PointElectrons(double rate, FrameCamera camera, Vector3D directionBodyFixed)
+    {
+        double cosine = Vector3D.Dot(camera.ForwardBodyFixed, directionBodyFixed);
+        double factor = _settings.IsFlatFielded
+            ? 1.0 / (camera.Model.FocalX * camera.Model.FocalY * camera.SolidAngle(directionBodyFixed))
+            : cosine;
+        return _settings.ApertureArea * _settings.ExposureTime * rate * factor;
+    }
+
+    /// <summary>Electrons per second that a detector makes of light, for each m^2.</summary>
+    /// <param name="irradiance">W m^-2 nm^-1 at a wavelength in nm.</param>
+    public double ElectronRate(Func<double, double> irradiance) => _settings.Response.ElectronRate(irradiance);
 
     /// <summary>Reads out the image of a frame when all its electrons are collected.</summary>
     /// <param name="time">Time of the frame, UTC; goes into the noise.</param>

@@ -16,6 +16,9 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
     private readonly NativeRenderer _renderer = renderer;
     private readonly NativeRenderOptions _options = options;
 
+    /// <summary>Points of light beside the ground; null for none.</summary>
+    public IPointLights? Points { get; init; }
+
     /// <summary>The camera of which a scan has the detector.</summary>
     public static FrameCamera CameraOf(ScannedShot shot) => (shot.Scan.Kind == ScanKind.RollingShutter
         ? shot.Model
@@ -77,6 +80,7 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
             PixelRows rows = shot.Scan.DetectorRowsOf(shot.Model, number);
             DetectorImage image = shared ?? _detector.Begin(middle);
             Collect(middle, instants, rows, image);
+            CollectPoints(motion, rows, image);
             if (shared is null)
             {
                 _detector.Read(image, shot.Time.After(_middle), middleCamera, shot.NoiseOf(number), 1, cancellation);
@@ -111,6 +115,20 @@ public sealed class ScanReadout(CameraDetector detector, NativeRenderer renderer
                     using NativeFrame? other = isMiddle ? null : Draw(At(seconds + instants.TimeOf(index), rowsBelow), ofOthers);
                     _detector.Collect(other ?? middle, rows, instants.Weight, image, 1, cancellation);
                 }
+            }
+        }
+
+        private void CollectPoints(CameraMotion motion, PixelRows rows, DetectorImage image)
+        {
+            for (int stage = 0; readout.Points is { } points && stage < shot.Scan.Stages; stage++)
+            {
+                (double rowsBelow, double seconds) = shot.Scan.Stage(stage);
+                PointExposure exposure = new(
+                    rows, time => At(time - _middle, rowsBelow), _middle + seconds, 2.0 * shot.HalfExposure)
+                {
+                    AngularSpeed = motion.AngularVelocityCamera.Length,
+                };
+                points.Collect(exposure, _detector, image, cancellation);
             }
         }
 

@@ -11,4 +11,7 @@ public static class AstronomicalConstants
 
     /// <summary>m: mean radius of the Earth (B. A. Archinal et al., Celest. Mech. Dyn. Astr. 130 (2018) 22, table 4).</summary>
     public const double EarthRadius = 6_371_008.4;
+
+    /// <summary>s, exact by definition: 365.25 days.</summary>
+    public const double JulianYear = 31_557_600.0;
 }

@@ -2,6 +2,7 @@ using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
+using Msisf.Core.Sky;
 using Msisf.Core.Terrain;
 using Msisf.Core.Time;
 
@@ -44,6 +45,9 @@ public sealed record FrameMetadata(
 
     /// <summary>Craters of the frame; null without such truth.</summary>
     public NavigationTruth? Navigation { get; init; }
+
+    /// <summary>Stars of the frame; null where none are drawn.</summary>
+    public StarsOfFrame? Stars { get; init; }
 
     /// <summary>m: height of the camera over the Moon's mean radius (thesis section 9.2), or over another body's sphere.</summary>
     public double FlightAltitude => Camera.PositionBodyFixed.Length - Globe.AltitudeRadius;

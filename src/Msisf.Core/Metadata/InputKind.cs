@@ -32,4 +32,7 @@ public enum InputKind
 
     /// <summary>A list of landmarks.</summary>
     Landmarks,
+
+    /// <summary>A catalogue of stars.</summary>
+    StarCatalogue,
 }

@@ -1,4 +1,5 @@
 using Msisf.Core.Attitude;
+using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Time;
 
@@ -42,11 +43,7 @@ public static class GroundAberration
             Vector3D forward = j2000FromCamera * -Vector3D.UnitX;
             Vector3D inC = (point.StateJ2000.Velocity - BarycenterVelocity(point.Tdb, ephemeris))
                 / (MetresPerKilometre * LightSpeed.KilometresPerSecond);
-            Vector3D axis = Vector3D.Cross(forward, inC);
-            double sine = axis.Length;
-            j2000FromCamera = sine == 0.0
-                ? j2000FromCamera
-                : UnitQuaternion.FromAxisAngle(axis, -Math.Atan2(sine, Math.Sqrt(1.0 - (sine * sine)))) * j2000FromCamera;
+            j2000FromCamera = Turn(forward, inC) * j2000FromCamera;
         }
 
         return (
@@ -67,6 +64,24 @@ public static class GroundAberration
         return ephemeris.BodyFromJ2000(sent)
             * (point.StateJ2000.Velocity - BarycenterVelocity(point.Tdb, ephemeris) + ((1.0 - lightRate) * overMoonThen));
     }
+
+    /// <summary>The turn from the real orientation of a camera to that with which its ground is drawn.</summary>
+    /// <param name="forward">Where the real camera looks, length 1.</param>
+    /// <param name="velocityInC">Of the camera through the solar system, over that of light, along the same axes.</param>
+    internal static UnitQuaternion Turn(Vector3D forward, Vector3D velocityInC)
+    {
+        Vector3D axis = Vector3D.Cross(forward, velocityInC);
+        double sine = axis.Length;
+        return sine == 0.0
+            ? UnitQuaternion.Identity
+            : UnitQuaternion.FromAxisAngle(axis, -Math.Atan2(sine, Math.Sqrt(1.0 - (sine * sine))));
+    }
+
+    /// <summary>s: how long light from the ground has been on its way to a camera in its drawn pose.</summary>
+    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <remarks>The pose is that of the ground as it was, 1e-4 of the distance off: of the time it is as little.</remarks>
+    internal static double LightSeconds(in CameraState drawn, double radius) => LightSpeed.TimeOver(
+        Distance(drawn.PositionBodyFixed, drawn.MoonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);
 
     /// <summary>s: how long the light is on its way.</summary>
     /// <inheritdoc cref="Pose"/>

@@ -127,6 +127,11 @@ public sealed class SpacecraftPath(ITrajectory trajectory, IAttitudeSource attit
         return new(time, tdb, state, ephemeris.BodyFromJ2000(tdb));
     }
 
+    /// <summary>What a sky that fits the drawn ground needs to know; null where finite light does nothing to the ground.</summary>
+    public SkyObserver? Observer => OfGround == Aberration.None
+        ? null
+        : new SkyObserver(OfGround, time => trajectory.StateJ2000(time.Tdb).Velocity);
+
     /// <summary>The state of a frame.</summary>
     /// <exception cref="MsisfException">The time is outside the cover, which the message names, or the data are damaged.</exception>
     public SpacecraftState StateAt(Instant time)

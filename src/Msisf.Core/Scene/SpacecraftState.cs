@@ -37,6 +37,9 @@ public readonly record struct SpacecraftState(Instant Time, Vector3D PositionBod
     /// <summary>By how much longer the frame is exposed than the run's settings say; null for as long.</summary>
     public double? ExposureFactor { get; init; }
 
+    /// <summary>What a sky that fits the ground of this state needs to know; null where finite light does nothing to the ground.</summary>
+    public SkyObserver? Sky { get; init; }
+
     /// <summary>The state to which the frame's flow leads; null without a flow.</summary>
     public FlowState? Flow { get; init; }
 

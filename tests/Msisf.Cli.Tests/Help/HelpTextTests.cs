@@ -84,7 +84,7 @@ public sealed class HelpTextTests
         [
             "Examples:", "Where the camera is:", "Image:", "Light:", "Surface model:", "Albedo:", "Output:", "Renderer:",
             "Native renderer:",
-            "Truth for navigation:",
+            "Truth for navigation:", "Sky:",
             "POV-Ray:", "Run:", "Commands:",
         ];
 

@@ -39,6 +39,7 @@ public sealed class PointSpreadKernel
         }
 
         Radius = size / 2;
+        Parts = [new SpreadPart(null, 0.0, _weights, 1.0)];
     }
 
     /// <summary>px: number of pixels from the central one to the kernel's border.</summary>
@@ -50,9 +51,15 @@ public sealed class PointSpreadKernel
     /// <summary>By rows from the top, each from left to right; their sum is 1.</summary>
     public ReadOnlySpan<double> Weights => _weights;
 
+    /// <summary>What the kernel was made from: how light spreads from points between the middles of pixels.</summary>
+    internal IReadOnlyList<SpreadPart> Parts { get; private init; }
+
     /// <summary>A formula, cut off at a radius, integrated over each pixel.</summary>
     /// <param name="cutoff">px, 0.5 to <see cref="MaxRadius"/>: the function is 0 beyond.</param>
-    public static PointSpreadKernel Of(IRadialSpread spread, double cutoff) => new(PixelIntegrals.Of(spread, cutoff, pixelSide: 1.0));
+    public static PointSpreadKernel Of(IRadialSpread spread, double cutoff) => new(PixelIntegrals.Of(spread, cutoff, pixelSide: 1.0))
+    {
+        Parts = [new SpreadPart(spread, cutoff, [], 1.0)],
+    };
 
     /// <summary>Two kernels that share the light.</summary>
     /// <param name="core">Most of the light.</param>
@@ -64,7 +71,14 @@ public sealed class PointSpreadKernel
         double[] sum = new double[((2 * radius) + 1) * ((2 * radius) + 1)];
         core.AddTo(sum, radius, 1.0 - fraction);
         wings.AddTo(sum, radius, fraction);
-        return new PointSpreadKernel(sum);
+        return new PointSpreadKernel(sum)
+        {
+            Parts =
+            [
+                .. core.Parts.Select(part => part with { Fraction = (1.0 - fraction) * part.Fraction }),
+                .. wings.Parts.Select(part => part with { Fraction = fraction * part.Fraction }),
+            ],
+        };
     }
 
     private void AddTo(double[] sum, int radius, double factor)
@@ -79,3 +93,10 @@ public sealed class PointSpreadKernel
         }
     }
 }
+
+/// <summary>A part of a point spread function.</summary>
+/// <param name="Formula">Null for the weights of a file, whose light is even within each of their squares.</param>
+/// <param name="Cutoff">px: where the formula ends.</param>
+/// <param name="Weights">Of a file, by rows; the light of a point in the middle of a pixel.</param>
+/// <param name="Fraction">Part of the light.</param>
+internal sealed record SpreadPart(IRadialSpread? Formula, double Cutoff, double[] Weights, double Fraction);

@@ -1,0 +1,70 @@
+using System.Text;
+using Msisf.Core.Camera;
+using Msisf.Core.Sky;
+using Msisf.Core.Surface;
+
+namespace Msisf.Adapters.Metadata;
+
+/// <summary>The elements of a meta file that hold the stars of its image.</summary>
+internal static class StarXml
+{
+    /// <summary>The elements, each line with its end.</summary>
+    public static string Elements(StarsOfFrame stars)
+    {
+        StringBuilder text = new("  <StarInformation>\n");
+        foreach (StarView view in stars.Views)
+        {
+            text.Append("    <Star id=\"").Append(XmlText.EscapeAttribute(view.Star.Identity)).Append('"');
+            foreach ((string name, string value) in StarFields.Of(view))
+            {
+                if (value.Length > 0)
+                {
+                    text.Append(' ').Append(name).Append("=\"").Append(value).Append('"');
+                }
+            }
+
+            text.Append(" />\n");
+        }
+
+        return text.Append("  </StarInformation>\n").ToString();
+    }
+}
+
+/// <summary>The values of a star in an image, by their names in CSV; degrees and px, round-trip.</summary>
+internal static class StarFields
+{
+    /// <summary>The names, in their order.</summary>
+    public static IEnumerable<string> Names =>
+        Of(new StarView(new Star("1", Vector3D.UnitX, default, 0.0, 0.0, 0.0, null), 0.0, 0.0, Vector3D.UnitX, null) { ByTurn = default })
+            .Select(value => value.Name);
+
+    /// <summary>The values; empty where one is not defined.</summary>
+    public static IEnumerable<(string Name, string Value)> Of(StarView view)
+    {
+        double rightAscension = double.RadiansToDegrees(Math.Atan2(view.ApparentJ2000.Y, view.ApparentJ2000.X));
+        double declination = double.RadiansToDegrees(
+            Math.Atan2(view.ApparentJ2000.Z, double.Hypot(view.ApparentJ2000.X, view.ApparentJ2000.Y)));
+        return
+        [
+            ("h", Text(view.X)),
+            ("v", Text(view.Y)),
+            ("magnitude", Text(view.Star.Magnitude)),
+            ("colour", Text(view.Star.Colour)),
+            ("electrons", Text(view.Electrons)),
+            ("visible", view.HiddenBy is null ? "yes" : "no"),
+            ("hiddenBy", view.HiddenBy is { } facet ? CraterFields.TextOf(facet) : string.Empty),
+            ("rightAscension", Text(rightAscension < 0.0 ? rightAscension + 360.0 : rightAscension)),
+            ("declination", Text(declination)),
+            ("start", Text(view.Streak?.Start)),
+            ("end", Text(view.Streak?.End)),
+            ("hByTurn", Text(view.ByTurn.X)),
+            ("vByTurn", Text(view.ByTurn.Y)),
+        ];
+    }
+
+    private static string Text(double? value) => CraterFields.TextOf(value);
+
+    private static string Text(RenderingPoint? point) => point is { } place ? $"{Text(place.X)} {Text(place.Y)}" : string.Empty;
+
+    private static string Text(Vector3D vector) => $"{Text(vector.X)} {Text(vector.Y)} {Text(vector.Z)}";
+}

@@ -1,0 +1,60 @@
+using Msisf.Adapters.Catalogues;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Metadata;
+using Msisf.Core.Scene;
+using Msisf.Core.Sky;
+using Msisf.Core.Time;
+
+namespace Msisf.App.Preparation;
+
+/// <summary>What the sky of a run is drawn from.</summary>
+/// <param name="Stars">The catalogue.</param>
+/// <param name="Files">The files that were read.</param>
+internal sealed record SkyInputs(StarCatalogue Stars, IReadOnlyList<InputFile> Files)
+{
+    /// <summary>Reads the files.</summary>
+    /// <param name="settings">The settings; null for none.</param>
+    /// <returns>Null if no sky is wanted.</returns>
+    /// <exception cref="MsisfException">A file can't be used.</exception>
+    public static SkyInputs? Open(SkySettings? settings, ILog log)
+    {
+        if (settings is null)
+        {
+            return null;
+        }
+
+        StarCatalogueFile file = SkyOptions.Stars.NamedInErrors(() => StarCatalogueReader.Read(settings.Catalogue, settings.Faintest));
+        if (file.Catalogue.Stars.Count == 0)
+        {
+            throw SkyOptions.StarLimit.Wrong(Invariant(
+                $"leaves no star: all of {file.File!.Name} are fainter than V {settings.Faintest}. Give a larger number, or another "
+                    + $"catalogue."));
+        }
+
+        if (file.WithoutMagnitude > 0)
+        {
+            log.Note(Invariant($"{file.File!.Name}: {file.WithoutMagnitude} stars have no magnitude and are not drawn."));
+        }
+
+        return new SkyInputs(file.Catalogue, [file.File!]);
+    }
+}
+
+/// <summary>How the sky lies about the cameras of a run. Not for several threads, as CSPICE is not.</summary>
+/// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
+/// <param name="groundRadius">m: of the sphere that the ground is taken for.</param>
+internal sealed class SkyPositions(Func<IEphemeris> ephemeris, double groundRadius)
+{
+    /// <summary>The sky of each band of a camera.</summary>
+    /// <param name="observer">What finite light does to the camera's ground; null for nothing.</param>
+    /// <exception cref="MsisfException">A time is outside the kernels' cover.</exception>
+    public IReadOnlyList<SkyAxes> Of(ICamera camera, Instant time, SkyObserver? observer)
+    {
+        IEphemeris engine = ephemeris();
+        return [.. camera.Bands.Select(band => SkyAxes.At(time, band.Camera.State, observer, engine, groundRadius))];
+    }
+}

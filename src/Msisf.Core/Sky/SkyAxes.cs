@@ -1,0 +1,118 @@
+using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Scene;
+using Msisf.Core.Time;
+
+namespace Msisf.Core.Sky;
+
+/// <summary>
+/// How the sky lies about the drawn body at one time, as an observer there sees it: along the axes in which the frame is drawn, so that
+/// stars and ground stand to each other as in a real image. Immutable.
+/// </summary>
+/// <remarks>
+/// What finite light does to the ground decides what it does to stars. Without it, the ground lies where it is; a real camera would see it
+/// displaced by its own velocity relative to the ground, so that stars are aberrated by the velocity of the body alone, which is exact to
+/// that relative velocity over the speed of light. With light time the ground lies where a camera at rest would see it, and stars are not
+/// aberrated. With stellar aberration too, stars are aberrated by the velocity of the camera, and are drawn as the real camera has them,
+/// whose attitude the drawn one is turned from (<see cref="GroundAberration"/>).
+/// </remarks>
+public sealed record SkyAxes
+{
+    private const double MetresPerKilometre = 1000.0;
+
+    /// <summary>Solutions of the drawn turn for the real one: each makes the error 1e-4 times as large.</summary>
+    private const int TurnSteps = 4;
+
+    private readonly RotationMatrix _bodyFromJ2000;
+    private readonly Vector3D _rateBodyFixed;
+    private readonly Vector3D _velocityInC;
+    private readonly Vector3D _observerAu;
+    private readonly bool _isTurned;
+
+    private SkyAxes(
+        RotationMatrix bodyFromJ2000, Vector3D rateBodyFixed, Vector3D velocityInC, Vector3D observerAu, double yearsPastJ2000,
+        bool isTurned) =>
+        (_bodyFromJ2000, _rateBodyFixed, _velocityInC, _observerAu, YearsPastJ2000, _isTurned) =
+        (bodyFromJ2000, rateBodyFixed, velocityInC, observerAu, yearsPastJ2000, isTurned);
+
+    /// <summary>The sky about a camera.</summary>
+    /// <param name="frameTime">The image's time.</param>
+    /// <param name="state">The camera as it is drawn, with its seconds after that.</param>
+    /// <param name="observer">What finite light does to its ground, and its velocity; null for nothing.</param>
+    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <exception cref="MsisfException">The time is outside the kernels' cover.</exception>
+    public static SkyAxes At(Instant frameTime, in CameraState state, SkyObserver? observer, IEphemeris ephemeris, double radius)
+    {
+        Instant time = frameTime.After(state.Seconds);
+        TdbTime tdb = time.Tdb;
+        Aberration ofGround = observer?.OfGround ?? Aberration.None;
+        StateVector barycenter = ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, tdb);
+        double lightSeconds = ofGround == Aberration.None ? 0.0 : GroundAberration.LightSeconds(state, radius);
+        TdbTime ofBody = tdb + -lightSeconds;
+        RotationMatrix axes = ephemeris.BodyFromJ2000(ofBody);
+        Vector3D velocity = ofGround switch
+        {
+            Aberration.None => -barycenter.Velocity,
+            Aberration.LightTime => default,
+            _ => observer!.VelocityJ2000(time) - barycenter.Velocity,
+        };
+        return new SkyAxes(
+            axes,
+            axes * ephemeris.BodyRateJ2000(ofBody),
+            velocity / (MetresPerKilometre * LightSpeed.KilometresPerSecond),
+            -barycenter.Position / AstronomicalConstants.AstronomicalUnit,
+            tdb.Seconds / AstronomicalConstants.JulianYear,
+            ofGround == Aberration.LightTimeAndStellar)
+        {
+            Seconds = state.Seconds,
+        };
+    }
+
+    /// <summary>Julian years after J2000, TDB.</summary>
+    public double YearsPastJ2000 { get; }
+
+    /// <summary>s after the image's time.</summary>
+    public double Seconds { get; private init; }
+
+    /// <summary>rad/s: how fast the body turns.</summary>
+    public double BodyRate => _rateBodyFixed.Length;
+
+    /// <summary>Turns body-fixed axes into those of J2000.</summary>
+    public RotationMatrix J2000FromBody => _bodyFromJ2000.Transposed;
+
+    /// <summary>The direction in which the observer sees a star.</summary>
+    /// <returns>Length 1, J2000.</returns>
+    public Vector3D ApparentJ2000(in Star star) =>
+        StellarAberration.Of(star.DirectionFrom(YearsPastJ2000, _observerAu), _velocityInC);
+
+    /// <summary>The direction along which a camera that is drawn has what a real camera sees in a direction.</summary>
+    /// <param name="apparentJ2000">From <see cref="ApparentJ2000"/>.</param>
+    /// <param name="moonFromCamera">Orientation of the camera as it is drawn at that time.</param>
+    /// <param name="seconds">s after the image's time, some minutes from that of these axes: the body turns at a constant rate.</param>
+    /// <returns>Length 1, body-fixed.</returns>
+    public Vector3D DrawnDirection(Vector3D apparentJ2000, UnitQuaternion moonFromCamera, double seconds)
+    {
+        Vector3D bodyFixed = TurnedBack(_bodyFromJ2000 * apparentJ2000, seconds);
+        if (!_isTurned)
+        {
+            return bodyFixed;
+        }
+
+        Vector3D velocity = TurnedBack(_bodyFromJ2000 * _velocityInC, seconds);
+        Vector3D drawn = moonFromCamera * -Vector3D.UnitX;
+        Vector3D real = drawn;
+        for (int step = 0; step < TurnSteps; step++)
+        {
+            real = GroundAberration.Turn(real, velocity).Conjugate * drawn;
+        }
+
+        return GroundAberration.Turn(real, velocity) * bodyFixed;
+    }
+
+    /// <summary>A direction as the body has it, which has turned since.</summary>
+    private Vector3D TurnedBack(Vector3D bodyFixed, double seconds)
+    {
+        double angle = -_rateBodyFixed.Length * (seconds - Seconds);
+        return angle == 0.0 ? bodyFixed : UnitQuaternion.FromAxisAngle(_rateBodyFixed, angle) * bodyFixed;
+    }
+}

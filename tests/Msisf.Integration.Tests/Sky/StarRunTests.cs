@@ -1,0 +1,171 @@
+using System.Globalization;
+using System.Xml.Linq;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Sky;
+
+/// <summary>Runs with stars: where they are against ERFA (star_pixels.py), and what the files say.</summary>
+public sealed class StarRunTests : IDisposable
+{
+    /// <summary>px: the meta file's numbers have 15 digits; real differences are a thousand times as large.</summary>
+    private const double SamePixel = 1e-5;
+
+    private const string Lens = """
+        width: 900
+        height: 700
+        field-of-view: 50
+        principal-point: [500.2, 310.7]
+        distortion: {model: brown-conrady, k1: -0.1, k2: 0.02, p1: 0.001, p2: -0.0007}
+        """;
+
+    private const string Detector = """
+
+        detector: {f-number: 1.4, band: [420, 700], transmission: 0.8, quantum-efficiency: 0.5, exposure-time: 0.2, gain: 4,
+                   adc-bits: 12, psf: gaussian, psf-sigma: 0.7}
+        """;
+
+    private const string Oem = """
+        CCSDS_OEM_VERS = 2.0
+        CREATION_DATE = 2026-01-01T00:00:00
+        ORIGINATOR = TEST
+        META_START
+        OBJECT_NAME = TEST
+        OBJECT_ID = 2026-001A
+        CENTER_NAME = MOON
+        REF_FRAME = EME2000
+        TIME_SYSTEM = TDB
+        START_TIME = 2010-04-06T20:00:00
+        STOP_TIME = 2010-04-06T21:00:00
+        META_STOP
+        2010-04-06T20:00:00 20000 -24000 18000 0.9 1.1 0.4
+        2010-04-06T21:00:00 23240 -20040 19440 0.9 1.1 0.4
+
+        """;
+
+    private readonly TemporaryFolder _folder = new();
+
+    public StarRunTests()
+    {
+        _folder.Write("lens.yaml", Lens);
+        _folder.Write("detector.yaml", "focal-length: 6\npixel-pitch: 0.0055\nwidth: 400\nheight: 300" + Detector);
+        _folder.Write("path.oem", Oem);
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>Some 2 000 stars through a pinhole and a lens off its centre, with each engine and each kind of aberration.</summary>
+    [RequiresFact(Part.Ldem4, Part.CSpice, Part.Astropy)]
+    public void Run_Stars_StandWhereErfaHasThem()
+    {
+        string[] pinhole = ["--fov", "60", "--width", "700", "--height", "600"];
+        string[] place = ["--position", "10,20,1500000", "--look-at", "horizon:90"];
+        string[] path = ["--oem", _folder["path.oem"], "--attitude", "{0.36,-0.2,0.54,0.74}", "--attitude-frame", "j2000", "--normalize"];
+        double length = Math.Sqrt((0.36 * 0.36) + (0.2 * 0.2) + (0.54 * 0.54) + (0.74 * 0.74));
+        string attitude = string.Join(',', new[] { 0.36, -0.2, 0.54, 0.74 }.Select(
+            number => (number / length).ToString("R", CultureInfo.InvariantCulture)));
+        Run("pinhole", [.. place, .. pinhole, "--ephemeris", "builtin"]);
+        Run("lens", [.. place, "--camera", _folder["lens.yaml"], "--ephemeris", "cspice"], "2030-04-06T20:24:00Z");
+        Run("none", [.. path, .. pinhole]);
+        Run("lt", [.. path, .. pinhole, "--ground-aberration", "lt"]);
+        Run("lt+s", [.. path, .. pinhole, "--ground-aberration", "lt+s"]);
+        string lists = Path.Combine(TestParts.RepositoryRoot, "lib", "stars", "bright.csv");
+
+        string[] lines = ChildRun.Of(
+            TestParts.Python!,
+            [
+                "-B", Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Sky", "star_pixels.py"),
+                TestParts.RepositoryRoot, lists, $"{_folder["pinhole"]}=none", $"{_folder["lens"]}=none", $"{_folder["none"]}=none",
+                $"{_folder["lt"]}=lt", $"{_folder["lt+s"]}=lt+s:{attitude}:900,1100,400",
+            ],
+            _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
+
+        Assert.Equal(5, lines.Length);
+        Assert.All(lines, line =>
+        {
+            string[] words = line.Split(' ');
+            Assert.True(int.Parse(words[1], CultureInfo.InvariantCulture) > 250, line);
+            Assert.True(double.Parse(words[2], CultureInfo.InvariantCulture) < SamePixel, line);
+        });
+    }
+
+    /// <summary>The same stars in all files, with electrons that stand in the detector's numbers.</summary>
+    [RequiresFact(Part.Ldem4, Part.CFitsio)]
+    public void Run_WithDetector_WritesWhatIsDrawn()
+    {
+        string[] night = ["--position", "0,0,1500000", "--look-at", "horizon:90", "--camera", _folder["detector.yaml"]];
+        Run("stars", [.. night, "--layers", "electrons", "--layers-format", "npy"]);
+        Assert.Equal(0, CommandLineRun.Of(Arguments("none", [.. night, "--layers", "electrons", "--layers-format", "npy"])).ExitCode);
+        XElement[] stars = [.. Xml("stars").Descendants("StarInformation").Single().Elements("Star")];
+        string[][] lines = [.. File.ReadLines(FileOf("stars", ".stars.csv")).Select(line => line.Split(','))];
+
+        Assert.True(stars.Length > 20);
+        Assert.Equal(stars.Length, lines.Length - 1);
+        for (int i = 0; i < stars.Length; i++)
+        {
+            foreach (string name in (string[])["id", "h", "v", "magnitude", "electrons", "visible", "rightAscension", "hByTurn"])
+            {
+                Assert.Equal(stars[i].Attribute(name)!.Value, lines[i + 1][Array.IndexOf(lines[0], name)]);
+            }
+        }
+
+        double[] with = Reals("stars");
+        double[] without = Reals("none");
+        double sum = stars.Sum(star => double.Parse(star.Attribute("electrons")!.Value, CultureInfo.InvariantCulture));
+        double edge = with.Sum() - without.Sum() - sum; // of stars beside the image
+        Assert.InRange(edge, -1e-6 * sum, 0.05 * sum);
+        Assert.Contains("kind=\"star-catalogue\" name=\"bright.csv\"", File.ReadAllText(FileOf("stars", ".xml")), StringComparison.Ordinal);
+        Assert.DoesNotContain("Star", File.ReadAllText(FileOf("none", ".xml")), StringComparison.Ordinal);
+    }
+
+    /// <summary>A rig's cameras, a time without kernels, ...: an error that says what to do.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData(3, "outside the kernels", "--time", "2130-01-01T00:00:00Z")]
+    [InlineData(1, "as bright as they are beside sunlit ground", "--ignore-sun")]
+    [InlineData(1, "for --renderer native only", "--renderer", "povray")]
+    [InlineData(1, "leaves no star: all of bright.csv are fainter than V -2", "--star-limit", "-2")]
+    [InlineData(1, "neither a file nor 'bright'", "--stars", "no-such-catalogue.dat")]
+    public void Run_WrongUse_IsNamed(int exitCode, string message, params string[] options)
+    {
+        string[] all =
+        [
+            "--renderer", "native", "--position", "0,0,1500000", "--time", "2010-04-06T20:24:00Z", "--stars", "--output-dir",
+            _folder["wrong"],
+        ];
+        for (int i = 0; i < all.Length - 1; i++)
+        {
+            if (options.Length > 1 && all[i] == options[0] && !all[i + 1].StartsWith("--", StringComparison.Ordinal))
+            {
+                (all[i], all[i + 1]) = ("--width", "100");
+            }
+        }
+
+        CommandLineRun run = CommandLineRun.Of([.. all.Where(word => word != "--stars" || options[0] != "--stars"), .. options]);
+
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Equal(exitCode, run.ExitCode);
+    }
+
+    private void Run(string output, string[] options, string time = "2010-04-06T20:24:00Z")
+    {
+        CommandLineRun run = CommandLineRun.Of([.. Arguments(output, options, time), "--stars"]);
+        Assert.True(run.ExitCode == 0, run.Error);
+    }
+
+    private string[] Arguments(string output, string[] options, string time = "2010-04-06T20:24:00Z") =>
+        ["--renderer", "native", "--time", time, "--output-dir", _folder[output], .. options];
+
+    private string FileOf(string folder, string ending) => Path.Combine(_folder[folder], "MoonSurfIllumSim_step_00001" + ending);
+
+    private XDocument Xml(string folder) => MetaFileXml.Parse(File.ReadAllText(FileOf(folder, ".xml")));
+
+    /// <summary>The doubles of an array of NumPy, version 1.</summary>
+    private double[] Reals(string folder)
+    {
+        byte[] bytes = File.ReadAllBytes(FileOf(folder, ".electrons.npy"));
+        int start = 10 + BitConverter.ToUInt16(bytes, 8);
+        double[] values = new double[(bytes.Length - start) / sizeof(double)];
+        Buffer.BlockCopy(bytes, start, values, 0, values.Length * sizeof(double));
+        return values;
+    }
+}
