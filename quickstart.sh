@@ -49,14 +49,14 @@ get_model() {
 # is_current NAME: the image and its companions are there and newer than all they were made from.
 is_current() {
     local file
-    for file in "output/$1.xml" "output/$1.png" "output/$1.annotated.png"; do
+    for file in "output/$1.xml" "output/$1.png"; do
         [ -e "$file" ] || return 1
         [ -z "$(find quickstart.sh publish/sources input/ldem input/albedo lib kernels -type f -newer "$file" -print | head -n 1)" ] ||
             return 1
     done
 }
 
-# render NAME ARGUMENTS...: one state, seen as in section 9.2 of the thesis.
+# render NAME ARGUMENTS...: an image and its meta file.
 render() {
     local name=$1
     shift
@@ -64,11 +64,10 @@ render() {
         say "output/$name.png is up to date."
     else
         say "Rendering output/$name.png ..."
-        ./msis "$@" --width 1024 --height 1024 --fov 40 --res 4 "${model_options[@]}" --rendering-annotation \
-            --batch --overwrite --output-name "$name"
+        ./msis "$@" --res 4 "${model_options[@]}" --batch --overwrite --output-name "$name"
         [ -s "output/$name.png" ] || die "msis ended well, but did not write output/$name.png: please report this"
     fi
-    images+=("$root/output/$name.png" "$root/output/$name.annotated.png")
+    images+=("$root/output/$name.png")
 }
 
 install_parts povray cfitsio downloader certificates
@@ -86,13 +85,15 @@ if [ -n "$prefix" ]; then
 fi
 
 images=()
+# README's picture: Mare Serenitatis in the evening, through the lens of a navigation camera.
+render serenitatis --look photo --camera input/navigation-camera.yaml --position 12,16,1500000 --look-at 26,24 --time 2010-04-03T00:00:00Z
 # The example of section 9.2 of the thesis, by POV-Ray and by the program's own renderer.
-state='{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
-render thesis-9.2 --fixed-state "$state" "${pattern_options[@]}"
-render thesis-9.2.native --fixed-state "$state" --renderer native --samples 9
-# Straight down on Mare Orientale (19.4 S, 267 E) from 1500 km, the Sun 38 degrees high in the east.
-render nadir-orientale --kepler-set '{3.2374e6,0,0,4.7974,1.2,5.9188}' --epoch 55289 --time 55289 \
-    "${pattern_options[@]}"
+thesis=(
+    --fixed-state '{55289,2E6,2E6,0,-2.391176183943345e-001,+9.904576054128762e-002,+3.696438106143861e-001,+8.923991008325228e-001}'
+    --width 1024 --height 1024 --fov 40 --rendering-annotation
+)
+render thesis-9.2 "${thesis[@]}" "${pattern_options[@]}"
+render thesis-9.2.native "${thesis[@]}" --renderer native --samples 9
 
 say
 say 'The images (the numbers to each are in the .xml file beside it):'

@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text.Json;
+using System.Xml.Linq;
 using Msisf.Core.Attitude;
 using Msisf.Core.Numerics;
 using Msisf.Core.Terrain;
@@ -16,6 +17,9 @@ public sealed class DryRunTests : IDisposable
 
     /// <summary>Degrees: the built-in engine agrees with CSPICE to 1e-9 degrees; the point under the camera is rounded to 1e-13.</summary>
     private const double SunTolerance = 1e-7;
+
+    /// <summary>Degrees: 0.03 mm on the ground, of two ways to find a point by doubles.</summary>
+    private const double PlaceTolerance = 1e-9;
 
     /// <summary>Three frames: one of the near side, one that looks away, one of the far side; the Sun is over 316 degrees east.</summary>
     private const string ThreeStates =
@@ -53,16 +57,16 @@ public sealed class DryRunTests : IDisposable
 
         Assert.Equal(0, run.ExitCode);
         string[] lines = run.Output.TrimEnd().Split('\n');
-        Assert.Equal(5, lines.Length);
+        Assert.Equal(6, lines.Length);
         Assert.All(lines, line => Assert.Equal(lines[0].Length, line.Length));
 
         // The Sun as tests/reference/sun_in_the_sky.py has it. Straight below 262.6 km a pixel is 262600 x 2 tan(20 degrees) / 1024 =
         // 186.677 m wide; a cell of 7 px/deg has 4 331.9 m.
         Assert.Equal(
             "1 2010-04-03T00:00:00Z 0.0000 270.0000 262600.0 0.0000 270.0000 0.00 44.10 87.85 186.677 23.21 1.000 1.000",
-            Words(lines[2]));
-        Assert.Equal("2 2010-04-03T00:00:00Z 0.0000 270.0000 262600.0 - - 180.00 - - - - 0.000 -", Words(lines[3]));
-        Assert.EndsWith(" 1.000 0.000", Words(lines[4]), StringComparison.Ordinal);
+            Words(lines[3]));
+        Assert.Equal("2 2010-04-03T00:00:00Z 0.0000 270.0000 262600.0 - - 180.00 - - - - 0.000 -", Words(lines[4]));
+        Assert.EndsWith(" 1.000 0.000", Words(lines[5]), StringComparison.Ordinal);
     }
 
     /// <summary>Whatever the roll angle, what is beside the Moon is told as such, and no form has a -0.</summary>
@@ -115,8 +119,8 @@ public sealed class DryRunTests : IDisposable
 
         Assert.Equal(0, run.ExitCode);
         Assert.Contains("The image does not show the Moon.", run.Error, StringComparison.Ordinal);
-        Assert.Equal(3, run.Output.TrimEnd().Split('\n').Length);
-        Assert.StartsWith("2 ", Words(run.Output.TrimEnd().Split('\n')[2]), StringComparison.Ordinal);
+        Assert.Equal(4, run.Output.TrimEnd().Split('\n').Length);
+        Assert.StartsWith("2 ", Words(run.Output.TrimEnd().Split('\n')[3]), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -157,12 +161,41 @@ public sealed class DryRunTests : IDisposable
         Assert.Equal(elevation, Number("sun_elevation_deg"), SunTolerance);
     }
 
+    /// <summary>The line of sight ends at the terrain, where the drawn image has its middle pixel, and not kilometres away on the sphere.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void DryRun_ObliqueView_LooksAtTheTerrainThatIsDrawn()
+    {
+        string[] view =
+        [
+            .. "--ephemeris builtin --width 63 --height 63 --position=-43,-15,30000 --off-nadir 50,80 --time 2010-04-24T00:00:00Z --ldem"
+                .Split(' '),
+            TestParts.Ldem4Label!,
+        ];
+
+        CommandLineRun told = CommandLineRun.Of([.. view, "--dry-run", "--format", "json"]);
+        CommandLineRun drawn = CommandLineRun.Of(
+            [.. view, "--renderer", "native", "--surface", "terrain", "--grid", "32", "--lod", "off", "--output-dir", _folder["drawn"]]);
+
+        Assert.True((told.ExitCode, drawn.ExitCode) == (0, 0), told.Error + drawn.Error);
+        using JsonDocument document = JsonDocument.Parse(told.Output);
+        XElement pixel = XDocument.Load(Directory.GetFiles(_folder["drawn"], "*.xml").Single()).Descendants("Pixel")
+            .Single(found => (string?)found.Attribute("h") == "32" && (string?)found.Attribute("v") == "32");
+        foreach ((string column, string attribute) in (ReadOnlySpan<(string, string)>)
+            [("boresight_latitude_deg", "lat"), ("boresight_longitude_deg", "lon")])
+        {
+            double degrees = (double)pixel.Element("SelenographicCoordinates")!.Attribute(attribute)!;
+            Assert.Equal(degrees, document.RootElement[0].GetProperty(column).GetDouble(), PlaceTolerance);
+        }
+
+        Assert.True(Math.Abs((double)pixel.Element("Height")!) > 100.0, "the ground is too near to the sphere to tell them apart");
+    }
+
     [Fact]
     public void DryRun_IgnoreSun_HasNoSunAndLightsAll()
     {
         CommandLineRun run = Run($"{WithoutModel} --ignore-sun --frames 3 --batch-file -", ThreeStates);
 
-        Assert.EndsWith(" 0.00 - - 186.677 23.21 1.000 1.000", Words(run.Output.TrimEnd().Split('\n')[2]), StringComparison.Ordinal);
+        Assert.EndsWith(" 0.00 - - 186.677 23.21 1.000 1.000", Words(run.Output.TrimEnd().Split('\n')[3]), StringComparison.Ordinal);
     }
 
     [Theory]

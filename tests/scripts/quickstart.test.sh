@@ -23,7 +23,7 @@ echo "program: $*"
 [ "$1" != fetch ] || exec test -f input/ldem/LDEM_4.IMG
 [ "$1" != ldem ] || exec cp ../made/LDEM_4_SYNTHETIC.IMG ../made/LDEM_4_SYNTHETIC.LBL input/ldem
 while [ "$1" != --output-name ]; do shift; done
-for file in png xml annotated.png; do echo made >"output/$2.$file"; done
+for file in png xml; do echo made >"output/$2.$file"; done
 PROGRAM
     echo x >clone/publish/sources
     touch -t 202001010000 clone/quickstart.sh clone/publish/sources clone/input/ldem/*
@@ -33,8 +33,8 @@ test_quickstart_renders_three_images_once() {
     make_built_clone
     run clone/quickstart.sh
     assert_code 0
+    assert_says 'program: --look photo --camera input/navigation-camera.yaml'
     assert_says 'program: --fixed-state {55289,2E6,2E6,0,'
-    assert_says 'program: --kepler-set {'
     assert_says '--renderer native'
     assert_says 'built-in kernel reader'
     assert_says "$PWD/clone/output/thesis-9.2.png"
@@ -50,12 +50,12 @@ test_quickstart_renders_again_after_a_change() {
     run clone/quickstart.sh
     touch -t 203001010000 clone/input/ldem/LDEM_4.IMG
     run clone/quickstart.sh
-    assert_says 'program: --kepler-set'
+    assert_says 'program: --look photo'
     touch -t 202001010000 clone/input/ldem/LDEM_4.IMG
     rm clone/output/thesis-9.2.xml
     run clone/quickstart.sh
     assert_says 'program: --fixed-state'
-    assert_silent_on 'program: --kepler-set'
+    assert_silent_on 'program: --look photo'
 }
 
 test_quickstart_failed_rendering_ends_with_the_programs_exit_code() {
@@ -72,7 +72,7 @@ test_quickstart_without_a_real_model_goes_on_with_a_synthetic_one() {
     run clone/quickstart.sh
     assert_code 0
     assert_says 'its heights are invented'
-    assert_says '--pattern-repos pattern-repository/synthetic/ --width'
-    assert_says '--renderer native --samples 9 --width'
-    assert_says '--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --rendering-annotation'
+    assert_says '--pattern-repos pattern-repository/synthetic/ --res 4'
+    assert_says '--renderer native --samples 9 --res 4'
+    assert_says '--ldem input/ldem/LDEM_4_SYNTHETIC.LBL --batch'
 }

@@ -126,7 +126,7 @@ internal sealed class ElevationModel : IDisposable
     ];
 
     /// <summary>Traces single rays; created on first use.</summary>
-    public ITerrainTracer Tracer => _tracer.Value;
+    public TerrainTracer Tracer => _tracer.Value;
 
     /// <summary>A model of the whole Moon and its coarser levels of detail; opened on first use.</summary>
     public LodLevels Levels => _levels.Value.Levels;

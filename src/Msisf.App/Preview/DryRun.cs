@@ -41,7 +41,7 @@ internal static class DryRun
         PreviewRow[] rows = host.Times.Measure(Phase.Preview, () => run.Frames.Select(frame =>
         {
             cancellation.ThrowIfCancellationRequested();
-            FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid);
+            FramePreview view = FramePreview.Of(frame.Camera, frame.Light, model?.Grid, model?.Tracer);
             notes.Add(frame, view);
             return new PreviewRow(
                 frame.Step, frame.Time, Height(frame.Camera.PositionBodyFixed, model), view, view.PixelsPerCell(resolution))

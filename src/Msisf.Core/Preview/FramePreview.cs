@@ -8,11 +8,12 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Preview;
 
 /// <summary>
-/// What an image will show, told from its camera and light without drawing it. The ground is a sphere: the one of LOLA, or for a camera
-/// near the ground the one through the ground below it. Slopes and the shadows of mountains are left out.
+/// What an image will show, told from its camera and light without drawing it. The middle of the image is traced on the terrain. For all
+/// else the ground is a sphere: the one of LOLA, or for a camera near the ground the one through the ground below it. Slopes and the
+/// shadows of mountains are left out.
 /// </summary>
 /// <param name="OffNadir">Angle between the viewing direction and the nadir, rad, [0, pi].</param>
-/// <param name="Boresight">The ground in the middle of the image; null if the viewing direction misses the sphere.</param>
+/// <param name="Boresight">The ground in the middle of the image; null if the viewing direction misses it.</param>
 /// <param name="Share">How much of the image shows the sphere, and how much of that is lit.</param>
 /// <param name="IsBesideMap">
 /// Whether the model is a map of a part of the Moon that lies outside the image, though the sphere is in it. There is no boresight and no
@@ -28,13 +29,14 @@ public sealed record FramePreview(
     /// <param name="camera">The camera, which is not below the ground.</param>
     /// <param name="light">The Sun, or the lamp at the camera.</param>
     /// <param name="terrain">The model for the ground below a low camera; null to take LOLA's sphere always.</param>
-    public static FramePreview Of(ICamera camera, SceneLight light, ITerrain? terrain)
+    /// <param name="tracer">Finds the ground in the middle of the image; null to take that of the sphere.</param>
+    public static FramePreview Of(ICamera camera, SceneLight light, ITerrain? terrain, ISurface? tracer = null)
     {
         FrameCamera inMiddle = camera.BandAt(0.5 * (1.0 + camera.Height)).Camera;
         Vector3D position = inMiddle.PositionBodyFixed;
         double radius = RadiusBelow(position, terrain);
         SphereShare share = ShareOf(camera, light, radius);
-        BoresightView? middle = InTheMiddle(inMiddle, light, radius);
+        BoresightView? middle = InTheMiddle(inMiddle, light, tracer ?? new ReferenceSphere(radius));
         bool isBesideMap = share.Moon > 0.0 && terrain is { IsWholeBody: false } && !IsInView(terrain, camera, middle);
         return new FramePreview(
             SelenographicPoint.Below(position),
@@ -80,9 +82,9 @@ public sealed record FramePreview(
         return new SphereShare(Math.Min(1.0, moon), moon > 0.0 ? lit / moon : null);
     }
 
-    private static BoresightView? InTheMiddle(FrameCamera camera, SceneLight light, double radius)
+    private static BoresightView? InTheMiddle(FrameCamera camera, SceneLight light, ISurface ground)
     {
-        if (!new ReferenceSphere(radius).TryFirstHit(new Ray(camera.PositionBodyFixed, camera.ForwardBodyFixed), out Vector3D point))
+        if (!ground.TryFirstHit(new Ray(camera.PositionBodyFixed, camera.ForwardBodyFixed), out Vector3D point))
         {
             return null;
         }
@@ -106,8 +108,8 @@ public sealed record FramePreview(
     }
 }
 
-/// <summary>The ground in the middle of an image, on a sphere.</summary>
-/// <param name="Point">Where the viewing direction meets the sphere.</param>
+/// <summary>The ground in the middle of an image.</summary>
+/// <param name="Point">Where the viewing direction meets the terrain, or the sphere.</param>
 /// <param name="Sun">Where the Sun stands there; null if a lamp lights the scene.</param>
 /// <param name="MetresPerPixel">Width that a pixel covers there, m, across the line of sight.</param>
 public readonly record struct BoresightView(SelenographicPoint Point, SkyDirection? Sun, double MetresPerPixel);

@@ -6,6 +6,7 @@ using Msisf.Core.Scene;
 using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.TestSupport;
+using Msisf.Core.Tracing;
 using Xunit;
 
 namespace Msisf.Core.Tests.Preview;
@@ -144,6 +145,19 @@ public sealed class FramePreviewTests
         FramePreview view = FramePreview.Of(camera, Sun, FunctionGrid.HighlandsAndMare(4));
 
         Assert.Equal(1e5, view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 1e-3); // m: of 100 km, to rounding
+    }
+
+    /// <summary>With a tracer the middle of the image is on the mare, 2 500 m below the sphere, and the pixel so much wider.</summary>
+    [Fact]
+    public void Of_AHighCameraOverAMareWithATracer_SeesTheMare()
+    {
+        Vector3D position = (Radius + 1e5) * Up(10.0, 5.0);
+        PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), Fov, Width, Width);
+        FunctionGrid ground = FunctionGrid.HighlandsAndMare(4);
+
+        FramePreview view = FramePreview.Of(camera, Sun, ground, new TerrainTracer(ground));
+
+        Assert.InRange(view.Boresight!.Value.MetresPerPixel * Width / (2.0 * Math.Tan(Fov / 2.0)), 102_500.0, 102_508.3);
     }
 
     /// <summary>A map of 100 km around the south pole fills the image over the pole; 200 km beside it nothing of it is seen.</summary>
