@@ -10,14 +10,23 @@ public sealed partial class SourceRuleTests
     /// <summary>STYLE: a file has one purpose and stays under about 200 lines; past this it has two jobs.</summary>
     private const int LongestFile = 300;
 
+    /// <summary>STYLE: a kernel that is one idea may have 600 lines.</summary>
+    private const int LongestKernel = 600;
+
     /// <summary>As .editorconfig has it (max_line_length), which only editors keep.</summary>
     private const int LongestLine = 140;
 
     private static readonly string[] Sources = FilesUnder("src");
 
+    private static readonly string[] Kernels = ["SubsampleBand.cs", "SubsampleCells.cs", "PixelParts.cs"];
+
     [Fact]
     public void Files_AreShort() =>
-        Assert.All(Sources, path => Assert.True(File.ReadLines(path).Count() <= LongestFile, $"{path} is longer than {LongestFile} lines"));
+        Assert.All(Sources, path =>
+        {
+            int longest = Kernels.Contains(Path.GetFileName(path)) ? LongestKernel : LongestFile;
+            Assert.True(File.ReadLines(path).Count() <= longest, $"{path} is longer than {longest} lines");
+        });
 
     [Fact]
     public void Lines_AreShort() =>

@@ -16,6 +16,20 @@ internal struct CellWinners
     {
     }
 
+    /// <summary>The number of one of the cell's facets.</summary>
+    /// <param name="index">Index of the cell's north-western vertex in the block.</param>
+    /// <param name="half">0: the south-western facet, 1: the north-eastern one.</param>
+    public int NumberOf(FacetRecords records, ProjectedBlock block, int index, int half)
+    {
+        ref int number = ref half == 0 ? ref _southWest : ref _northEast;
+        if (number == Band.NotRecorded)
+        {
+            number = records.Add(block, index, half);
+        }
+
+        return number;
+    }
+
     /// <summary>Stores depths and facets of the samples that the cell wins, at least one of eight.</summary>
     /// <param name="index">Index of the cell's north-western vertex in the block.</param>
     /// <param name="inSouthWest">Which of them lie in its south-western facet; the others lie in the north-eastern one.</param>

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 
@@ -27,10 +28,9 @@ internal readonly record struct ImagePlaneMap(
         int i = 0;
         for (; i <= columns.Length - Vector512<double>.Count; i += Vector512<double>.Count)
         {
-            Vector512<double> x = Vector512.Create(right[i..]);
-            Vector512<double> y = Vector512.Create(down[i..]);
-            ((ColumnPerRight * x) + (ColumnPerDown * y) + Vector512.Create(Column0)).CopyTo(columns[i..]);
-            ((RowPerRight * x) + (RowPerDown * y) + Vector512.Create(Row0)).CopyTo(rows[i..]);
+            (Vector512<double> x, Vector512<double> y) = Apply(Vector512.Create(right[i..]), Vector512.Create(down[i..]));
+            x.CopyTo(columns[i..]);
+            y.CopyTo(rows[i..]);
         }
 
         for (; i < columns.Length; i++)
@@ -38,6 +38,12 @@ internal readonly record struct ImagePlaneMap(
             (columns[i], rows[i]) = (Column(right[i], down[i]), Row(right[i], down[i]));
         }
     }
+
+    /// <summary>The same for eight points.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (Vector512<double> Column, Vector512<double> Row) Apply(Vector512<double> right, Vector512<double> down) => (
+        (ColumnPerRight * right) + (ColumnPerDown * down) + Vector512.Create(Column0),
+        (RowPerRight * right) + (RowPerDown * down) + Vector512.Create(Row0));
 
     /// <summary>The point of the ideal plane at a column and row.</summary>
     /// <remarks>The inverse of a 2 x 2 matrix is two lines; MathNet's is an object and takes 6 us.</remarks>

@@ -67,15 +67,35 @@ internal sealed class PixelParts
 
     private void TakePixel(SubsampleBand band, CameraModel model, int column, int row, bool isSplit, IPieces? pieces)
     {
-        int vectors = band.VectorsOf(column, row);
-        int samples = band.SamplesIn(vectors);
-        int pixel = (row * band.Width) + column;
-        int pixelStart = band.Starts[band.IndexOf(column, row)];
+        int samples = band.SamplesIn(band.VectorsOf(column, row));
+        int index = band.IndexOf(column, row);
         EnsureRoom(samples);
-        TangentBox piece = isSplit && pieces is not null ? PieceOf(band, model, column, row, pixelStart, samples) : default;
+        Pixel pixel = new(band, model, column, row, index, band.Starts[index]);
+        TangentBox piece = isSplit && pieces is not null ? PieceOf(pixel, samples) : default;
+        if (band.TryGetWhole(index, out int whole, out FacetPlane plane))
+        {
+            AddWhole(pixel, samples, whole, plane);
+            if (isSplit && samples > 1 && pieces?.IsEven(in _records[whole], Points.InverseDepths[Count - 1], in piece) != true)
+            {
+                band.Part(column, row, index);
+                for (int begin = 0; begin < samples; begin += SamplesAtOnce)
+                {
+                    AddReceivers(pixel, begin, ulong.MaxValue >> (SamplesAtOnce - Math.Min(SamplesAtOnce, samples - begin)));
+                }
+            }
+            else
+            {
+                AddReceiver(whole, sample: 0);
+            }
+
+            ReceiverEnds[Count - 1] = Receivers.Count;
+            return;
+        }
+
+        band.Part(column, row, index);
         for (int begin = 0; begin < samples; begin += SamplesAtOnce)
         {
-            int start = pixelStart + begin;
+            int start = pixel.Start + begin;
             int count = Math.Min(SamplesAtOnce, samples - begin);
             ulong left = ulong.MaxValue >> (SamplesAtOnce - count);
             while (left != 0)
@@ -86,19 +106,17 @@ internal sealed class PixelParts
                 left &= ~same;
                 if (facet != Band.NotRecorded)
                 {
-                    Pixels[Count] = pixel;
+                    Pixels[Count] = pixel.Number;
                     Weights[Count] = (double)BitOperations.PopCount(same) / samples;
-                    Add(Points, band, model, start, same, facet);
+                    Add(Points, pixel, begin, same, facet);
                     double middle = Points.InverseDepths[Count - 1];
                     if (isSplit && BitOperations.PopCount(same) > 1 && pieces?.IsEven(in _records[facet], middle, in piece) != true)
                     {
-                        AddReceivers(band, model, start, same, begin);
+                        AddReceivers(pixel, begin, same);
                     }
                     else
                     {
-                        Samples[Receivers.Count] = (byte)(begin + first);
-                        int part = Count - 1;
-                        Receivers.Add(facet, Points.InverseDepths[part], Points.Across[part], Points.Along[part]);
+                        AddReceiver(facet, begin + first);
                     }
 
                     ReceiverEnds[Count - 1] = Receivers.Count;
@@ -107,34 +125,72 @@ internal sealed class PixelParts
         }
     }
 
-    /// <summary>The piece of the image that holds a pixel's samples.</summary>
-    private static TangentBox PieceOf(SubsampleBand band, CameraModel model, int column, int row, int start, int samples)
+    /// <summary>Adds all samples of a pixel as one part.</summary>
+    private void AddWhole(in Pixel pixel, int samples, int facet, in FacetPlane plane)
     {
-        if (model.Lens is null)
+        (double right, double down) = pixel.Band.Pattern.Means[pixel.Vectors];
+        (double x, double y) = (pixel.Column + right, pixel.Row + down);
+        (double across, double along) = PlaceOf(x, y, pixel.Model);
+        if (pixel.HasLens)
         {
-            (double left, double top) = PlaceOf(column - band.Margin, row - band.Margin, model);
-            (double right, double bottom) = PlaceOf(column + band.Margin, row + band.Margin, model);
+            (x, y) = MeanOf(pixel.Band.Columns, pixel.Band.Rows, pixel.Start, samples);
+            (across, along) = MeanOf(pixel.Band.Right, pixel.Band.Down, pixel.Start, samples);
+        }
+
+        Pixels[Count] = pixel.Number;
+        Weights[Count] = 1.0;
+        Points.Add(facet, plane.At(x, y), across, along);
+    }
+
+    private static (double X, double Y) MeanOf(double[] xs, double[] ys, int start, int samples)
+    {
+        (double x, double y) = (0.0, 0.0);
+        for (int sample = start; sample < start + samples; sample++)
+        {
+            x += xs[sample];
+            y += ys[sample];
+        }
+
+        return (x / samples, y / samples);
+    }
+
+    /// <summary>Adds the last part as a receiver.</summary>
+    private void AddReceiver(int facet, int sample)
+    {
+        Samples[Receivers.Count] = (byte)sample;
+        int part = Count - 1;
+        Receivers.Add(facet, Points.InverseDepths[part], Points.Across[part], Points.Along[part]);
+    }
+
+    /// <summary>The piece of the image that holds a pixel's samples.</summary>
+    private static TangentBox PieceOf(in Pixel pixel, int samples)
+    {
+        if (!pixel.HasLens)
+        {
+            double margin = pixel.Band.Margin;
+            (double left, double top) = PlaceOf(pixel.Column - margin, pixel.Row - margin, pixel.Model);
+            (double right, double bottom) = PlaceOf(pixel.Column + margin, pixel.Row + margin, pixel.Model);
             return new TangentBox(left, top, right, bottom);
         }
 
         TangentBox box = TangentBox.Nothing;
-        for (int sample = start; sample < start + samples; sample++)
+        for (int sample = pixel.Start; sample < pixel.Start + samples; sample++)
         {
-            box = box.With(band.Right[sample], band.Down[sample]);
+            box = box.With(pixel.Band.Right[sample], pixel.Band.Down[sample]);
         }
 
         return box;
     }
 
     /// <summary>Adds each of some samples as a receiver.</summary>
-    /// <param name="begin">Number of the sample at <paramref name="start"/> in its pixel.</param>
-    private void AddReceivers(SubsampleBand band, CameraModel model, int start, ulong samples, int begin)
+    /// <param name="begin">Number in the pixel of the sample of bit 0.</param>
+    private void AddReceivers(in Pixel pixel, int begin, ulong samples)
     {
         for (; samples != 0; samples &= samples - 1)
         {
             int sample = BitOperations.TrailingZeroCount(samples);
             Samples[Receivers.Count] = (byte)(begin + sample);
-            Add(Receivers, band, model, start, 1ul << sample, band.Facets[start + sample]);
+            Add(Receivers, pixel, begin, 1ul << sample, pixel.Band.Facets[pixel.Start + begin + sample]);
         }
     }
 
@@ -152,43 +208,48 @@ internal sealed class PixelParts
     }
 
     /// <summary>Adds the mean of some samples: the inverse depth is linear in the image.</summary>
-    private static void Add(FacetPoints points, SubsampleBand band, CameraModel model, int start, ulong samples, int facet)
+    /// <param name="begin">Number in the pixel of the sample of bit 0.</param>
+    private static void Add(FacetPoints points, in Pixel pixel, int begin, ulong samples, int facet)
     {
-        bool hasLens = model.Lens is not null;
-        (double[] xs, double[] ys) = hasLens ? (band.Right, band.Down) : (band.Columns, band.Rows);
-        double[] inverses = band.InverseDepths;
+        // Without a lens the samples of all pixels lie at the same places beside the centres.
+        SubsampleBand band = pixel.Band;
+        (double[] xs, double[] ys) = pixel.HasLens ? (band.Right, band.Down) : (band.Pattern.Right, band.Pattern.Down);
+        int place = pixel.HasLens ? pixel.Start + begin : begin;
+        int start = pixel.Start + begin;
         int count = BitOperations.PopCount(samples);
         double x, y, inverse;
         if (count == 1)
         {
-            int only = start + BitOperations.TrailingZeroCount(samples);
-            (x, y, inverse) = (xs[only], ys[only], inverses[only]);
+            int only = BitOperations.TrailingZeroCount(samples);
+            (x, y, inverse) = (xs[place + only], ys[place + only], band.InverseDepths[start + only]);
         }
         else
         {
-            (x, y, inverse) = Sum(xs, ys, inverses, start, samples);
+            (x, y, inverse) = Sum(xs, ys, place, band.InverseDepths, start, samples);
         }
 
         double perCount = 1.0 / count;
-        (double across, double along) = hasLens ? (x * perCount, y * perCount) : PlaceOf(x * perCount, y * perCount, model);
+        (double across, double along) = pixel.HasLens
+            ? (x * perCount, y * perCount)
+            : PlaceOf(pixel.Column + (x * perCount), pixel.Row + (y * perCount), pixel.Model);
         points.Add(facet, inverse * perCount, across, along);
     }
 
     /// <summary>Sums up the coordinates and inverse depths of some samples.</summary>
     private static (double X, double Y, double Inverse) Sum(
-        double[] xs, double[] ys, double[] inverses, int start, ulong samples)
+        double[] xs, double[] ys, int place, double[] inverses, int start, ulong samples)
     {
         Vector512<double> sumX = Vector512<double>.Zero;
         Vector512<double> sumY = Vector512<double>.Zero;
         Vector512<double> sumInverse = Vector512<double>.Zero;
-        for (int sample = start; samples != 0; samples >>= Lanes, sample += Lanes)
+        for (int first = 0; samples != 0; samples >>= Lanes, first += Lanes)
         {
             Vector512<double> isMeant = Vector512.Equals(
                 Vector512.Create((long)(samples & 0xff)) & Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L),
                 Vector512.Create(1L, 2L, 4L, 8L, 16L, 32L, 64L, 128L)).AsDouble();
-            sumX += isMeant & ArrayLanes.Load(xs, sample);
-            sumY += isMeant & ArrayLanes.Load(ys, sample);
-            sumInverse += isMeant & ArrayLanes.Load(inverses, sample);
+            sumX += isMeant & ArrayLanes.Load(xs, place + first);
+            sumY += isMeant & ArrayLanes.Load(ys, place + first);
+            sumInverse += isMeant & ArrayLanes.Load(inverses, start + first);
         }
 
         return (Sum(sumX), Sum(sumY), Sum(sumInverse));
@@ -225,5 +286,17 @@ internal sealed class PixelParts
             Array.Resize(ref samples, Math.Max(2 * Samples.Length, Receivers.Count + more));
             Samples = samples;
         }
+    }
+
+    /// <summary>A pixel with samples.</summary>
+    /// <param name="Index">Its index in the band.</param>
+    /// <param name="Start">Its first sample.</param>
+    private readonly record struct Pixel(SubsampleBand Band, CameraModel Model, int Column, int Row, int Index, int Start)
+    {
+        public int Number => (Row * Band.Width) + Column;
+
+        public int Vectors => Band.VectorsOf(Column, Row);
+
+        public bool HasLens => Model.Lens is not null;
     }
 }

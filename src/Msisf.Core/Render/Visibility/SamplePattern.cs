@@ -21,6 +21,11 @@ internal sealed class SamplePattern : IEquatable<SamplePattern>
         Right = [.. samples.Select(sample => sample.Right), .. new double[(Vectors * Lanes) - Count]];
         Down = [.. samples.Select(sample => sample.Down), .. new double[(Vectors * Lanes) - Count]];
         Reach = Math.Max(Right.Max(Math.Abs), Down.Max(Math.Abs));
+        Means =
+        [
+            .. Enumerable.Range(0, Vectors + 1).Select(vectors => vectors == 0 ? default : (
+                Right.Take(SamplesIn(vectors)).Average(), Down.Take(SamplesIn(vectors)).Average())),
+        ];
     }
 
     /// <summary>
@@ -55,6 +60,9 @@ internal sealed class SamplePattern : IEquatable<SamplePattern>
 
     /// <summary>px: distance of the outermost samples from the pixel's centre along columns or rows.</summary>
     public double Reach { get; }
+
+    /// <summary>px: mean distance of the samples in the first vectors from the pixel's centre, by the number of vectors.</summary>
+    public (double Right, double Down)[] Means { get; }
 
     /// <summary>The middles of the squares of a regular grid, row by row.</summary>
     /// <param name="perAxis">Samples along a pixel's edge.</param>

@@ -7,12 +7,23 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// The depth buffer of the further samples of some rows of an image. The samples of a pixel follow each other in vectors of eight; pixels
-/// without further samples take no room. One object is used for many bands.
+/// without further samples take no room. As long as all samples of a pixel see the same facet, the pixel only has the facet's number. One
+/// object is used for many bands.
 /// </summary>
 internal sealed class SubsampleBand
 {
+    /// <summary>State of a pixel in which no facet has been drawn.</summary>
+    private const int Untouched = -1;
+
+    /// <summary>
+    /// State of a pixel whose samples have their own depths; other states are the number of the facet that all of them see.
+    /// </summary>
+    private const int Apart = -2;
+
     private byte[] _codes = [];
-    private SamplePattern _pattern = SamplePattern.Stratified;
+    private int[] _states = [];
+    private FacetPlane[] _planes = [];
+    private bool _hasLens;
 
     /// <summary>The image's width, px.</summary>
     public int Width { get; private set; }
@@ -26,16 +37,19 @@ internal sealed class SubsampleBand
     /// <summary>The pixels that are being drawn: the whole band, or a tile of it.</summary>
     public PixelRange Window { get; private set; }
 
+    /// <summary>Where the samples of a pixel lie.</summary>
+    public SamplePattern Pattern { get; private set; } = SamplePattern.Stratified;
+
     /// <summary>px: maximum distance of a sample from its pixel's centre along columns or rows.</summary>
     public double Margin { get; private set; }
 
     /// <summary>Index of each pixel's first sample; the pixels row by row without gaps. Undefined without samples.</summary>
     public int[] Starts { get; private set; } = [];
 
-    /// <summary>Column of each sample in the plane that is drawn in.</summary>
+    /// <summary>Column of each sample in the plane that is drawn in; only with a lens.</summary>
     public double[] Columns { get; private set; } = [];
 
-    /// <summary>Row of each sample.</summary>
+    /// <summary>Row of each sample; only with a lens.</summary>
     public double[] Rows { get; private set; } = [];
 
     /// <summary>Tangent to the right of each sample; only with a lens.</summary>
@@ -44,10 +58,15 @@ internal sealed class SubsampleBand
     /// <summary>Tangent down of each sample; only with a lens.</summary>
     public double[] Down { get; private set; } = [];
 
-    /// <summary>1/m: the inverse depth of each sample's nearest point; 0 where no facet has been drawn.</summary>
+    /// <summary>
+    /// 1/m: the inverse depth of each sample's nearest point; 0 where no facet has been drawn. Undefined before <see cref="Part"/>.
+    /// </summary>
     public double[] InverseDepths { get; private set; } = [];
 
-    /// <summary>Index of each sample's facet in <see cref="Records"/>; <see cref="Band.NotRecorded"/> without one.</summary>
+    /// <summary>
+    /// Index of each sample's facet in <see cref="Records"/>; <see cref="Band.NotRecorded"/> without one. Undefined before
+    /// <see cref="Part"/>.
+    /// </summary>
     public int[] Facets { get; private set; } = [];
 
     /// <summary>The facets that have been the nearest one at some sample.</summary>
@@ -56,37 +75,26 @@ internal sealed class SubsampleBand
     /// <summary>Number of samples.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Empties the band for new rows of an image, and places the samples of a pinhole.</summary>
+    /// <summary>Empties the band for new rows of an image.</summary>
     /// <param name="pixels">The pixels that get samples.</param>
     public void Begin(SampledPixels pixels, CameraModel model, SampledBand band)
     {
         Width = model.Width;
         (FirstRow, LastRow) = (band.FirstRow, band.LastRow);
         Window = new PixelRange(0, Width - 1, FirstRow, LastRow);
-        _pattern = pixels.Pattern;
-        Margin = _pattern.Reach;
+        Pattern = pixels.Pattern;
+        Margin = Pattern.Reach;
         Records.Clear();
         Count = band.Vectors * SamplePattern.Lanes;
         _codes = pixels.Codes;
-        EnsureRoom(model.Lens is not null);
-        InverseDepths.AsSpan(0, Count).Clear();
-        Facets.AsSpan(0, Count).Fill(Band.NotRecorded);
+        _hasLens = model.Lens is not null;
+        EnsureRoom();
+        _states.AsSpan(0, Width * (LastRow - FirstRow + 1)).Fill(Untouched);
         int next = 0;
         for (int pixel = NextPixel(0); pixel >= 0; pixel = NextPixel(pixel + 1))
         {
-            (int row, int column) = Math.DivRem(pixel, Width);
-            int vectors = VectorsOf(column, FirstRow + row);
-            int end = next + (vectors * SamplePattern.Lanes);
             Starts[pixel] = next;
-
-            // In front of what fills up the last vector no facet is ever seen.
-            InverseDepths.AsSpan((next + _pattern.SamplesIn(vectors))..end).Fill(double.PositiveInfinity);
-            if (model.Lens is null)
-            {
-                Place(column, FirstRow + row, next, end);
-            }
-
-            next = end;
+            next += (_codes[(FirstRow * Width) + pixel] & SampledPixels.Vectors) * SamplePattern.Lanes;
         }
     }
 
@@ -103,7 +111,7 @@ internal sealed class SubsampleBand
     public int VectorsOf(int column, int row) => _codes[(row * Width) + column] & SampledPixels.Vectors;
 
     /// <summary>Number of samples of a pixel with some vectors.</summary>
-    public int SamplesIn(int vectors) => _pattern.SamplesIn(vectors);
+    public int SamplesIn(int vectors) => Pattern.SamplesIn(vectors);
 
     /// <summary>Whether each sample of a pixel gets light of its own.</summary>
     public bool HasBorder(int column, int row) => (_codes[(row * Width) + column] & SampledPixels.HasBorder) != 0;
@@ -111,6 +119,111 @@ internal sealed class SubsampleBand
     /// <summary>Index of a pixel in <see cref="Starts"/>.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int IndexOf(int column, int row) => ((row - FirstRow) * Width) + column;
+
+    /// <summary>Where eight samples of a pixel lie, in columns and rows of the plane that is drawn in.</summary>
+    /// <param name="index">The pixel's.</param>
+    /// <param name="first">Number of the first one in its pixel.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void ReadPlaces(int column, int row, int index, int first, out Vector512<double> x, out Vector512<double> y)
+    {
+        if (_hasLens)
+        {
+            int sample = Starts[index] + first;
+            (x, y) = (ArrayLanes.Load(Columns, sample), ArrayLanes.Load(Rows, sample));
+        }
+        else
+        {
+            x = ArrayLanes.Load(Pattern.Right, first) + Vector512.Create((double)column);
+            y = ArrayLanes.Load(Pattern.Down, first) + Vector512.Create((double)row);
+        }
+    }
+
+    /// <summary>Notes where a facet lies in the plane that is drawn in, before it is drawn as the only one of a pixel.</summary>
+    public void SetPlane(int facet, in FacetPlane plane)
+    {
+        if (facet >= _planes.Length)
+        {
+            Array.Resize(ref _planes, Math.Max(2 * _planes.Length, facet + 1024));
+        }
+
+        _planes[facet] = plane;
+    }
+
+    /// <summary>Draws a facet in a pixel all of whose samples lie in it.</summary>
+    /// <returns>Whether it is done: nothing is if some samples see this facet and others the one that they saw before.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryDrawWhole(int column, int row, int index, int facet)
+    {
+        ref int state = ref _states[index];
+        if (state == Untouched)
+        {
+            state = facet;
+            return true;
+        }
+
+        return state != Apart && TryReplace(ref state, column, row, facet);
+    }
+
+    private bool TryReplace(ref int state, int column, int row, int facet)
+    {
+        ref readonly FacetPlane before = ref _planes[state];
+        ref readonly FacetPlane plane = ref _planes[facet];
+        double nearer = plane.At(column, row) - before.At(column, row);
+        double change = Margin * (Math.Abs(plane.PerColumn - before.PerColumn) + Math.Abs(plane.PerRow - before.PerRow));
+        if (nearer > change)
+        {
+            state = facet;
+        }
+
+        return Math.Abs(nearer) > change;
+    }
+
+    /// <summary>The facet that all samples of a pixel see, and where it lies; false if they do not all see the same one.</summary>
+    public bool TryGetWhole(int index, out int facet, out FacetPlane plane)
+    {
+        facet = _states[index];
+        plane = facet >= 0 ? _planes[facet] : default;
+        return facet >= 0;
+    }
+
+    /// <summary>Gives the samples of a pixel depths and facets of their own.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Part(int column, int row, int index)
+    {
+        if (_states[index] != Apart)
+        {
+            SetApart(column, row, index);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    private void SetApart(int column, int row, int index)
+    {
+        int facet = _states[index];
+        _states[index] = Apart;
+        int start = Starts[index];
+        int vectors = VectorsOf(column, row);
+        int count = vectors * SamplePattern.Lanes;
+        if (facet == Untouched)
+        {
+            InverseDepths.AsSpan(start, count).Clear();
+            Facets.AsSpan(start, count).Fill(Band.NotRecorded);
+        }
+        else
+        {
+            for (int sample = 0; sample < count; sample += SamplePattern.Lanes)
+            {
+                ReadPlaces(column, row, index, sample, out Vector512<double> x, out Vector512<double> y);
+                _planes[facet].At(x, y).StoreTo(InverseDepths, start + sample);
+            }
+
+            Facets.AsSpan(start, count).Fill(facet);
+        }
+
+        // In front of what fills up the last vector no facet is ever seen.
+        int samples = Pattern.SamplesIn(vectors);
+        InverseDepths.AsSpan(start + samples, count - samples).Fill(double.PositiveInfinity);
+    }
 
     /// <summary>Whether a pixel of a rectangle has samples.</summary>
     public bool HasSamples(in PixelRange pixels)
@@ -141,7 +254,7 @@ internal sealed class SubsampleBand
                 int samples = VectorsOf(column, row) * SamplePattern.Lanes;
                 if (known is not null)
                 {
-                    Copy(known, ((row * Width) + column) * _pattern.Count, start, samples);
+                    Copy(known, ((row * Width) + column) * Pattern.Count, start, samples);
                 }
 
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
@@ -149,8 +262,8 @@ internal sealed class SubsampleBand
                     if (known is null)
                     {
                         LanePoints ideal = model.ToIdeal(
-                            ArrayLanes.Load(_pattern.Right, sample) + Vector512.Create(column + 1.0),
-                            ArrayLanes.Load(_pattern.Down, sample) + Vector512.Create(row + 1.0));
+                            ArrayLanes.Load(Pattern.Right, sample) + Vector512.Create(column + 1.0),
+                            ArrayLanes.Load(Pattern.Down, sample) + Vector512.Create(row + 1.0));
                         ideal.X.StoreTo(Right, start + sample);
                         ideal.Y.StoreTo(Down, start + sample);
                     }
@@ -167,7 +280,7 @@ internal sealed class SubsampleBand
     /// <summary>Copies the samples of a pixel; what fills up the last vector lies where the last one does.</summary>
     private void Copy(LensSamples known, int first, int start, int samples)
     {
-        int count = _pattern.Count;
+        int count = Pattern.Count;
         known.Right.AsSpan(first, count).CopyTo(Right.AsSpan(start));
         known.Down.AsSpan(first, count).CopyTo(Down.AsSpan(start));
         Right.AsSpan((start + count)..(start + samples)).Fill(Right[start + count - 1]);
@@ -185,26 +298,33 @@ internal sealed class SubsampleBand
             FirstRow = Math.Max(FirstRow, tile.Pixels.FirstRow),
             LastRow = Math.Min(LastRow, tile.Pixels.LastRow),
         };
-        double margin = 0.0;
-        TangentBox box = TangentBox.Nothing;
+        LaneRange right = LaneRange.Nothing;
+        LaneRange down = LaneRange.Nothing;
+        Vector512<double> margins = Vector512<double>.Zero;
         for (int row = window.FirstRow; row <= window.LastRow; row++)
         {
             for (int column = window.FirstColumn; column <= window.LastColumn; column++)
             {
                 int start = Starts[IndexOf(column, row)];
                 int end = start + (VectorsOf(column, row) * SamplePattern.Lanes);
-                for (int sample = start; sample < end; sample++)
+                for (int sample = start; sample < end; sample += SamplePattern.Lanes)
                 {
-                    double x = tile.Map.Column(Right[sample], Down[sample]);
-                    double y = tile.Map.Row(Right[sample], Down[sample]);
-                    (Columns[sample], Rows[sample]) = (x, y);
-                    margin = Math.Max(margin, Math.Max(Math.Abs(x - column), Math.Abs(y - row)));
-                    box = box.With(Right[sample], Down[sample]);
+                    Vector512<double> ofRight = ArrayLanes.Load(Right, sample);
+                    Vector512<double> ofDown = ArrayLanes.Load(Down, sample);
+                    (Vector512<double> x, Vector512<double> y) = tile.Map.Apply(ofRight, ofDown);
+                    x.StoreTo(Columns, sample);
+                    y.StoreTo(Rows, sample);
+                    margins = Vector512.MaxNative(margins, Vector512.MaxNative(
+                        Vector512.Abs(x - Vector512.Create((double)column)), Vector512.Abs(y - Vector512.Create((double)row))));
+                    right.Widen(ofRight);
+                    down.Widen(ofDown);
                 }
             }
         }
 
-        return new LensTile(window, tile.Map, margin, box);
+        LaneRange margin = LaneRange.Nothing;
+        margin.Widen(margins);
+        return new LensTile(window, tile.Map, margin.Max, new TangentBox(right.Min, down.Min, right.Max, down.Max));
     }
 
     /// <summary>Goes on with one tile of an image with a lens.</summary>
@@ -214,22 +334,13 @@ internal sealed class SubsampleBand
         Margin = tile.Margin;
     }
 
-    private void Place(int column, int row, int start, int end)
-    {
-        for (int sample = start; sample < end; sample += SamplePattern.Lanes)
-        {
-            (ArrayLanes.Load(_pattern.Right, sample - start) + Vector512.Create((double)column))
-                .StoreTo(Columns, sample);
-            (ArrayLanes.Load(_pattern.Down, sample - start) + Vector512.Create((double)row)).StoreTo(Rows, sample);
-        }
-    }
-
-    private void EnsureRoom(bool hasLens)
+    private void EnsureRoom()
     {
         int pixels = Width * (LastRow - FirstRow + 1);
         if (Starts.Length < pixels)
         {
             Starts = new int[pixels];
+            _states = new int[pixels];
         }
 
         if (InverseDepths.Length < Count)
@@ -237,12 +348,12 @@ internal sealed class SubsampleBand
             int room = Count + (Count / 4);
             InverseDepths = new double[room];
             Facets = new int[room];
-            Columns = new double[room];
-            Rows = new double[room];
         }
 
-        if (hasLens && Right.Length < InverseDepths.Length)
+        if (_hasLens && Right.Length < InverseDepths.Length)
         {
+            Columns = new double[InverseDepths.Length];
+            Rows = new double[InverseDepths.Length];
             Right = new double[InverseDepths.Length];
             Down = new double[InverseDepths.Length];
         }

@@ -6,8 +6,9 @@ using Msisf.Core.Surface;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Draws a block's cells into the further samples of a band. Each cell is tested against eight samples of a pixel at a time, with the edge
-/// functions of <see cref="CellRasterizer"/>; cells whose box holds no pixel with samples are dropped.
+/// Draws a block's cells into the further samples of a band. Pixels whose samples all lie in one facet are found first. In the others a
+/// cell is tested against eight samples at a time, with the edge functions of <see cref="CellRasterizer"/>; cells whose box holds no pixel
+/// with samples are dropped.
 /// </summary>
 internal sealed class SubsampleCells
 {
@@ -15,6 +16,11 @@ internal sealed class SubsampleCells
 
     /// <summary>px: in cells that are wider, the columns of each row are found from the cell's sides.</summary>
     private const int WideCell = 4;
+
+    /// <summary>px: in cells that are smaller, no pixel is looked for whose samples all lie in one facet.</summary>
+    private const int LeastInner = 2;
+
+    private static readonly (double First, double Last) None = (double.PositiveInfinity, double.NegativeInfinity);
 
     private readonly double[] _limits = new double[4 * Lanes];
     private readonly NearPlaneCells _crossing = new();
@@ -139,13 +145,12 @@ internal sealed class SubsampleCells
         CellCorner southEast = new(block, index + FacetCorners.SouthEast);
         bool isWide = pixels.LastColumn - pixels.FirstColumn >= WideCell;
         CellSides sides = isWide ? new CellSides(northWest, northEast, southWest, southEast) : default;
-        Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
-        Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
+        bool hasInner = pixels.LastColumn - pixels.FirstColumn >= LeastInner && pixels.LastRow - pixels.FirstRow >= LeastInner;
+        InnerPixels innerSouthWest = hasInner ? new InnerPixels(northWest, southWest, southEast, band.Margin) : default;
+        InnerPixels innerNorthEast = hasInner ? new InnerPixels(northWest, southEast, northEast, band.Margin) : default;
         CellWinners winners = new();
-        ReadOnlySpan<double> sampleColumns = band.Columns;
-        ReadOnlySpan<double> sampleRows = band.Rows;
-        Span<double> nearest = band.InverseDepths;
-        int[] facets = band.Facets;
+        int southWestFacet = Band.NotRecorded;
+        int northEastFacet = Band.NotRecorded;
         for (int row = pixels.FirstRow; row <= pixels.LastRow; row++)
         {
             int begin = pixels.FirstColumn;
@@ -157,54 +162,106 @@ internal sealed class SubsampleCells
                 end = (int)Math.Min(end, last);
             }
 
+            (double First, double Last) ofSouthWest = None;
+            (double First, double Last) ofNorthEast = None;
+            if (hasInner)
+            {
+                ofSouthWest = (halves & FacetCorners.SouthWestHalf) != 0 ? innerSouthWest.At(row) : None;
+                ofNorthEast = (halves & FacetCorners.NorthEastHalf) != 0 ? innerNorthEast.At(row) : None;
+            }
+
             for (int column = begin; column <= end; column++)
             {
-                int vectors = band.VectorsOf(column, row);
-                if (vectors == 0)
+                if (band.VectorsOf(column, row) == 0)
                 {
                     continue;
                 }
 
-                int start = band.Starts[band.IndexOf(column, row)];
-                for (int sample = start; sample < start + (vectors * Lanes); sample += Lanes)
+                int pixel = band.IndexOf(column, row);
+                bool isInSouthWest = column >= ofSouthWest.First && column <= ofSouthWest.Last;
+                bool isInNorthEast = column >= ofNorthEast.First && column <= ofNorthEast.Last;
+                if (isInSouthWest)
                 {
-                    Vector512<double> x = ArrayLanes.Load(sampleColumns, sample);
-                    Vector512<double> y = ArrayLanes.Load(sampleRows, sample);
-                    CellEdges edges = new(
-                        Vector512.Create(northWest.X) - x,
-                        Vector512.Create(northWest.Y) - y,
-                        Vector512.Create(northEast.X) - x,
-                        Vector512.Create(northEast.Y) - y,
-                        Vector512.Create(southWest.X) - x,
-                        Vector512.Create(southWest.Y) - y,
-                        Vector512.Create(southEast.X) - x,
-                        Vector512.Create(southEast.Y) - y);
-                    Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(edges.MaxOfSouthWest, Vector512<double>.Zero);
-                    Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
-                    if ((inSouthWest | inNorthEast) == Vector512<double>.Zero)
+                    if (southWestFacet == Band.NotRecorded)
+                    {
+                        southWestFacet = winners.NumberOf(band.Records, block, index, half: 0);
+                        band.SetPlane(southWestFacet, FacetPlane.Of(northWest, southWest, southEast));
+                    }
+
+                    if (band.TryDrawWhole(column, row, pixel, southWestFacet))
                     {
                         continue;
                     }
-
-                    // As in CellRasterizer: a sample in both facets is on the diagonal, where both have the same depth.
-                    Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
-                    Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
-                    Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
-                    Vector512<double> atThird = Vector512.ConditionalSelect(
-                        inSouthWest, Vector512.Create(southWest.InverseDepth), Vector512.Create(northEast.InverseDepth));
-                    Vector512<double> inverseDepth = ((ofNorthWest * northWest.InverseDepth) + (ofSouthEast * southEast.InverseDepth)
-                        + (ofThird * atThird)) / (ofNorthWest + ofSouthEast + ofThird);
-                    Vector512<double> before = ArrayLanes.Load(nearest, sample);
-                    Vector512<double> wins = (inSouthWest | inNorthEast) & Vector512.GreaterThan(inverseDepth, before);
-                    if (wins == Vector512<double>.Zero)
-                    {
-                        continue;
-                    }
-
-                    Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(nearest, sample);
-                    winners.Store(band.Records, block, index, wins, inSouthWest, ref ArrayLanes.At(facets, sample));
                 }
+                else if (isInNorthEast)
+                {
+                    if (northEastFacet == Band.NotRecorded)
+                    {
+                        northEastFacet = winners.NumberOf(band.Records, block, index, half: 1);
+                        band.SetPlane(northEastFacet, FacetPlane.Of(northWest, southEast, northEast));
+                    }
+
+                    if (band.TryDrawWhole(column, row, pixel, northEastFacet))
+                    {
+                        continue;
+                    }
+                }
+
+                DrawSamples(block, index, halves, column, row, pixel, band, ref winners);
             }
+        }
+    }
+
+    /// <summary>Draws a cell in the samples of a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void DrawSamples(
+        ProjectedBlock block, int index, uint halves, int column, int row, int pixel, SubsampleBand band, ref CellWinners winners)
+    {
+        CellCorner northWest = new(block, index);
+        CellCorner northEast = new(block, index + FacetCorners.NorthEast);
+        CellCorner southWest = new(block, index + FacetCorners.SouthWest);
+        CellCorner southEast = new(block, index + FacetCorners.SouthEast);
+        Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
+        Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
+        int count = band.VectorsOf(column, row) * Lanes;
+        for (int first = 0; first < count; first += Lanes)
+        {
+            band.ReadPlaces(column, row, pixel, first, out Vector512<double> x, out Vector512<double> y);
+            CellEdges edges = new(
+                Vector512.Create(northWest.X) - x,
+                Vector512.Create(northWest.Y) - y,
+                Vector512.Create(northEast.X) - x,
+                Vector512.Create(northEast.Y) - y,
+                Vector512.Create(southWest.X) - x,
+                Vector512.Create(southWest.Y) - y,
+                Vector512.Create(southEast.X) - x,
+                Vector512.Create(southEast.Y) - y);
+            Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(edges.MaxOfSouthWest, Vector512<double>.Zero);
+            Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
+            if ((inSouthWest | inNorthEast) == Vector512<double>.Zero)
+            {
+                continue;
+            }
+
+            // As in CellRasterizer: a sample in both facets is on the diagonal, where both have the same depth.
+            Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
+            Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
+            Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
+            Vector512<double> atThird = Vector512.ConditionalSelect(
+                inSouthWest, Vector512.Create(southWest.InverseDepth), Vector512.Create(northEast.InverseDepth));
+            Vector512<double> inverseDepth = ((ofNorthWest * northWest.InverseDepth) + (ofSouthEast * southEast.InverseDepth)
+                + (ofThird * atThird)) / (ofNorthWest + ofSouthEast + ofThird);
+            band.Part(column, row, pixel);
+            int sample = band.Starts[pixel] + first;
+            Vector512<double> before = ArrayLanes.Load(band.InverseDepths, sample);
+            Vector512<double> wins = (inSouthWest | inNorthEast) & Vector512.GreaterThan(inverseDepth, before);
+            if (wins == Vector512<double>.Zero)
+            {
+                continue;
+            }
+
+            Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(band.InverseDepths, sample);
+            winners.Store(band.Records, block, index, wins, inSouthWest, ref ArrayLanes.At(band.Facets, sample));
         }
     }
 
@@ -224,15 +281,22 @@ internal sealed class SubsampleCells
         {
             for (int column = pixels.FirstColumn; column <= pixels.LastColumn; column++)
             {
-                int start = band.Starts[band.IndexOf(column, row)];
-                for (int sample = start; sample < start + (band.VectorsOf(column, row) * Lanes); sample += Lanes)
+                int pixel = band.IndexOf(column, row);
+                int count = band.VectorsOf(column, row) * Lanes;
+                for (int first = 0; first < count; first += Lanes)
                 {
-                    Vector512<double> x = ArrayLanes.Load(band.Columns, sample);
-                    Vector512<double> y = ArrayLanes.Load(band.Rows, sample);
+                    band.ReadPlaces(column, row, pixel, first, out Vector512<double> x, out Vector512<double> y);
                     Vector512<double> inverseDepth = Vector512.Create(atFirst) + (perColumn * x) + (perRow * y);
+                    Vector512<double> isInside = Vector512.LessThanOrEqual(edges.Outside(x, y), Vector512<double>.Zero);
+                    if (isInside == Vector512<double>.Zero)
+                    {
+                        continue;
+                    }
+
+                    band.Part(column, row, pixel);
+                    int sample = band.Starts[pixel] + first;
                     Vector512<double> before = ArrayLanes.Load(band.InverseDepths, sample);
-                    Vector512<double> wins = Vector512.LessThanOrEqual(edges.Outside(x, y), Vector512<double>.Zero)
-                        & Vector512.GreaterThan(inverseDepth, before);
+                    Vector512<double> wins = isInside & Vector512.GreaterThan(inverseDepth, before);
                     if (wins == Vector512<double>.Zero)
                     {
                         continue;
