@@ -6,8 +6,8 @@ classdef MsisfStream < handle
     %
     % The third argument has the options of all images, as JSON (docs/server.md); a fourth one is the token of the server, or ''. A fifth
     % one has several cameras, as a JSON list of what each has of its own, '[{"fov": 5, "quaternion": [0, 0, 0, 1], "offset": [0, 1, 0]}]'
-    % (docs/rigs.md): then an image is a cell array with that of each. Units: m, days (MJD, UTC); frame MOON_ME.
-    % docs/matlab.md says what was run in Octave and what was not in MATLAB.
+    % (docs/cameras.md): then an image is a cell array with that of each. Units: m, days (MJD, UTC); frame MOON_ME.
+    % docs/clients.md says what was run in Octave and what was not in MATLAB.
 
     properties (SetAccess = private)
         Width = 0;      % px, of each camera

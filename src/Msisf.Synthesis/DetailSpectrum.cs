@@ -26,7 +26,7 @@ internal static class DetailSpectrum
     private const double VisibleSlope = 0.97;
 
     // Slope power (tangent squared) that craters of one octave of diameters add, per crater in an area of diameter x diameter (measured,
-    // docs/synthetic-ldem.md).
+    // docs/elevation-models.md).
     private const double CraterSlopePower = 0.0108;
 
     // Minimum part of the slope power that is noise: craters are sparse, so there is noise between them even where they alone would meet

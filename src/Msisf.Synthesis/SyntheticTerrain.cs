@@ -7,7 +7,7 @@ namespace Msisf.Synthesis;
 /// A synthetic Moon: detail from a seed that is added to a base model below the base's own resolution, or to an invented global shape.
 /// Immutable and safe for several threads; each thread takes a <see cref="TileSynthesizer"/> of its own.
 /// </summary>
-/// <remarks>Method, sources and measurements: docs/synthetic-ldem.md.</remarks>
+/// <remarks>Method, sources and measurements: docs/elevation-models.md.</remarks>
 public sealed class SyntheticTerrain
 {
     /// <summary>Maximum resolution, samples a degree, as of NASA's finest product; the samples are then 30 m apart.</summary>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A GeoTIFF with as many pixels as is said, in a file of 59 MB (docs/elevation-formats.md).
+"""A GeoTIFF with as many pixels as is said, in a file of 59 MB (docs/surface.md).
 
     large_raster.py SIDE FILE.tif
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How much of a map is lit alone and in a model of the whole Moon (docs/elevation-seams.md).
+"""How much of a map is lit alone and in a model of the whole Moon (docs/surface.md).
 
     nested_light.py MSIS LDEM_4.LBL NPC_final_adj_5mpp_surf_piece_2km_2_1.tif
 

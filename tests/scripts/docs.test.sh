@@ -1,6 +1,8 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
+english() { python3 -B "$MSISF_TESTED_ROOT/tests/scripts/english.py" "$@"; }
+
 links() { python3 -B "$MSISF_TESTED_ROOT/tests/scripts/links.py" "$@"; }
 
 test_docs_links_lead_somewhere_and_every_page_is_reached() {
@@ -31,6 +33,40 @@ PAGE
     assert_code 1
     assert_same "$output" "$(printf '%s\n' 'README.md: c.md: there is no such file' 'README.md: c.png: there is no such file' \
         'README.md: d.png: there is no such file' 'README.md: b.md#gone: there is no such heading' 'lonely.md: no link leads here from README.md')"
+}
+
+# shellcheck disable=SC2016 # backticks of Markdown
+test_docs_long_sentences_and_foreign_wording_are_found() {
+    need python3
+    {
+        echo '# A page'
+        echo
+        for _ in $(seq 99); do printf 'This is a short sentence with `code` in it. '; done
+        # 30 words with a quantity and code as one each, then 31
+        printf 'A sentence of %sten words, 5 km and `--option 7` ends here. ' "$(printf 'very %.0s' $(seq 20))"
+        printf 'A sentence of %sten words, 5 km and `--option 7` ends here.\n' "$(printf 'very %.0s' $(seq 21))"
+    } >good.md
+    run english good.md
+    assert_code 0
+    assert_same "$output" '1 of 101 sentences have more than 30 words (1.0 %, at most 3 %)'
+    run english --all good.md
+    assert_says 'good.md:3: 31 words: A sentence of very'
+
+    printf '\n| a cell | Of each cell the middle counts. |\n\n- The ground that stands there.\n- There is no file, and no data; stands for it.\n- Nothing else.\n' >>good.md
+    printf '%s\n' '```' 'Of this block nothing counts.' '```' '- The value is no height.' '## Unreleased' 'Else it is left out.' '## 1.0' 'Else it was.' >>good.md
+    run english good.md
+    assert_code 1
+    assert_same "$(printf '%s\n' "$output" | cut -d : -f 2,4)" "$(printf '%s\n' \
+        '5: Of each cell the middle counts.' '7: The ground that stands there.' '13: The value is no height.' \
+        '15: Else it is left out.' '17: Else it was.' '1 of 107 sentences have more than 30 words (0.9 %, at most 3 %)')"
+    run english 'good.md#Unreleased'
+    assert_code 1
+    assert_same "$(printf '%s\n' "$output" | head -n 1 | cut -d : -f 2,4)" '15: Else it is left out.'
+
+    for _ in 1 2 3 4; do printf 'A sentence of %sten words, 5 km and `--option 7` ends here.\n' "$(printf 'very %.0s' $(seq 41))"; done >long.md
+    run english long.md
+    assert_code 1
+    assert_says 'long.md:4: 51 words: A sentence'
 }
 
 test_docs_drawings_are_those_of_the_code() {

@@ -91,7 +91,7 @@ class Flyby:
             [camera.message() for camera in (cameras or [self.CAMERA])], EPOCH if first else None)
 
     def state(self, seconds, camera):
-        """Position, matrix of Moon axes from the camera's, Sun; as docs/basilisk.md has them."""
+        """Position, matrix of Moon axes from the camera's, Sun; as docs/clients.md has them."""
         moon, moon_from_n, place, craft_from_n = self.at(seconds)
         position = moon_from_n @ (place - moon + craft_from_n.T @ camera.position)
         return position, moon_from_n @ craft_from_n.T @ camera.camera_from_craft.T, moon_from_n @ (self.SUN - moon)
@@ -168,7 +168,7 @@ def test_bytes_of_the_note():
 
 
 def test_axes(server):
-    """Each arrow of docs/basilisk.md: what lies right, down and ahead of a camera stands there in the image."""
+    """Each arrow of docs/clients.md: what lies right, down and ahead of a camera stands there in the image."""
     moon, radius = np.array([1e9, 2e9, -3e9]), 1737.4e3
     viz = VizInterface(server.address)
     cv2 = pytest.importorskip("matplotlib.image")

@@ -1,4 +1,4 @@
-// Images of the Moon from a server (msis serve), for C++17 on POSIX systems. One header, no library; docs/cpp.md says how it is used.
+// Images of the Moon from a server (msis serve), for C++17 on POSIX systems. One header, no library; docs/clients.md says how it is used.
 // Units: m, rad, days (MJD, UTC); frame MOON_ME. No class here is for several threads at once.
 #ifndef MSISF_HPP
 #define MSISF_HPP
@@ -435,7 +435,7 @@ class Server {
 class Stream {
   public:
     /// frame: the options of all images, as JSON, without a state.
-    /// cameras: several, as a JSON list of what each has of its own, e.g. {"fov": 5, "quaternion": [...], "offset": [...]} (docs/rigs.md);
+    /// cameras: several, as a JSON list of what each has of its own, e.g. {"fov": 5, "quaternion": [...], "offset": [...]} (docs/cameras.md);
     /// render_all() has the image of each.
     Stream(const Server& server, const std::string& frame, const std::string& cameras = "")
         : connection_(server.address(), server.seconds()) {

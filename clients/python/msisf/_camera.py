@@ -25,7 +25,7 @@ class Camera:
 
 @dataclass(frozen=True)
 class Mounted:
-    """A camera of a rig: how it sits on the body whose states are sent (docs/rigs.md).
+    """A camera of a rig: how it sits on the body whose states are sent (docs/cameras.md).
 
     Attributes:
         camera: A Camera, the name of a preset, or a mapping with the keys of a camera file.

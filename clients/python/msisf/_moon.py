@@ -134,7 +134,7 @@ class Moon:
         """Draws an image with each of several cameras, in one request.
 
         Args:
-            cameras: All where the state is, or, as ``Mounted``, on the body whose state it is (docs/rigs.md).
+            cameras: All where the state is, or, as ``Mounted``, on the body whose state it is (docs/cameras.md).
             position, orientation_xyz0, time, states, look_at, nadir, layers, options: As for ``render``.
 
         The frames are in the order of the cameras. ``locate`` and ``visible`` can't be asked of a camera that scans.

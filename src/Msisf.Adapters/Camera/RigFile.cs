@@ -5,7 +5,7 @@ using Msisf.Core.Metadata;
 
 namespace Msisf.Adapters.Camera;
 
-/// <summary>What a rig file says (docs/rigs.md): several cameras on one body.</summary>
+/// <summary>What a rig file says (docs/cameras.md): several cameras on one body.</summary>
 /// <param name="Path">Where it is.</param>
 /// <param name="Cameras">The cameras, at least one, in the order of the file.</param>
 /// <param name="Input">The file as one of those that an image is made from.</param>

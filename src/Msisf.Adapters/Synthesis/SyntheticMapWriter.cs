@@ -13,7 +13,7 @@ public static class SyntheticMapWriter
 
     /// <summary>
     /// Degrees: the lowest latitude of a map that continues a base model. Its corners then reach to 75.9 degrees, where the detail's means
-    /// over the base's pixels, which are those of another grid, are hardly taken off any more (docs/synthetic-ldem.md, Polar caps).
+    /// over the base's pixels, which are those of another grid, are hardly taken off any more (docs/elevation-models.md, Polar caps).
     /// </summary>
     public const double LowestLatitudeWithBase = 80.0;
 

@@ -21,7 +21,8 @@ internal static class BodyChoice
         {
             throw SurfaceOptions.Body.Wrong(
                 $"{body.Name.ToLowerInvariant()} can't be drawn from {raster}: rasters that GDAL reads are of the Moon only. Give a PDS3 "
-                    + $"model whose label has TARGET_NAME = {body.CapitalName}, as docs/other-bodies.md describes.", SurfaceOptions.Ldem);
+                    + $"model whose label has TARGET_NAME = {body.CapitalName}, as docs/elevation-models.md describes.",
+                SurfaceOptions.Ldem);
         }
     }
 

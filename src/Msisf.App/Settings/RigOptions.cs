@@ -14,8 +14,8 @@ internal static class RigOptions
 
     public static PathSpec Rig { get; } = new(
         "--rig", DecidesBytes.ByStatesOfRun, PathKind.File,
-        "Several cameras on one body (docs/rigs.md), in place of --camera: each state is the body's, and each camera draws an image of it. "
-            + "{camera} in --output-name stands for its name");
+        "Several cameras on one body (docs/cameras.md), in place of --camera: each state is the body's, and each camera draws an image of "
+            + "it. {camera} in --output-name stands for its name");
 
     /// <summary>The options that a camera of a rig may have, by their keys.</summary>
     public static IReadOnlyList<OptionSpec> OfCamera =>

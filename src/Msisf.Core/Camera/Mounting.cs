@@ -60,7 +60,7 @@ public sealed record MountedCamera(string Name, Mounting Mounting)
         text.Length is > 0 and <= LongestName && text.All(letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '_');
 }
 
-/// <summary>One of several cameras on a body (docs/rigs.md). Immutable.</summary>
+/// <summary>One of several cameras on a body (docs/cameras.md). Immutable.</summary>
 /// <param name="Index">Which one it is, from 0.</param>
 public sealed record RigCamera(IReadOnlyList<MountedCamera> Cameras, int Index)
 {

@@ -15,7 +15,7 @@ public sealed class DetailRule
     /// </summary>
     public const double DefaultErrorOfImage = 0.35;
 
-    /// <summary>px: the default error where each part of the surface has a level of its own. Measured (docs/scene-selection.md).</summary>
+    /// <summary>px: the default error where each part of the surface has a level of its own. Measured (docs/surface.md).</summary>
     public const double DefaultErrorOfParts = 0.33;
 
     private const double ErrorsPerCell = 2.0;

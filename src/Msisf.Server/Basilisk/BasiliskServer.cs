@@ -8,7 +8,7 @@ using NetMQ.Sockets;
 namespace Msisf.Server.Basilisk;
 
 /// <summary>
-/// Answers what Basilisk's vizInterface asks Vizard in lock-step (docs/basilisk.md). Each simulation is a peer of its own: several may
+/// Answers what Basilisk's vizInterface asks Vizard in lock-step (docs/clients.md). Each simulation is a peer of its own: several may
 /// run at once.
 /// </summary>
 internal sealed class BasiliskServer : IAsyncDisposable

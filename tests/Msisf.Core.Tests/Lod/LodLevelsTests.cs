@@ -69,7 +69,7 @@ public sealed class LodLevelsTests
     [Fact]
     public void ReadRadii_DeepestLevel_IsWithinTheStatedRounding()
     {
-        const double Bound = 4 / 2048.0; // m: 2^-11 a level, docs/elevation-formats.md
+        const double Bound = 4 / 2048.0; // m: 2^-11 a level, docs/surface.md
         FunctionGrid source = new(16, (line, sample) => 1_737_400.0 + (4999.0 * Math.Sin((line * 0.01) + (sample * 0.7))));
         double[] radius = new double[1];
         LodLevels.Open(source).Level(4).ReadRadii(40, 200, radius);

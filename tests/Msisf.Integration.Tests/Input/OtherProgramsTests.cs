@@ -17,7 +17,7 @@ namespace Msisf.Integration.Tests.Input;
 
 /// <summary>
 /// States in the habits of other programs are those that numpy and CSPICE say (tests/reference/states.py), and the recipes of
-/// docs/states.md, as they stand there, make them.
+/// docs/missions.md, as they stand there, make them.
 /// </summary>
 public sealed partial class OtherProgramsTests : IDisposable
 {
@@ -29,6 +29,8 @@ public sealed partial class OtherProgramsTests : IDisposable
 
     /// <summary>s: an MJD in a double is right to 0.6 microseconds, ISO times are written to 1.</summary>
     private const double Seconds = 3e-6;
+
+    private static readonly string Page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "missions.md"));
 
     private readonly TemporaryFolder _folder = new();
 
@@ -147,7 +149,7 @@ public sealed partial class OtherProgramsTests : IDisposable
 
     private static string[] Blocks(string language) =>
     [
-        .. Block().Matches(File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "states.md")))
+        .. Block().Matches(Page[Page.IndexOf("## States as a batch file", StringComparison.Ordinal)..])
             .Where(match => match.Groups[1].Value == language).Select(match => match.Groups[2].Value),
     ];
 

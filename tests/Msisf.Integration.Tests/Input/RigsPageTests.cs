@@ -4,7 +4,7 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Input;
 
-/// <summary>The rig file and the command of docs/rigs.md as they stand there, without invented detail.</summary>
+/// <summary>The rig file and the command of docs/cameras.md as they stand there, without invented detail.</summary>
 public sealed partial class RigsPageTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -15,8 +15,9 @@ public sealed partial class RigsPageTests : IDisposable
     [RequiresFact(Part.Ldem4)]
     public void Page_Rig_IsDrawn()
     {
-        string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "rigs.md"));
-        string[] blocks = [.. Blocks().Matches(page).Select(match => match.Groups[1].Value)];
+        string page = File.ReadAllText(Path.Combine(TestParts.RepositoryRoot, "docs", "cameras.md"));
+        string rigs = page[page.IndexOf("## Several cameras on one body", StringComparison.Ordinal)..];
+        string[] blocks = [.. Blocks().Matches(rigs).Select(match => match.Groups[1].Value)];
         string rig = _folder.Write("lander.yaml", blocks[0]);
         string[] words = [.. Words().Matches(blocks[1].Replace("\\\n", " ", StringComparison.Ordinal))
             .Select(match => match.Value.Trim('\''))];

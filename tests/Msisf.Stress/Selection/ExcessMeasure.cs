@@ -15,7 +15,7 @@ namespace Msisf.Stress.Selection;
 /// <param name="firstCamera">Number of the first of its <see cref="CameraCases"/>.</param>
 internal sealed class ExcessMeasure(JudgedMoon moon, ElevationSummary summary, int firstCamera) : IMeasure<ExcessMeasure>
 {
-    /// <summary>Kept over seen, of all cameras together: what docs/scene-selection.md states, with room for other cameras.</summary>
+    /// <summary>Kept over seen, of all cameras together: what docs/surface.md states, with room for other cameras.</summary>
     private const double TotalLimit = 1.15;
 
     /// <summary>Pixels of the image, for the camera's sake.</summary>

@@ -5,7 +5,7 @@ namespace Msisf.Stress.Selection;
 /// <summary>The selection of tiles for random cameras: nothing missed, and how many too many.</summary>
 public sealed class SelectionStress : IStressTest
 {
-    /// <summary>Number of the first camera: those of docs/scene-selection.md were others.</summary>
+    /// <summary>Number of the first camera: those of docs/surface.md were others.</summary>
     private const int FirstCamera = 100_000;
 
     /// <inheritdoc/>

@@ -1,4 +1,4 @@
-"""The functions of spiceypy that docs/states.md uses, straight on CSPICE by ctypes: its recipe runs where spiceypy is missing.
+"""The functions of spiceypy that docs/missions.md uses, straight on CSPICE by ctypes: its recipe runs where spiceypy is missing.
 
 CSPICE is the library that the environment variable MSISF_CSPICE names.
 """

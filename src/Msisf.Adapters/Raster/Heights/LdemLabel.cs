@@ -61,7 +61,7 @@ public sealed record LdemLabel(
     /// <summary>Other files with samples, of a raster that names them, such as a VRT.</summary>
     public IReadOnlyList<string> OtherFiles { get; init; } = [];
 
-    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
+    /// <summary>Whether this is a synthetic product (docs/elevation-models.md).</summary>
     public bool IsSynthetic => ProductId.Contains(SyntheticMark, StringComparison.Ordinal);
 
     /// <summary>The samples are 16-bit integers.</summary>

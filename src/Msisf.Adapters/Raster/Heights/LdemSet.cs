@@ -29,7 +29,7 @@ public sealed class LdemSet
     /// <summary>m: radius of the sphere over which heights are counted.</summary>
     public double ReferenceRadius => Parts[0].ReferenceRadius;
 
-    /// <summary>Whether this is a synthetic product (docs/synthetic-ldem.md).</summary>
+    /// <summary>Whether this is a synthetic product (docs/elevation-models.md).</summary>
     public bool IsSynthetic => Parts.Any(part => part.IsSynthetic);
 
     /// <summary>The label's path; of a split product the folder of the first label.</summary>

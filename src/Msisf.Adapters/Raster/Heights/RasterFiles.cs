@@ -98,7 +98,7 @@ public static class RasterFiles
 
 /// <summary>
 /// Products whose files do not say all that is needed to read their heights; the name says it. From the products' documents: the files
-/// themselves were not at hand (docs/elevation-formats.md).
+/// themselves were not at hand (docs/surface.md).
 /// </summary>
 internal static class RasterProducts
 {

@@ -6,7 +6,7 @@ namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). The thesis intersects a ray for each
-/// pixel with a sphere; this version works with bounds of the real surface and misses no tile (docs/scene-selection.md).
+/// pixel with a sphere; this version works with bounds of the real surface and misses no tile (docs/surface.md).
 /// </summary>
 public static class Dspsa
 {

@@ -7,7 +7,7 @@ namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// Chooses the parts of the surface that an image needs, and how fine they are: parts of the tiles that <see cref="Dspsa"/> keeps, each
-/// at the coarsest level of detail that the image does not show (docs/scene-selection.md). Safe for several threads.
+/// at the coarsest level of detail that the image does not show (docs/surface.md). Safe for several threads.
 /// </summary>
 public sealed class PartSelector
 {

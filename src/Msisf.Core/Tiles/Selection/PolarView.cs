@@ -17,7 +17,7 @@ internal readonly record struct PolarPoint(double East, double North, double Ris
 /// <summary>
 /// The Moon in half planes about the axis from its centre to a viewpoint (the camera or the Sun). In such a half plane the surface is a
 /// profile with one radius for each angle from the axis, and a ray from the viewpoint has one slope: metres along the axis over metres
-/// across. The ray is under the surface at an angle exactly when the profile's slope there is greater (docs/scene-selection.md).
+/// across. The ray is under the surface at an angle exactly when the profile's slope there is greater (docs/surface.md).
 /// </summary>
 internal sealed class PolarView
 {
