@@ -66,7 +66,7 @@ test_docs_long_sentences_and_foreign_wording_are_found() {
     for _ in 1 2 3 4; do printf 'A sentence of %sten words, 5 km and `--option 7` ends here.\n' "$(printf 'very %.0s' $(seq 41))"; done >long.md
     run english long.md
     assert_code 1
-    assert_says 'long.md:4: 51 words: A sentence'
+    assert_says 'long.md:1: 51 words: A sentence'
 }
 
 test_docs_drawings_are_those_of_the_code() {
