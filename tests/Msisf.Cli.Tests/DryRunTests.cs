@@ -161,7 +161,9 @@ public sealed class DryRunTests : IDisposable
         Assert.Equal(elevation, Number("sun_elevation_deg"), SunTolerance);
     }
 
-    /// <summary>The line of sight ends at the terrain, where the drawn image has its middle pixel, and not kilometres away on the sphere.</summary>
+    /// <summary>
+    /// The line of sight ends at the terrain, where the drawn image has its middle pixel, and not kilometres away on the sphere.
+    /// </summary>
     [RequiresFact(Part.Ldem4)]
     public void DryRun_ObliqueView_LooksAtTheTerrainThatIsDrawn()
     {

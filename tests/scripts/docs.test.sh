@@ -35,6 +35,13 @@ PAGE
         'README.md: d.png: there is no such file' 'README.md: b.md#gone: there is no such heading' 'lonely.md: no link leads here from README.md')"
 }
 
+test_docs_sentences_are_short_and_idiomatic() {
+    need python3
+    cd "$MSISF_TESTED_ROOT" || exit
+    run english README.md docs/*.md 'CHANGELOG.md#Unreleased'
+    assert_code 0
+}
+
 # shellcheck disable=SC2016 # backticks of Markdown
 test_docs_long_sentences_and_foreign_wording_are_found() {
     need python3

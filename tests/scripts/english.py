@@ -22,7 +22,7 @@ LINK = re.compile(r"\[([^\]]*)\]\([^)]*\)")
 MATHS = re.compile(r"\S*[=<>^*/+]\S*?(?=[.,;:)]*(\s|$))")
 QUANTITY = re.compile(r"(?<![\w.])[-+]?\d[\d.,]*( to | x )?([\d.,]*\d)? (px|m|km|mm|nm|s|ms|h|us|MB|GB|TB|kB|bytes|degrees|%|bits?|levels)\b")
 SHORTENED = re.compile(r"\b(e\.g|i\.e|etc|cf|vs|al|Fig|fig|eq|Eq|No|no|St|Dr|R|approx)\.(?= )")
-END = re.compile(r"(?<=[.!?])[)\"'*]*\s+(?=[\"'(*]*([A-Z0-9`-]|msis\b))")
+END = re.compile(r"(?<=[^.][.!?])[)\"'*]*\s+(?=\S)")
 
 # What a reader stumbles over, and what to write. Words in code do not count.
 PATTERNS = [
@@ -30,7 +30,7 @@ PATTERNS = [
     (re.compile(r"(?<![Tt]here )(?<![Hh]ere )\b(is|was|are|were) no (?!longer|more than|less than|fewer than|one |data)\w"), "'is not a ...'"),
     (re.compile(r"\bbelongs? to no\b"), "'does not belong to any'"),
     (re.compile(r"(?<!thing )(?<!where )(?<!one )(?<!body )(?<!hat )(?<!ho )(?<!here )\belse\b(?!')", re.IGNORECASE), "'otherwise'"),
-    (re.compile(r"\b(stands?|stood)\b(?! (for|out|alone|up|in for))"), "'is'"),
+    (re.compile(r"\b(stands?|stood)\b(?! (for|out|alone|up|still|in for))"), "'is'"),
     (re.compile(r"\b(is|are|was|were) told\b"), "say who tells, or 'a note says'"),
     (re.compile(r"\bwhat there is of\b", re.IGNORECASE), "name the thing"),
     (re.compile(r"\btak(es?|ing) (it|them) away\b"), "'removes'"),
@@ -83,6 +83,7 @@ def passages(text):
 def sentences(text):
     """(line, sentence) of a page, each piece of code, each formula and each quantity with its unit one word."""
     for line, passage in passages(text):
+        passage = passage.replace(" (default: ", ". (Default: ")  # in tables of options
         plain = LINK.sub(r"\1", IMAGE.sub(r"\1", CODE.sub("CODE", passage))).replace("**", "")
         plain = QUANTITY.sub("QUANTITY", SHORTENED.sub(r"\1", MATHS.sub("X", plain)))
         start = 0

@@ -17,12 +17,12 @@ internal static partial class AlbedoOptions
             frame => frame.Settings.Albedo.NamesOfSeveral ?? (object?)frame.Map?.Name ?? (frame.MayHaveMap ? NoMap : null)),
         PathKind.Any,
         "Map of the Moon's reflectance: a PDS3 image (WAC_EMP, WAC_HAPKE, ...; of several tiles one, or their folder), or an image that "
-            + "GDAL reads; none for no map; given several times, the finest map wins where it has data, behind whose path "
+            + "GDAL reads; none for no map; given several times, the finest map wins where it has data. Behind its path "
             + ",factor=auto makes it as bright as the map around it (unless its values are known), ,factor=F multiplies it, and "
-            + "the properties of --albedo-map-properties may stand")
+            + "the properties of --albedo-map-properties are possible")
     {
         TakesSeveral = true,
-        DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; else none",
+        DefaultNote = "the one in ./input/albedo, then in the installation, with --reflectance moon; otherwise none",
     };
 
     public static TextSpec Properties { get; } = new(

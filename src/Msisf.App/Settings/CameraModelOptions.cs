@@ -31,7 +31,7 @@ internal static class CameraModelOptions
 
     public static CommandSpec Command { get; } = new("camera-model", "Write the camera of an image that is there for other programs.")
     {
-        Details = "The files stand beside the meta files, and are printed. docs/camera-export.md says what each holds.",
+        Details = "The files are written beside the meta files, and are printed. docs/camera-export.md says what each holds.",
         MakeArgument = () => new ArgumentSpec("META", "Meta files (.xml) of images") { TakesSeveralWords = true },
         Examples =
             [("For ISIS and the Ames Stereo Pipeline:", "msis camera-model output/MoonSurfIllumSim_step_00001.xml --to csm")],

@@ -93,8 +93,8 @@ internal static class CameraOptions
 
     public static FlagSpec Normalize { get; } = new(
         "--normalize", DecidesBytes.ByStates,
-        "Take quaternions and matrices of few decimals (2 or more), and make them rotations; their length must else be 1 "
-            + "within 1e-6");
+        "Take quaternions and matrices of few decimals (2 or more), and make them rotations; otherwise their length must "
+            + "be 1 within 1e-6");
 
     public static NumberListSpec Motion { get; } = new(
         "--motion", DecidesBytes.ByStates,

@@ -42,7 +42,7 @@ internal static class CommandTable
     {
         Details =
             "Looks at the length of each file. A line for each image that is not complete (step, name, state, reason; "
-                + "separated by tabs), then a summary; exit code 0 if all are well, else 5.",
+                + "separated by tabs), then a summary; exit code 0 if all are well, otherwise 5.",
         MakeArgument = () => FolderOptions.Folder,
         MakeGroups = () => [General with { Options = [FolderOptions.PrintFrames, .. General.Options] }],
     };
@@ -124,8 +124,8 @@ internal static class CommandTable
 
     public static CommandSpec Pyramid { get; } = new("pyramid", "Write a model's coarser levels into a file beside it.")
     {
-        Details = "Far views of fine models then need not read the whole model. Of a large map that GDAL reads, bounds and one "
-            + "coarser level are kept, which the first run with it would else find.",
+        Details = "Far views of fine models then need not read the whole model. For a large map that GDAL reads, bounds and "
+            + "one coarser level are kept, which otherwise the first run with it finds.",
         MakeArgument = () => ModelOptions.Model,
         Examples =
         [

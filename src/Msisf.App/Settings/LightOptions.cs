@@ -28,7 +28,7 @@ internal static class LightOptions
         "What computes the Sun's position")
     {
         Default = EphemerisChoice.Auto,
-        DefaultNote = "auto: CSPICE if its library loads, else built-in",
+        DefaultNote = "auto: CSPICE if its library loads, otherwise built-in",
     };
 
     public static ChoiceSpec<Aberration> Aberration { get; } = new(

@@ -66,7 +66,7 @@ internal static class NativeOptions
     public static NumberSpec Exposure { get; } = new(
         "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), "X", "Linear grey of a radiance factor of 1, where 1 is white")
     {
-        DefaultNote = Invariant($"{ExposureOfMoon} for moon, nac and hapke with w, else {ExposureOfOtherLaws}"),
+        DefaultNote = Invariant($"{ExposureOfMoon} for moon, nac and hapke with w, otherwise {ExposureOfOtherLaws}"),
     };
 
     public static ChoiceSpec<GreyTransfer> Transfer { get; } = new(

@@ -46,7 +46,7 @@ internal static class ScanOptions
         "With --trajectory: positions by a polynomial of degree 7 through eight samples, through four and their velocities, or by straight "
             + "lines")
     {
-        DefaultNote = "hermite where the file has velocities, else lagrange",
+        DefaultNote = "hermite where the file has velocities, otherwise lagrange",
     };
 
     public static ChoiceSpec<AttitudePath> Attitudes { get; } = new(
@@ -55,7 +55,7 @@ internal static class ScanOptions
         "With --trajectory: attitudes by turns at a constant rate from sample to sample, by squad, whose rate does not jump, or by cubic "
             + "polynomials with the samples' angular velocities")
     {
-        DefaultNote = "hermite where the file has angular velocities, else slerp",
+        DefaultNote = "hermite where the file has angular velocities, otherwise slerp",
     };
 
     /// <summary>The options that say how an image is scanned.</summary>

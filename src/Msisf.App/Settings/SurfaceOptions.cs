@@ -19,7 +19,7 @@ internal static class SurfaceOptions
     {
         Aliases = ["-r"],
         Default = 4,
-        DefaultNote = "that of the file that --ldem names, else 4",
+        DefaultNote = "that of the file that --ldem names, otherwise 4",
     };
 
     public static PathSpec Ldem { get; } = new(

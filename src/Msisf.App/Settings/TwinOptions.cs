@@ -12,7 +12,7 @@ internal static class TwinOptions
         "--image-band", OptionRole.HowItRuns, "K", 1, MostBands, "Band of the real image, from 1")
     {
         IsOfOneCall = true,
-        DefaultNote = "the one nearest to --band by the label's wavelengths, else the first",
+        DefaultNote = "the one nearest to --band by the label's wavelengths, otherwise the first",
     };
 
     public static TextSpec Lines { get; } = new(

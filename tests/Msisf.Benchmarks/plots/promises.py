@@ -52,7 +52,8 @@ def table(rows):
         found = text_of(row["worst"], row["unit"]) + (" (**missed**)" if row["verdict"] == "missed" else "")
         lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | [{test}](benchmark/accuracy-tables.md#{test}) | {int(row['cases']):,} |")
     verdicts = [row["verdict"] for row in rows]
-    return [*lines, "", f"Of all {verdicts.count('met') + verdicts.count('missed')} limits {verdicts.count('met')} are met, {verdicts.count('missed')} missed."]
+    met, missed = verdicts.count("met"), verdicts.count("missed")
+    return [*lines, "", f"{met} of {met + missed} limits are met, {missed} missed."]
 
 
 def main(path, folder):
