@@ -1,36 +1,14 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
-
-# need_part NAME CONDITION...: skips the test, by the name of the part, where the condition does not hold.
-need_part() {
-    local name=$1
-    shift
-    "$@" || {
-        echo "missing: $name"
-        exit 77
-    }
-}
-
-# run_page PAGE CLONE: with the system's Python, which is the one that has NumPy.
-run_page() { /usr/bin/python3 -B "$MSISF_TESTED_ROOT/tests/scripts/page.py" "$@"; }
-
-# part_is_here PART: what quickstart.sh would otherwise install.
-part_is_here() (
-    . "$MSISF_TESTED_ROOT/scripts/lib/common.sh"
-    . "$MSISF_TESTED_ROOT/scripts/lib/packages.sh"
-    part_is_here "$1"
-)
+. "$MSISF_TESTED_ROOT/tests/scripts/pages.sh"
 
 test_first_day_every_command_of_the_page_prints_what_the_page_shows() {
     local part
     for part in povray cfitsio downloader certificates; do
         need_part "$part" part_is_here "$part"
     done
-    need_part NumPy /usr/bin/python3 -c 'import numpy'
-    need_part LDEM_4 test -f "$MSISF_TESTED_ROOT/input/ldem/LDEM_4.IMG"
-    need_part 'program, run scripts/build.sh' test -x "$MSISF_TESTED_ROOT/publish/msis"
-    export HOME=$PWD/home PATH="$PWD/home/.local/bin:$PATH"
-    unset XDG_CONFIG_HOME
+    need_program_of_pages
+    export PATH="$PWD/home/.local/bin:$PATH"
     mkdir work
     cd work || exit
     run run_page "$MSISF_TESTED_ROOT/docs/first-day.md" "$MSISF_TESTED_ROOT"
