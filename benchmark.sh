@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Measures run time against error of both renderers, with the thesis's own way as the base line of the same run; writes what it
-# found into docs/performance.md, docs/benchmark/performance-tables.md and docs/scaling.md, and all figures and plots into docs/benchmark/.
+# found into docs/performance.md, and all tables, figures and plots into tests/Msisf.Benchmarks/results/.
 # As root, or as a user with sudo. Under 20 minutes, and a quarter of an hour and 6 GB more in benchmark/ at the first run. Leave
 # the machine alone meanwhile.
 #     ./benchmark.sh [--quick] [--scenes NAME,...] [--micro] [--stress [--quick] [--tests NAME,...]] [--validate [LABEL...]]
 # --quick: LDEM_4 only, few repeats, to see that it works. --scenes: these only (far-4, nadir-64, ..., from-nothing, sequence, descent).
 # With one of the two the results stay in benchmark/, and docs/ is left alone.
 # --micro: micro-benchmarks of single parts instead, into benchmark/micro/.
-# --stress: the stress tests at full length instead, into docs/accuracy.md, docs/benchmark/accuracy-tables.md and docs/benchmark/; with
+# --stress: the stress tests at full length instead, into docs/accuracy.md and tests/Msisf.Benchmarks/results/; with
 # --quick at everyday length, with --tests only those; then docs/ is left alone.
 # --validate: the comparison with a real LROC image instead, into docs/validation.md and docs/validation/, where the image is. With labels
 # of real images behind it (docs/twin.md) only a line for each of them, into the table of that page.
@@ -118,7 +118,7 @@ if [ -n "$is_stress" ]; then
     else
         /usr/bin/python3 -B tests/Msisf.Benchmarks/plots/promises.py "$folder/stress.csv" "$folder"
         publish_stress "$folder"
-        say 'The tables are in docs/accuracy.md and docs/benchmark/accuracy-tables.md, figures and plots in docs/benchmark/.'
+        say 'The promises are in docs/accuracy.md; tables, figures and plots in tests/Msisf.Benchmarks/results/.'
     fi
     exit 0
 fi
@@ -138,5 +138,5 @@ if [ -n "$is_partial" ]; then
     say "The tables and plots are in $folder/; docs/ is as it was."
 else
     publish_performance "$folder"
-    say 'The conclusions are in docs/performance.md and docs/scaling.md, the tables in docs/benchmark/performance-tables.md, all figures and plots in docs/benchmark/.'
+    say 'The conclusions are in docs/performance.md; tables, figures and plots in tests/Msisf.Benchmarks/results/.'
 fi

@@ -1,8 +1,6 @@
 # shellcheck shell=bash
 # Sourced by benchmark.sh after common.sh and data.sh: the models that it measures on, and where its tables go.
 
-begin_mark='<!-- benchmark.sh: begin -->'
-end_mark='<!-- benchmark.sh: end -->'
 
 # make_model FOLDER NAME BASE SYNTHESIZE-OPTIONS...: once; a synthetic model that continues BASE downwards, in integers as NASA's.
 make_model() {
@@ -17,15 +15,15 @@ make_model() {
 # publish_performance FOLDER: what a whole run has left there goes into the docs; plots of scenes that are no more go out.
 publish_performance() {
     replace_block docs/performance.md "$1/summary.md"
-    replace_block docs/benchmark/performance-tables.md "$1/tables.md"
-    replace_block docs/scaling.md "$1/scaling.md"
-    rm -f docs/benchmark/front-*.svg
-    cp "$1"/{figures,targets,front}.csv "$1"/{time,error,memory}.svg "$1"/front-*.svg docs/benchmark/
+    replace_block docs/performance.md "$1/scaling.md" series
+    replace_block tests/Msisf.Benchmarks/results/performance-tables.md "$1/tables.md"
+    rm -f tests/Msisf.Benchmarks/results/front-*.svg
+    cp "$1"/{figures,targets,front}.csv "$1"/{time,error,memory}.svg "$1"/front-*.svg tests/Msisf.Benchmarks/results/
 }
 
-# replace_block FILE BLOCK: puts the text of BLOCK between the two marks of FILE, which stay.
+# replace_block FILE BLOCK [NAME]: puts the text of BLOCK between the two marks of FILE, which stay; NAME is in the marks where a page has several.
 replace_block() {
-    local file=$1 fresh=$1.partial
+    local file=$1 fresh=$1.partial begin_mark="<!-- benchmark.sh: ${3:+$3 }begin -->" end_mark="<!-- benchmark.sh: ${3:+$3 }end -->"
     [ "$(grep -Fx -e "$begin_mark" -e "$end_mark" "$file")" = "$begin_mark"$'\n'"$end_mark" ] ||
         die "$file needs the lines $begin_mark and $end_mark, each once and in this order: the text stays in $2"
     {
@@ -70,7 +68,7 @@ validate() {
 # publish_stress FOLDER: what a run of the stress tests has left there goes into the docs; plots of tests that are no more go out.
 publish_stress() {
     replace_block docs/accuracy.md "$1/promises.md"
-    replace_block docs/benchmark/accuracy-tables.md "$1/tables.md"
-    rm -f docs/benchmark/stress_*.svg
-    cp "$1"/stress.csv "$1"/stress_machine.csv "$1"/stress_series.csv "$1"/stress_*.svg docs/benchmark/
+    replace_block tests/Msisf.Benchmarks/results/accuracy-tables.md "$1/tables.md"
+    rm -f tests/Msisf.Benchmarks/results/stress_*.svg
+    cp "$1"/stress.csv "$1"/stress_machine.csv "$1"/stress_series.csv "$1"/stress_*.svg tests/Msisf.Benchmarks/results/
 }

@@ -1,6 +1,10 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
+# what benchmark.sh writes into
+results=tests/Msisf.Benchmarks/results
+pages=(docs/performance docs/accuracy "$results"/performance-tables "$results"/accuracy-tables)
+
 need_matplotlib() {
     /usr/bin/python3 -c 'import matplotlib' 2>/dev/null || {
         echo 'missing: matplotlib'
@@ -65,7 +69,7 @@ case $1 in
         mkdir -p benchmark/stress
         [ -z "${BROKEN:-}" ] || exit 1
         echo '| kepler |' >benchmark/stress/tables.md
-        cp "$MSISF_TESTED_ROOT/docs/benchmark/stress.csv" benchmark/stress
+        cp "$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/results/stress.csv" benchmark/stress
         echo times >benchmark/stress/stress_machine.csv
         echo series >benchmark/stress/stress_series.csv
         ;;
@@ -89,13 +93,14 @@ PLOTS
     cat >>clone/scripts/lib/packages.sh <<'PARTS'
 install_parts() { echo "parts $*" >>"$CALLS"; }
 PARTS
-    printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >clone/docs/performance.md
-    cp clone/docs/performance.md page
+    printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '| old |' '<!-- benchmark.sh: end -->' 'after' >page
+    mkdir -p clone/docs clone/$results
     local name
-    mkdir -p clone/docs/benchmark
-    for name in accuracy benchmark/accuracy-tables benchmark/performance-tables scaling; do
-        cp page "clone/docs/$name.md"
+    for name in "${pages[@]}"; do
+        cp page "clone/$name.md"
     done
+    printf '%s\n' '<!-- benchmark.sh: series begin -->' '<!-- benchmark.sh: series end -->' 'end' >>clone/docs/performance.md
+    cp clone/docs/performance.md performance
 }
 
 with_real_plots() {
@@ -105,10 +110,11 @@ with_real_plots() {
 
 assert_page_untouched() {
     local name
-    for name in accuracy benchmark/accuracy-tables performance benchmark/performance-tables scaling; do
-        cmp "clone/docs/$name.md" page || fail "docs/$name.md has changed"
+    for name in "${pages[@]}"; do
+        [ "$name" = docs/performance ] || cmp "clone/$name.md" page || fail "$name.md has changed"
     done
-    assert_same "$(cd clone/docs/benchmark && echo *)" 'accuracy-tables.md performance-tables.md'
+    cmp clone/docs/performance.md performance || fail 'docs/performance.md has changed'
+    assert_same "$(cd clone/$results && echo *)" 'accuracy-tables.md performance-tables.md'
 }
 
 test_benchmark_replaces_only_the_text_between_the_marks() {
@@ -117,15 +123,15 @@ test_benchmark_replaces_only_the_text_between_the_marks() {
     run clone/benchmark.sh
     assert_code 0
     assert_same "$(grep matplotlib "$CALLS")" 'parts povray matplotlib downloader certificates'
-    assert_same "$(cat clone/docs/benchmark/performance-tables.md)" \
+    assert_same "$(cat clone/$results/performance-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| fresh |' '' '<!-- benchmark.sh: end -->' 'after')"
     assert_same "$(grep -e '^| Far ' clone/docs/performance.md)" '| Far | 2.00 (scaled) | - | 0.300 | - | - | - | - |'
-    assert_same "$(grep -e '^| an hour' -e '^| outputs' clone/docs/scaling.md)" "$(printf '%s\n' \
+    assert_same "$(grep -e '^| an hour' -e '^| outputs' clone/docs/performance.md)" "$(printf '%s\n' \
         '| an hour of video | 108,000 | native | 45 min | 2.8 min | 2.7 s |' \
         '| outputs, 200 kB a frame | 8.0 MB/s | 0.080 MB/s |' '| outputs of 1e6 frames | 200 GB | 200 GB |')"
-    assert_same "$(head -n 1 clone/docs/scaling.md; tail -n 1 clone/docs/scaling.md)" $'before\nafter'
-    assert_same "$(cat clone/docs/benchmark/targets.csv)" targets
-    assert_same "$(cd clone/docs/benchmark && echo *.csv *.svg)" \
+    assert_same "$(head -n 1 clone/docs/performance.md; tail -n 1 clone/docs/performance.md; grep -c -x after clone/docs/performance.md)" $'before\nend\n1'
+    assert_same "$(cat clone/$results/targets.csv)" targets
+    assert_same "$(cd clone/$results && echo *.csv *.svg)" \
         'figures.csv front.csv targets.csv error.svg front-far-4.svg memory.svg time.svg'
     cp -R clone/docs once
     run clone/benchmark.sh
@@ -148,22 +154,26 @@ test_benchmark_plots_of_scenes_that_are_gone_go() {
     assert_code 0
     run clone/benchmark.sh
     assert_code 0
-    assert_same "$(cd clone/docs/benchmark && ls -- front-*.svg)" front-far-4.svg
+    assert_same "$(cd clone/$results && ls -- front-*.svg)" front-far-4.svg
 }
 
 # The pages' figures are those of the committed CSV files, and of no other run.
 test_benchmark_pages_follow_from_the_figures() {
     need_matplotlib
-    local docs=$MSISF_TESTED_ROOT/docs plots=$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots name
+    local docs=$MSISF_TESTED_ROOT/docs plots=$MSISF_TESTED_ROOT/tests/Msisf.Benchmarks/plots found=$MSISF_TESTED_ROOT/$results name
     mkdir made
-    /usr/bin/python3 -B "$plots/overview.py" "$docs/benchmark/front.csv" "$docs/benchmark/figures.csv" made
-    /usr/bin/python3 -B "$plots/promises.py" "$docs/benchmark/stress.csv" made
+    /usr/bin/python3 -B "$plots/overview.py" "$found/front.csv" "$found/figures.csv" made
+    /usr/bin/python3 -B "$plots/promises.py" "$found/stress.csv" made
     . "$MSISF_TESTED_ROOT/scripts/lib/common.sh"
     . "$MSISF_TESTED_ROOT/scripts/lib/benchmark.sh"
-    for name in performance/summary scaling/scaling accuracy/promises; do
-        cp "$docs/${name%/*}.md" page.md
-        replace_block page.md "made/${name#*/}.md"
-        diff "$docs/${name%/*}.md" page.md || fail "docs/${name%/*}.md does not follow from docs/benchmark"
+    for name in performance accuracy; do
+        cp "$docs/$name.md" .
+    done
+    replace_block performance.md made/summary.md
+    replace_block performance.md made/scaling.md series
+    replace_block accuracy.md made/promises.md
+    for name in performance accuracy; do
+        diff "$docs/$name.md" "$name.md" || fail "docs/$name.md does not follow from $results"
     done
 }
 
@@ -203,16 +213,16 @@ test_benchmark_that_fails_leaves_the_docs_alone() {
 
 test_benchmark_stress_replaces_tables_and_plots() {
     make_benchmark_clone
-    touch clone/docs/benchmark/stress_gone_1.svg clone/docs/benchmark/figures.csv
+    touch clone/$results/stress_gone_1.svg clone/$results/figures.csv
     run clone/benchmark.sh --stress
     assert_code 0
     assert_same "$(grep -c '^| Bytes in which .* | 0 | 0 | ' clone/docs/accuracy.md)" 1
-    assert_same "$(cat clone/docs/benchmark/accuracy-tables.md)" \
+    assert_same "$(cat clone/$results/accuracy-tables.md)" \
         "$(printf '%s\n' 'before' '<!-- benchmark.sh: begin -->' '' '| kepler |' '' '<!-- benchmark.sh: end -->' 'after')"
-    cmp clone/docs/performance.md page || fail 'docs/performance.md has changed'
-    assert_same "$(cd clone/docs/benchmark && echo *.csv *.svg)" \
+    cmp clone/docs/performance.md performance || fail 'docs/performance.md has changed'
+    assert_same "$(cd clone/$results && echo *.csv *.svg)" \
         'figures.csv stress.csv stress_machine.csv stress_series.csv stress_kepler_1.svg'
-    assert_same "$(cat clone/docs/benchmark/stress_kepler_1.svg)" series
+    assert_same "$(cat clone/$results/stress_kepler_1.svg)" series
     assert_same "$(grep -e 'povray matplotlib' -e ' slurm' -e '^stress' "$CALLS")" \
         $'parts povray matplotlib downloader certificates\nparts slurm parallel\nstress --folder benchmark/stress'
 }

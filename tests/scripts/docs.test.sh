@@ -8,7 +8,7 @@ links() { python3 -B "$MSISF_TESTED_ROOT/tests/scripts/links.py" "$@"; }
 test_docs_links_lead_somewhere_and_every_page_is_reached() {
     need python3
     local pages
-    mapfile -t pages < <(cd "$MSISF_TESTED_ROOT" && printf '%s\n' ./*.md docs/*.md docs/benchmark/*.md input/*.md kernels/*.md output/*.md pattern-repository/*.md tests/*.md tests/golden/*.md tests/Msisf.Stress/*.md |
+    mapfile -t pages < <(cd "$MSISF_TESTED_ROOT" && printf '%s\n' ./*.md docs/*.md tests/Msisf.Benchmarks/results/*.md input/*.md kernels/*.md output/*.md pattern-repository/*.md tests/*.md tests/golden/*.md tests/Msisf.Stress/*.md |
         grep -v -F '*' | sed 's|^\./||')
     [ "${#pages[@]}" -gt 15 ] || fail "only ${#pages[@]} pages were found"
     run links "$MSISF_TESTED_ROOT" "${pages[@]}"

@@ -7,7 +7,7 @@ using Msisf.Benchmarks.Programs;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>The tables of every scene, for docs/benchmark/performance-tables.md.</summary>
+/// <summary>The tables of every scene, for results/performance-tables.md.</summary>
 internal static class MarkdownReport
 {
     private const string NotMeasured = "-";

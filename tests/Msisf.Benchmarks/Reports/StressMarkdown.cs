@@ -5,7 +5,7 @@ using Msisf.Stress;
 
 namespace Msisf.Benchmarks.Reports;
 
-/// <summary>The tables and plots for docs/benchmark/accuracy-tables.md.</summary>
+/// <summary>The tables and plots for results/accuracy-tables.md.</summary>
 internal static class StressMarkdown
 {
     public static string Write(StressResult result)

@@ -14,7 +14,7 @@ import time
 
 import numpy as np
 
-PAGE = os.path.join("docs", "benchmark", "light-from-the-ground.md")
+PAGE = os.path.join("tests", "Msisf.Benchmarks", "results", "light-from-the-ground.md")
 BEGIN, END = "<!-- indirect.py: begin -->", "<!-- indirect.py: end -->"
 BASE = "input/ldem/LDEM_4.LBL"
 MAP = ["ldem", "synthesize", "--projection", "polar-south", "--map-scale", "50", "--latitude", "88.5", "--seed", "3", "--base", BASE]

@@ -3,7 +3,7 @@
 
     /usr/bin/python3 overview.py FRONT.CSV FIGURES.CSV FOLDER
 
-Writes FOLDER/time.svg, error.svg, memory.svg; summary.md for docs/performance.md; scaling.md for docs/scaling.md.
+Writes FOLDER/time.svg, error.svg, memory.svg; summary.md and scaling.md for docs/performance.md.
 """
 import csv
 import math
@@ -25,7 +25,7 @@ VIDEO_RATE = 30  # frames a second
 NODES = (1, 16, 1000)
 SERIES = (("45 s of video, as the thesis made", 45 * VIDEO_RATE), ("an hour of video", 3600 * VIDEO_RATE), ("1e6 frames", 1_000_000))
 MEGABYTE = 1e6
-MANIFEST_RATES = (("a local disk", 2600.0), ("a network", 500.0))  # lines a second, docs/scaling.md
+MANIFEST_RATES = (("a local disk", 2600.0), ("a network", 500.0))  # lines a second, docs/performance.md
 
 
 class Results:
@@ -141,8 +141,8 @@ def summary(results):
     if rate:
         lines.append(f"- **A series**: {text_of(results.sequence('frames'), 4)} frames of an orbit 100 km above LDEM_64 at {text_of(rate)} frames a second, images and meta "
                      f"files written. With the ground truth of all pixels in FITS {text_of(results.sequence('rate', 'all frames', 'sequence with layers'), 2)} a second.")
-    lines += ["", "![Time of an image, all scenes](benchmark/time.svg)", "", "![Error of an image, all scenes](benchmark/error.svg)", "",
-              "![Memory of an image, all scenes](benchmark/memory.svg)", ""]
+    lines += ["", "![Time of an image, all scenes](../tests/Msisf.Benchmarks/results/time.svg)", "", "![Error of an image, all scenes](../tests/Msisf.Benchmarks/results/error.svg)", "",
+              "![Memory of an image, all scenes](../tests/Msisf.Benchmarks/results/memory.svg)", ""]
     rows = []
     for name in names:
         seconds = {way: text_of(results.seconds(name, way)) for way in WAYS}

@@ -50,7 +50,7 @@ def table(rows):
             raise SystemExit(f"promises.py: there is no figure with a limit, \"{quantity}\", of the test {test}")
         row = figures[test, quantity]
         found = text_of(row["worst"], row["unit"]) + (" (**missed**)" if row["verdict"] == "missed" else "")
-        lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | [{test}](benchmark/accuracy-tables.md#{test}) | {int(row['cases']):,} |")
+        lines.append(f"| {words} | {text_of(row['limit'], row['unit'])} | {found} | [{test}](../tests/Msisf.Benchmarks/results/accuracy-tables.md#{test}) | {int(row['cases']):,} |")
     verdicts = [row["verdict"] for row in rows]
     met, missed = verdicts.count("met"), verdicts.count("missed")
     return [*lines, "", f"{met} of {met + missed} limits are met, {missed} missed."]

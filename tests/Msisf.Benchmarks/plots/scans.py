@@ -10,7 +10,7 @@ import os
 import subprocess
 import tempfile
 
-PAGE = os.path.join("docs", "benchmark", "lines-of-a-scan.md")
+PAGE = os.path.join("tests", "Msisf.Benchmarks", "results", "lines-of-a-scan.md")
 BEGIN, END = "<!-- scans.py: begin -->", "<!-- scans.py: end -->"
 ORBIT = ["--kepler-set", "{1.8374E6,0,0,0.3,1.5,0.52}", "--epoch", "55289", "--time", "2010-04-03T00:00:00Z"]
 LAYER = ["--layers", "depth", "--layers-precision", "single"]
