@@ -84,7 +84,7 @@ internal sealed class HttpServer : IAsyncDisposable
             throw;
         }
 
-        host.Log.Note($"Listening on {server.Address}. {(settings.EndsWithInput ? "It ends with its client." : "A signal ends it.")}");
+        host.Log.Note($"Listening on {server.Address} until {(settings.EndsWithInput ? "its client" : "a signal")} ends it.");
         return server;
     }
 

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using Msisf.App.Illumination;
 using Msisf.App.Serving;
+using Msisf.App.Settings;
 using Msisf.Core.Terrain;
 
 namespace Msisf.Server;
@@ -74,6 +75,12 @@ internal sealed class PointsEndpoints(FrameService frames)
         if (request.Points.Count is 0 or > MostLitPlaces)
         {
             throw new UsageException($"'points' has {request.Points.Count} places; 1 to {MostLitPlaces} are answered.");
+        }
+
+        if (request.Frame.Settings.Native?.Refine is not null)
+        {
+            throw new UsageException(
+                $"'{NativeOptions.Refine.Key}' is for pictures: horizons are those of the model, without invented detail. Leave it out.");
         }
 
         Vector3D[] directions = [.. request.Points.Select(

@@ -123,6 +123,7 @@ public sealed class ViewerAnswerTests(RunningServer server) : IClassFixture<Runn
     [InlineData("trajectory", """{"text": "55289"}""", "'name' and 'text'")]
     [InlineData("trajectory", """{"frame": {}, "times": []}""", "'times' is a list of 1 to 1001")]
     [InlineData("light", """{"frame": {"position": [0, 0, 1e5], "time": 55289}, "points": []}""", "'points' has 0 places")]
+    [InlineData("light", """{"frame": {"position": [0, 0, 1e5], "time": 55289, "refine": 1}, "points": [[0, 0]]}""", "'refine' is for")]
     [InlineData("ground", """{"frame": {"position": [0, 0, 1e5], "time": 55289}, "points": [[91, 0]]}""", "91")]
     public async Task WrongRequest_IsRefusedInWords(string path, string request, string words)
     {

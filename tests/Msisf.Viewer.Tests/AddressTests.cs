@@ -61,6 +61,35 @@ public class AddressTests(Chromium chromium, ViewerServer server)
         Assert.Contains("60, 40", pins);
     }
 
+    /// <summary>Each view at rest is an entry of the browser's history; marks and pins change the entry that is there.</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task Back_GoesToTheViewBefore_AndForwardComesBack()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, $"{Small}&latitude=10&altitude=900000");
+        int before = await viewer.Page.EvaluateAsync<int>("history.length");
+        await viewer.MoveAsync(() => LookAsync("latitude", "20"));
+        await viewer.Page.CheckAsync("#show-grid");
+        await viewer.MoveAsync(() => LookAsync("altitude", "500"));
+        Assert.Equal(before + 2, await viewer.Page.EvaluateAsync<int>("history.length"));
+
+        await viewer.MoveAsync(async () => await viewer.Page.GoBackAsync());
+        Assert.Equal(20.0, await viewer.NumberAsync("latitude"), 1e-6);
+        Assert.Equal(900.0, await viewer.NumberAsync("altitude"), 1e-6);
+        Assert.True(await viewer.Page.IsCheckedAsync("#show-grid"));
+        await viewer.MoveAsync(async () => await viewer.Page.GoBackAsync());
+        Assert.Equal(10.0, await viewer.NumberAsync("latitude"), 1e-6);
+        Assert.False(await viewer.Page.IsCheckedAsync("#show-grid"));
+        await viewer.MoveAsync(async () => await viewer.Page.GoForwardAsync());
+        Assert.Equal(20.0, await viewer.NumberAsync("latitude"), 1e-6);
+        Assert.Equal(before + 2, await viewer.Page.EvaluateAsync<int>("history.length"));
+
+        async Task LookAsync(string field, string number)
+        {
+            await viewer.Page.FillAsync($"#{field}", number);
+            await viewer.Page.Keyboard.PressAsync("Enter");
+        }
+    }
+
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task WrongAddress_IsToldAndDrawnWithoutIt()
     {

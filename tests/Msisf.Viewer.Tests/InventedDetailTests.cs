@@ -9,6 +9,29 @@ public class InventedDetailTests(Chromium chromium, ViewerServer server)
 {
     private const string Near = "samples=1&fit=false&width=96&height=64&latitude=-40&longitude=345&altitude=60000";
 
+    /// <summary>Cells of 7.6 km from 60 km: 16 px in the picture, and below 10 px from ten times as high.</summary>
+    [RequiresFact(Part.Chromium, Part.Ldem4)]
+    public async Task WideCells_AreTold_WithTheSwitchBesideThem()
+    {
+        await using ViewerPage viewer = await ViewerPage.OpenAsync(chromium, server, Near, hasPanel: false);
+        Assert.Equal("A finer model would show more.", await viewer.Page.TextContentAsync("#coarse-said"));
+        await viewer.MoveAsync(() => viewer.Page.CheckAsync("#refine-here"));
+        Assert.StartsWith(
+            "Terrain finer than LDEM_4 is invented (seed 1)", await viewer.Page.TextContentAsync("#coarse-said"), StringComparison.Ordinal);
+        Assert.True(await viewer.Page.IsCheckedAsync("#refine"));
+        Assert.Contains("refine=true", viewer.Page.Url, StringComparison.Ordinal);
+
+        await viewer.MoveAsync(() => viewer.Page.UncheckAsync("#refine-here"));
+        Assert.Equal("A finer model would show more.", await viewer.Page.TextContentAsync("#coarse-said"));
+        await viewer.ShowAllAsync();
+        await viewer.MoveAsync(async () =>
+        {
+            await viewer.Page.FillAsync("#altitude", "600");
+            await viewer.Page.Keyboard.PressAsync("Enter");
+        });
+        Assert.True(await viewer.Page.IsHiddenAsync("#coarse"));
+    }
+
     [RequiresFact(Part.Chromium, Part.Ldem4)]
     public async Task Switch_DrawsMarksAndTakesAlongInventedGround()
     {

@@ -66,7 +66,8 @@ internal sealed class ViewerPage : IAsyncDisposable
         """
         () => {
             const samples = document.getElementById('samples').value;
-            return new RegExp(`^At rest:.* ${samples} samples? a pixel`).test(document.getElementById('status').textContent);
+            const words = samples === 'auto' ? 'samples as needed' : `${samples} samples? a pixel`;
+            return new RegExp(`^At rest:.* ${words}`).test(document.getElementById('status').textContent);
         }
         """);
 

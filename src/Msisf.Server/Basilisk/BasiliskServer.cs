@@ -68,8 +68,7 @@ internal sealed class BasiliskServer : IAsyncDisposable
         }
 
         server._poller.RunAsync("Basilisk");
-        string end = settings.EndsWithInput ? "It ends with its client." : "A signal ends it.";
-        host.Log.Note($"Listening for Basilisk on {server.Address}. {end}");
+        host.Log.Note($"Listening for Basilisk on {server.Address} until {(settings.EndsWithInput ? "its client" : "a signal")} ends it.");
         return server;
     }
 

@@ -17,6 +17,12 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
     /// <summary>m: some ulps of 1e7 m.</summary>
     private const double PositionTolerance = 1e-8;
 
+    /// <summary>Of the whole sphere: some roundings of a sum of angles.</summary>
+    private const double AreaTolerance = 1e-15;
+
+    /// <summary>m²: a square of 1 km² that touches the sphere is larger than its image there by (1 km / R)² of it, 0.3 m².</summary>
+    private const double FlatTolerance = 2.0;
+
     /// <summary>Degrees.</summary>
     private const double AngleTolerance = 1e-9;
 
@@ -187,6 +193,26 @@ public class GeometryTests(ModulePage page) : IClassFixture<ModulePage>
         Assert.Equal(180.0, overPole.GetProperty("longitude").GetDouble(), AngleTolerance);
         Assert.Equal(180.0, overPole.GetProperty("heading").GetDouble(), AngleTolerance);
     }
+
+    /// <summary>An eighth of the sphere, a twelfth of its northern half both ways round, and 1 km² of almost flat ground.</summary>
+    [RequiresFact(Part.Chromium)]
+    public async Task EnclosedArea_PartsOfTheSphere_AreThoseOfTheirAngles()
+    {
+        const double radius = 1_737_400.0;
+        const double sphere = 4.0 * Math.PI * radius * radius;
+        double[] x = [radius, 0.0, 0.0];
+        double[] pole = [0.0, 0.0, 5.0 * radius]; // heights do not count
+        double[] east = [radius * Math.Cos(Math.PI / 6.0), radius / 2.0, 0.0];
+
+        Assert.Equal(sphere / 8.0, await AreaAsync(x, [0.0, radius, 0.0], pole), sphere * AreaTolerance);
+        Assert.Equal(sphere / 24.0, await AreaAsync(x, east, pole), sphere * AreaTolerance);
+        Assert.Equal(sphere / 24.0, await AreaAsync(pole, east, x), sphere * AreaTolerance);
+        Assert.Equal(
+            1e6, await AreaAsync([radius, 0.0, 0.0], [radius, 1e3, 0.0], [radius, 1e3, 1e3], [radius, 0.0, 1e3]), FlatTolerance);
+    }
+
+    private async Task<double> AreaAsync(params double[][] points) =>
+        (await page.CallAsync("geometry", "enclosedArea", [points])).GetDouble();
 
     private static void AssertSameAxes(UnitQuaternion expected, UnitQuaternion actual)
     {

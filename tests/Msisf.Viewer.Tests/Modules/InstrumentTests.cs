@@ -106,11 +106,36 @@ public class InstrumentTests(ModulePage page) : IClassFixture<ModulePage>
 
     /// <summary>From the equator to the pole: half way is at 45 degrees.</summary>
     [RequiresFact(Part.Chromium)]
-    public async Task WayBetween_EquatorAndPole_IsEven()
+    public async Task WayAlong_EquatorAndPole_IsEven()
     {
-        JsonElement way = await page.CallAsync("pins", "wayBetween", new[] { 1.0, 0.0, 0.0 }, new[] { 0.0, 0.0, 2.0 }, 5);
+        object[] points = [new[] { 1.0, 0.0, 0.0 }, new[] { 0.0, 0.0, 2.0 }];
+        JsonElement way = await page.CallAsync("pins", "wayAlong", points, 5);
 
         Assert.Equal([0.0, 22.5, 45.0, 67.5, 90.0], way.EnumerateArray().Select(place => Math.Round(place[0].GetDouble(), 9)));
+    }
+
+    /// <summary>30 degrees east along the equator, then 60 north: in steps of 15 degrees round the corner, to the very end.</summary>
+    [RequiresFact(Part.Chromium)]
+    public async Task WayAlong_ThreePoints_GoesRoundTheCornerEvenly()
+    {
+        (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(30.0));
+        object[] points = [new[] { 1.0, 0.0, 0.0 }, new[] { cosine, sine, 0.0 }, new[] { cosine / 2.0, sine / 2.0, Math.Sqrt(0.75) }];
+        JsonElement way = await page.CallAsync("pins", "wayAlong", points, 7);
+
+        Assert.Equal([0.0, 0.0, 0.0, 15.0, 30.0, 45.0, 60.0], way.EnumerateArray().Select(place => Math.Round(place[0].GetDouble(), 9)));
+        Assert.Equal([0.0, 15.0, 30.0, 30.0, 30.0, 30.0, 30.0], way.EnumerateArray().Select(place => Math.Round(place[1].GetDouble(), 9)));
+    }
+
+    /// <summary>The hour of the first light that shows the ground, by hand.</summary>
+    [RequiresTheory(Part.Chromium)]
+    [InlineData("[0, 0, 0.4, 1, 1, 1]", "[-2, 1, 3, 4, 5, 6]", 4)] // 5 degrees high, and in view
+    [InlineData("[0, 0, 0, 0, 0, 1]", "[1, 6, 7, 8, 9, 9.5]", 5)] // mountains hide it before
+    [InlineData("[0, 1, 1, 1, 0, 0]", "[0, 1, 1.5, 1.2, 7, 8]", 2)] // in the light it stays low: where it is highest
+    [InlineData("[0, 0, 0.1, 0, 0, 0]", "[9, 9, 9, 9, 9, 9]", -1)]
+    public async Task FirstLight_PartsAndElevations_IsTheHourThatShowsTheGround(string parts, string elevations, int hour)
+    {
+        double[][] lists = [.. new[] { parts, elevations }.Select(text => JsonSerializer.Deserialize<double[]>(text)!)];
+        Assert.Equal(hour, (await page.CallAsync("light", "firstLight", lists[0], lists[1])).GetInt32());
     }
 
     /// <summary>The sphere before the first picture: under the Sun of SPICE to 10 degrees.</summary>

@@ -50,6 +50,20 @@ public class TextTests(ModulePage page) : IClassFixture<ModulePage>
     public async Task PicturesText_AnyNumber_IsInItsNumber(int count, string text) =>
         Assert.Equal(text, (await page.CallAsync("text", "picturesText", count)).GetString());
 
+    [RequiresTheory(Part.Chromium)]
+    [InlineData(1, "1 sample a pixel")]
+    [InlineData(4, "4 samples a pixel")]
+    [InlineData("auto", "samples as needed")]
+    public async Task SamplesText_AnyNumber_IsInItsNumber(object count, string text) =>
+        Assert.Equal(text, (await page.CallAsync("text", "samplesText", count)).GetString());
+
+    [RequiresTheory(Part.Chromium)]
+    [InlineData(1234.4, "1234 m²")]
+    [InlineData(26781234.0, "26.78 km²")]
+    [InlineData(3.793e13, "37930000 km²")]
+    public async Task AreaText_AnySize_HasTheDigitsThatMatter(double squareMetres, string text) =>
+        Assert.Equal(text, (await page.CallAsync("text", "areaText", squareMetres)).GetString());
+
     [RequiresFact(Part.Chromium)]
     public async Task ReadBatch_CommentsAndColumns_GivesStatesInTheOrderOfALine()
     {

@@ -2,6 +2,7 @@
 // Of the pins it has the places; what was read there is long, and kept beside it for a reload.
 
 import { pointAt } from './geometry.js';
+import { LETTERS } from './readings.js';
 
 const $ = id => document.getElementById(id);
 
@@ -9,7 +10,7 @@ const $ = id => document.getElementById(id);
 const FIELDS = {
     layer: 'layer-choice', opacity: 'layer-opacity', craters: 'catalogue', landmarks: 'landmarks',
     grid: 'show-grid', terminator: 'show-terminator', arrow: 'show-arrow', names: 'show-names', contours: 'show-contours',
-    overview: 'show-overview', longitudes: 'longitudes', second: 'second-time',
+    overview: 'show-overview', longitudes: 'longitudes', second: 'second-time', path: 'path',
 };
 
 const LONGEST = 40; // letters of a value that cannot be used, in a message
@@ -47,6 +48,7 @@ function pinOf(text) {
 
 export class Address {
     #isRead = false;
+    #view = null;
 
     constructor(state, readings) {
         Object.assign(this, { state, readings });
@@ -55,38 +57,44 @@ export class Address {
         }
     }
 
-    /** Writes it anew; not before it was read. */
-    write() {
+    /**
+     * Writes it anew; not before it was read.
+     * @param isVisit whether another view than before is an entry of the browser's history, which its Back returns to.
+     */
+    write(isVisit = false) {
         if (!this.#isRead) {
             return;
         }
-        const parameters = new URLSearchParams(this.state.toText());
+        const view = this.state.toText();
+        const isEntry = isVisit && this.#view !== null && view !== this.#view;
+        this.#view = view;
+        const parameters = new URLSearchParams(view);
         for (const [name, id] of Object.entries(FIELDS)) {
             if (valueOf($(id)) !== firstValueOf($(id))) {
                 parameters.set(name, valueOf($(id)));
             }
         }
-        const { A, B } = this.readings.pins;
-        if (A) {
-            parameters.set('pins', [A, B].filter(Boolean).map(pinText).join(';'));
+        const { pins } = this.readings;
+        if (pins.length > 0) {
+            parameters.set('pins', pins.map(pinText).join(';'));
         }
-        history.replaceState({ pins: this.readings.pins }, '', `#${parameters}`);
+        history[isEntry ? 'pushState' : 'replaceState']({ pins }, '', `#${parameters}`);
     }
 
     /** Takes the pins of the address, with all that was read there if the browser still has it. Answers whether it could. */
     #readPins(text) {
         if (!text) {
-            this.readings.pins = {};
+            this.readings.pins = [];
             return true;
         }
         const kept = history.state?.pins;
-        if (kept?.A && [kept.A, kept.B].filter(Boolean).map(pinText).join(';') === text) {
+        if (kept?.map(pinText).join(';') === text) {
             this.readings.pins = kept;
             return true;
         }
-        const [A, B, ...more] = text.split(';').map(pinOf);
-        const isRight = A && B !== null && more.length === 0;
-        this.readings.pins = isRight ? { A, B } : {};
+        const pins = text.split(';').map(pinOf);
+        const isRight = pins.every(Boolean) && pins.length <= LETTERS.length;
+        this.readings.pins = isRight ? pins : [];
         return isRight;
     }
 
@@ -106,7 +114,7 @@ export class Address {
         }
         parameters.delete('pins');
         unused.push(...this.state.fromText(parameters, models));
-        this.#isRead = true;
+        [this.#isRead, this.#view] = [true, null];
         const words = unused.map(([name, value]) => `${name}=${value}`.slice(0, LONGEST));
         return words.length > 0 ? `The page cannot use this of its address, and shows what it has without it: ${words.join(', ')}.` : null;
     }

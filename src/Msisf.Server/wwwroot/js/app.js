@@ -10,6 +10,7 @@ import { Drawers } from './drawers.js';
 import { Frames } from './frames.js';
 import { Hover } from './hover.js';
 import { LayerView } from './layer-view.js';
+import { NextLight } from './light.js';
 import { Marks } from './marks.js';
 import { Names } from './names.js';
 import { Navigation } from './navigation.js';
@@ -48,7 +49,7 @@ const connection = new Connection(notice, () => {
     notice(null);
     start();
 });
-const readings = new Readings($('readings'), $('between'), () => {
+const readings = new Readings($('readings'), $('between'), () => $('path').checked, () => {
     marks.draw();
     pins.show();
 });
@@ -84,7 +85,7 @@ const marks = new Marks(
         shown: picture.shown, isAtRest: picture.isAtRest, sunPosition: sun.position, readings, crosshair: pointing.crosshair,
         names: names.byWeight, states: frames.states, contours,
     }),
-    notice);
+    points => overview.avoid(points), notice);
 const panel = new Panel(state);
 const timeBar = new TimeBar(state);
 const address = new Address(state, readings);
@@ -97,13 +98,17 @@ const navigation = new Navigation(stage, state, {
 const compare = new Compare(stage, notice);
 const frameNow = () => (picture.isStored ? picture.shown.frame : state.frame());
 const pins = new Pins(() => readings.pins, frameNow, notice);
+const nextLight = new NextLight(state, frameNow, mjd => {
+    state.look({ mjd });
+    timeBar.anchor();
+}, notice);
 const overview = new Overview(state);
 const drawers = new Drawers(() => overlook());
 const undo = new Undo(state, $('undo'));
 new TakeAway(() => ({ ...frameNow(), samples: state.picture.samples }), () => offers.models, notice);
 
 function atRest(frame) {
-    address.write();
+    address.write(!picture.isStored);
     undo.keep();
     layer.show(frame);
     marks.know(frame);
@@ -130,11 +135,13 @@ function overlookNow() {
     const { view, size } = state;
     panel.show();
     timeBar.show();
-    timeBar.say(showCompass(view, size, sun.position));
+    const sunThere = showCompass(view, size, sun.position);
+    timeBar.say(sunThere);
+    nextLight.offer(sunThere);
     sun.showOver(state);
     overview.draw(sun.position);
     showScaleBar(view, size, stage.picture.clientWidth);
-    sayModel(view, size, offers.models.find(({ name }) => name === state.model));
+    sayModel(view, size, offers.models.find(({ name }) => name === state.model), state.picture);
 }
 
 const KEYS = {
@@ -182,8 +189,8 @@ function show(isStored) {
     contours.forget();
     compare.forget();
     hover.show(null);
-    if (readings.get('here')) {
-        readings.set('here', null);
+    if (readings.here) {
+        readings.here = null;
     }
     if (!picture.shown) {
         paintSphere();

@@ -5,6 +5,7 @@ import { centreOf, pixelSize } from './models.js';
 import { degrees, lengthText, roundBelow, windOf } from './text.js';
 
 const $ = id => document.getElementById(id);
+const WIDEST_CELL = 10; // px: wider cells show as facets; that of the command line's note
 const SIDES = ['up', 'up right', 'right', 'down right', 'down', 'down left', 'left', 'up left'];
 
 /** Direction in the picture in which a direction of space points from a point: radians from up, clockwise; null along the sight. */
@@ -94,9 +95,14 @@ export function showScaleBar(view, size, pagePixels) {
     $('scale-length').textContent = lengthText(long).replace(/\.0+ /, ' ');
 }
 
-/** Says which model is drawn, and how large its cells are. */
-export function sayModel(view, size, model) {
+/** Says which model is drawn, and how large its cells are; of cells that show as facets also what can be done, as the command line does. */
+export function sayModel(view, size, model, { refine, seed }) {
     const { name, metres_per_pixel: cell } = model ?? {};
-    const pixels = Number((cell / pixelSize(view, size)).toPrecision(2)); // 240, not 2.4e+2
+    const width = cell / pixelSize(view, size);
+    const pixels = Number(width.toPrecision(2)); // 240, not 2.4e+2
     $('model-said').textContent = model ? `${name}: cells of ${lengthText(cell)}, ${pixels} px` : '';
+    $('coarse').hidden = !(width > WIDEST_CELL);
+    $('coarse-said').textContent = refine ? `Terrain finer than ${name} is invented (seed ${seed}); it is not real.`
+        : 'A finer model would show more.';
+    $('refine-here').checked = refine;
 }

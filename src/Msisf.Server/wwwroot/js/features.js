@@ -1,28 +1,37 @@
 // What is drawn over the picture of things on the ground: names, craters, landmarks.
 
-import { circleAround, combine, focalLength, length, pointAt, scale, subtract, sunAt, REFERENCE_RADIUS } from './geometry.js';
+import {
+    circleAround, combine, dot, focalLength, length, normalize, pointAt, scale, subtract, sunAt, REFERENCE_RADIUS,
+} from './geometry.js';
 import { fixed } from './text.js';
 
 const COLOURS = { crater: '#b6f09c', hidden: '#9aa0a6', landmark: '#7cd5ff', name: '#f2f5fa', nightName: '#7f8aa0' };
 
-/** Names of features in the middle of them, the largest first, where there is room. */
+/** Names cover at most this part of the Moon in the picture: more hide it, and nobody finds one among them. */
+const NAMED_PART = 0.05;
+
+/** Names of features in the middle of them, the largest first, where there is room; at the limb those that are not too narrow. */
 export function drawNames(overlay, features, sunPosition, most = 40) {
     const focal = focalLength(overlay.lens.width, overlay.lens.fov) * overlay.unit;
     const nearest = overlay.nearest;
-    let drawn = 0;
+    let [drawn, room] = [0, NAMED_PART * overlay.moonArea];
     for (const { name, latitude, longitude, diameter, weight } of features) {
         if (4 * weight * focal / nearest < 2.2 * overlay.text) {
             return;
         }
         const centre = pointAt(latitude, longitude);
         const place = overlay.at(centre);
-        const size = diameter * focal / length(subtract(centre, overlay.camera.position));
-        const isFit = place && size > 2.2 * overlay.text && size < 2.5 * overlay.canvas.width;
+        const sight = subtract(overlay.camera.position, centre);
+        const size = diameter * focal / length(sight);
+        const narrow = place ? size * dot(normalize(sight), normalize(centre)) : 0;
+        const isFit = place && narrow > 2.2 * overlay.text && size < 2.5 * overlay.canvas.width;
         const isNight = isFit && sunPosition && sunAt(centre, sunPosition).elevation < 0;
-        if (isFit && overlay.label(name, place, isNight ? COLOURS.nightName : COLOURS.name, 'center')) {
+        const box = isFit && overlay.label(name, place, isNight ? COLOURS.nightName : COLOURS.name, 'center', overlay.text);
+        if (box) {
             drawn += 1;
+            room -= (box[2] - box[0]) * (box[3] - box[1]);
         }
-        if (drawn === most) {
+        if (drawn === most || room < 0) {
             return;
         }
     }

@@ -207,6 +207,19 @@ export function sunAt(point, sunPosition) {
 export const groundDistance = (a, b) => angleBetween(a, b) * DEGREE * REFERENCE_RADIUS;
 
 /**
+ * The area on the reference sphere that great circles between points enclose, the last joined to the first, m²: the sum over triangles
+ * (Van Oosterom and Strackee, 1983). Where the line crosses itself, what it goes around the other way counts as negative.
+ */
+export function enclosedArea(points) {
+    const [first, ...others] = points.map(normalize);
+    const angles = others.slice(1).map((c, index) => {
+        const b = others[index];
+        return 2 * Math.atan2(dot(first, cross(b, c)), 1 + dot(first, b) + dot(b, c) + dot(c, first));
+    });
+    return Math.abs(angles.reduce((sum, angle) => sum + angle, 0)) * REFERENCE_RADIUS ** 2;
+}
+
+/**
  * The view after the camera has gone along great circles: so many degrees ahead (where the image's up points when it
  * looks down) and to the right. Across a pole the way goes straight on.
  */

@@ -3,6 +3,7 @@
 import { drawCraters, drawLandmarks, drawNames, drawRims } from './features.js';
 import { Grid } from './grid.js';
 import { Overlay } from './overlay.js';
+import { LETTERS } from './readings.js';
 import { getJson, renderMeta } from './server.js';
 import { drawTrajectory } from './trajectory.js';
 
@@ -14,9 +15,12 @@ export class Marks {
     #frame = null;
     #abort = new AbortController();
 
-    /** @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair, names, states, contours}. */
-    constructor(stage, look, onProblem) {
-        Object.assign(this, { stage, look, onProblem });
+    /**
+     * @param look answers what there is to mark: {shown, isAtRest, sunPosition, readings, crosshair, names, states, contours}.
+     * @param onPins gets where the pins are in the page, before labels are placed.
+     */
+    constructor(stage, look, onPins, onProblem) {
+        Object.assign(this, { stage, look, onPins, onProblem });
         for (const id of ['show-grid', 'show-terminator', 'show-arrow', 'show-names', 'show-trajectory', 'longitudes']) {
             $(id).addEventListener('change', () => this.draw());
         }
@@ -69,16 +73,23 @@ export class Marks {
             return;
         }
         const overlay = new Overlay(this.stage.overlay, shown.view, shown.size);
+        const places = readings.pins.map(({ position }) => position);
+        this.onPins(places.map(place => overlay.at(place)).filter(Boolean).map(place => this.stage.onPage(place)));
+        overlay.keepOut(this.stage.covered);
         if (isAtRest) {
             contours.draw(overlay);
         }
         drawTrajectory(overlay, states, shown.size, shown.view.fov);
-        const pins = ['A', 'B'].filter(letter => readings.get(letter));
-        if (pins.length === 2) {
-            overlay.drawWay(...pins.map(letter => readings.get(letter).position));
+        for (const [index, place] of places.entries()) {
+            if (index > 0) {
+                overlay.drawWay(places[index - 1], place);
+            }
         }
-        for (const letter of pins) {
-            overlay.drawPin(readings.get(letter).position, letter);
+        if (places.length > 2) {
+            overlay.drawWay(places.at(-1), places[0], true);
+        }
+        for (const [index, place] of places.entries()) {
+            overlay.drawPin(place, LETTERS[index]);
         }
         if ($('show-grid').checked) {
             new Grid(overlay, $('longitudes').value === '180').draw();
@@ -96,7 +107,7 @@ export class Marks {
         if ($('show-names').checked) {
             drawNames(overlay, names, sunPosition);
         }
-        const here = readings.get('here');
+        const { here } = readings;
         if (isAtRest && here && here.illumination_direction !== null && $('show-arrow').checked) {
             overlay.drawArrow(here.pixel, here.illumination_direction);
         }

@@ -1,11 +1,11 @@
 // What is drawn over the picture: lines, labels, terminator, the light's arrow, pins, the crosshair.
 
 import {
-    cameraOf, circleAround, combine, isOnNearSide, length, limbAngle, meetSphere, normalize, project, scale, seenParts, subtract,
-    REFERENCE_RADIUS,
+    cameraOf, circleAround, combine, focalLength, isOnNearSide, length, limbAngle, meetSphere, normalize, project, scale, seenParts,
+    subtract, REFERENCE_RADIUS,
 } from './geometry.js';
 
-const COLOURS = { terminator: '#ffb347', arrow: '#ff6b6b', pin: '#ffe066', crosshair: '#ffffff' };
+const COLOURS = { terminator: '#ffb347', arrow: '#ff6b6b', pin: '#ffe066', closing: 'rgb(255 224 102 / 0.4)', crosshair: '#ffffff' };
 
 /** Points of the limb: between two it is at most 0.7 m off the circle. */
 const LIMB_POINTS = 3600;
@@ -125,15 +125,36 @@ export class Overlay {
         this.context.setLineDash([]);
     }
 
-    /** Writes a text, if it lies on none that is there and within the picture. Answers whether it does. */
-    label(text, [x, y], colour, align = 'left') {
+    /** Keeps labels out of boxes of the canvas, [left, top, right, bottom] of each. */
+    keepOut(boxes) {
+        this.labels.push(...boxes);
+    }
+
+    /** px²: how much of the canvas the Moon's sphere fills at most. */
+    get moonArea() {
+        const distance = length(this.camera.position);
+        const all = this.canvas.width * this.canvas.height;
+        if (distance <= REFERENCE_RADIUS) {
+            return all;
+        }
+        const focal = focalLength(this.lens.width, this.lens.fov) * this.unit;
+        const radius = focal * REFERENCE_RADIUS / Math.sqrt((distance - REFERENCE_RADIUS) * (distance + REFERENCE_RADIUS));
+        return Math.min(all, Math.PI * radius ** 2);
+    }
+
+    /**
+     * Writes a text, if it is within the picture and at least a gap away from all labels that are there.
+     * @returns its box, [left, top, right, bottom]; null where there is no room.
+     */
+    label(text, [x, y], colour, align = 'left', gap = 0) {
         const width = this.context.measureText(text).width;
         const left = align === 'center' ? x - width / 2 : x;
         const box = [left, y - this.text / 2, left + width, y + this.text / 2];
         const isFree = box[0] >= 0 && box[1] >= 0 && box[2] <= this.canvas.width && box[3] <= this.canvas.height
-            && this.labels.every(other => box[0] > other[2] || box[2] < other[0] || box[1] > other[3] || box[3] < other[1]);
+            && this.labels.every(other => box[0] - gap > other[2] || box[2] + gap < other[0]
+                || box[1] - gap > other[3] || box[3] + gap < other[1]);
         if (!isFree) {
-            return false;
+            return null;
         }
         this.labels.push(box);
         this.context.textAlign = align;
@@ -144,7 +165,7 @@ export class Overlay {
         this.context.lineWidth = this.text / 10;
         this.context.fillStyle = colour;
         this.context.fillText(text, x, y);
-        return true;
+        return box;
     }
 
     /** The line on the sphere where the Sun's centre stands on the horizon. */
@@ -182,11 +203,12 @@ export class Overlay {
         }
     }
 
-    /** The line on the sphere between two pins. */
-    drawWay(from, to) {
+    /** The line on the sphere between two pins; fainter where it only closes an area. */
+    drawWay(from, to, isClosing = false) {
         const lift = Array.from({ length: 65 }, (_, i) => combine([from, 1 - i / 64], [to, i / 64]));
         const radius = i => Math.hypot(...from) * (1 - i / 64) + Math.hypot(...to) * i / 64;
-        this.line(lift.map((point, i) => scale(point, radius(i) / Math.hypot(...point))), COLOURS.pin, [this.text / 3, this.text / 3]);
+        this.line(lift.map((point, i) => scale(point, radius(i) / Math.hypot(...point))), isClosing ? COLOURS.closing : COLOURS.pin,
+            [this.text / 3, this.text / 3]);
     }
 
     drawCrosshair(pixel) {

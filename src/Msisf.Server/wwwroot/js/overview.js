@@ -8,6 +8,8 @@ import { readGround } from './server.js';
 const $ = id => document.getElementById(id);
 const [COLUMNS, ROWS] = [144, 72];
 const LIT_EVERY = 200; // ms
+const ROOM = 12; // px of the page around a pin
+const PLACES = ['below', 'above', 'beside']; // in the order in which they are tried
 
 /** Latitude and longitude of a cell's middle; the map's middle is longitude 0. */
 const placeAt = (column, row) => [90 - (row + 0.5) * 180 / ROWS, (column + 0.5) * 360 / COLUMNS - 180];
@@ -55,6 +57,21 @@ export class Overview {
 
     #switch() {
         this.canvas.hidden = !$('show-overview').checked;
+    }
+
+    /** Takes the first place that hides none of some points of the page; without one the map is not shown. */
+    avoid(points) {
+        const isFree = () => {
+            const { left, top, right, bottom } = this.canvas.getBoundingClientRect();
+            return points.every(([x, y]) => x < left - ROOM || x > right + ROOM || y < top - ROOM || y > bottom + ROOM);
+        };
+        for (const place of PLACES) {
+            $('corner').dataset.place = place;
+            if (isFree()) {
+                return;
+            }
+        }
+        $('corner').dataset.place = 'nowhere';
     }
 
     /** Asks for the relief, once, when the first picture is there. */

@@ -13,8 +13,14 @@ const NUMBERS = {
 const CHOICES = ['model', 'shading', 'sun', 'reflectance'];
 
 export class Panel {
+    #typed = null;
+
     constructor(state) {
         this.state = state;
+        $('settings').addEventListener('input', event => this.#typed = event.target);
+        for (const end of ['change', 'focusout']) {
+            $('settings').addEventListener(end, () => this.#typed = null);
+        }
         for (const [name, { unit = 1 }] of Object.entries(NUMBERS)) {
             $(name).addEventListener('change', event => {
                 const number = event.target.valueAsNumber;
@@ -29,7 +35,9 @@ export class Panel {
         $('samples').addEventListener('change', event => state.draw({
             samples: event.target.value === 'auto' ? 'auto' : Number(event.target.value),
         }));
-        $('refine').addEventListener('change', event => state.draw({ refine: event.target.checked }));
+        for (const id of ['refine', 'refine-here']) {
+            $(id).addEventListener('change', event => state.draw({ refine: event.target.checked }));
+        }
         $('seed').addEventListener('change', event => event.target.validity.valid && event.target.value
             && state.draw({ seed: event.target.valueAsNumber }));
         $('fit').addEventListener('change', event => state.draw({ fit: event.target.checked, ...state.size }));
@@ -75,7 +83,7 @@ export class Panel {
         const { view, picture, size } = this.state;
         const write = (id, value) => {
             const field = $(id);
-            if (document.activeElement !== field || field.matches('select')) {
+            if (field !== this.#typed) {
                 field.value = value;
             }
         };

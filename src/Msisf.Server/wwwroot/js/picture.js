@@ -5,7 +5,7 @@ import { viewOf } from './geometry.js';
 import { ImageStream } from './stream.js';
 import { LostError, renderPlane } from './server.js';
 import { Stage } from './stage.js';
-import { picturesText } from './text.js';
+import { picturesText, samplesText } from './text.js';
 import { Warp } from './warp.js';
 
 const REST_AFTER = 80; // ms without a movement
@@ -172,7 +172,7 @@ export class Picture {
             const isOnce = most === 1 || size.width * size.height > LARGE;
             for (const [step, samples] of (isOnce ? [most] : [1, most]).entries()) {
                 const start = performance.now();
-                const words = `${size.width} × ${size.height}, ${samples} ${samples === 1 ? 'sample' : 'samples'} a pixel`;
+                const words = `${size.width} × ${size.height}, ${samplesText(samples)}`;
                 this.hooks.onStatus(`Drawing: ${words}.`);
                 const image = await renderPlane({ ...truth, samples }, signal);
                 if (signal.aborted) {

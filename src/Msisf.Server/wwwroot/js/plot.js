@@ -3,9 +3,9 @@
 /**
  * Draws a line.
  * @param points [x, y] of each; @param options {yTexts: [lowest, highest], xTexts: [first, last], range: [least, greatest] of y,
- * mark: x of an upright line, colour}.
+ * marks: x of upright lines, colour}.
  */
-export function plot(canvas, points, { yTexts, xTexts, range, mark, colour = '#8ec5ff', fill = null }) {
+export function plot(canvas, points, { yTexts, xTexts, range, marks = [], colour = '#8ec5ff', fill = null }) {
     const ratio = window.devicePixelRatio || 1;
     const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio].map(Math.round);
     [canvas.width, canvas.height] = [width, height];
@@ -31,8 +31,8 @@ export function plot(canvas, points, { yTexts, xTexts, range, mark, colour = '#8
     pen.lineWidth = 1.5 * ratio;
     pen.lineJoin = 'round';
     pen.stroke();
-    if (mark !== undefined && mark >= first && mark <= last) {
-        pen.fillStyle = '#ffffff';
+    pen.fillStyle = '#ffffff';
+    for (const mark of marks.filter(value => value >= first && value <= last)) {
         pen.fillRect(x(mark), top, ratio, bottom - top);
     }
     pen.fillStyle = '#aab4c6';

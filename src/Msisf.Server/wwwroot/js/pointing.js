@@ -19,7 +19,7 @@ export class Pointing {
         /** m: height of the terrain below the camera. */
         this.groundHeight = 0;
         this.#reader = new Reader(pixel => this.#ask(pixel), reading => {
-            readings.set('here', reading);
+            readings.here = reading;
             onRead(reading);
             if (this.crosshair) {
                 $('spoken').textContent = readings.sentence;
@@ -68,7 +68,7 @@ export class Pointing {
         if (!pixel || !this.#canRead) {
             return;
         }
-        const here = this.readings.get('here');
+        const here = this.readings.here;
         const isRead = here?.pixel.every((number, axis) => number === pixel[axis]);
         const reading = isRead ? here : await this.#ask(pixel).catch(() => null);
         this.readings.pin(reading && { ...reading, pixel });

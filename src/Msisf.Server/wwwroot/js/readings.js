@@ -1,7 +1,10 @@
 // The truth under the mouse and at two pins, as a table; and what lies between the pins.
 
-import { groundDistance, length, subtract } from './geometry.js';
-import { degrees, fixed, latitudeText, lengthText } from './text.js';
+import { enclosedArea, groundDistance, length, subtract } from './geometry.js';
+import { areaText, degrees, fixed, latitudeText, lengthText } from './text.js';
+
+/** What pins are called, in their order; there are no more. */
+export const LETTERS = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ';
 
 /** The rows of the table: a name, and how a reading's value is written. */
 const ROWS = [
@@ -38,16 +41,31 @@ const HINTS = {
 /** What is known of a pin that comes from the page's address. */
 const OF_PLACE = ['Latitude', 'Longitude E', 'Height'];
 
+/** Column A is the first pin, B the last of several. */
 const COLUMNS = ['here', 'A', 'B'];
 
+/** m: along the great circles between points, one after another. */
+export const pathLength = points => points.slice(1).reduce((sum, point, index) => sum + groundDistance(points[index], point), 0);
+
+/** What is measured between the first pin and the last: of two also straight, of more along the path and around it. */
+function pathText(pins) {
+    const [points, from, to] = [pins.map(({ position }) => position), pins[0], pins.at(-1)];
+    const rise = `${to.height < from.height ? '' : '+'}${fixed(to.height - from.height, 2)} m in height`;
+    const along = `${lengthText(pathLength(points))} great-circle distance`;
+    return pins.length === 2
+        ? `From A to B: ${along}, ${lengthText(length(subtract(to.position, from.position)))} straight, ${rise}.`
+        : `From A to ${LETTERS[pins.length - 1]} over ${pins.length} points: ${along}, ${rise}. `
+            + `Closed to A they enclose ${areaText(enclosedArea(points))}.`;
+}
+
 export class Readings {
-    #read = { here: null, A: null, B: null };
+    #here = null;
+    #pins = [];
     #cells = {};
 
-    /** @param onChange is called when a reading has changed. */
-    constructor(table, between, onChange) {
-        this.between = between;
-        this.onChange = onChange;
+    /** @param isPath answers whether each pin adds a point; @param onChange is called when a reading has changed. */
+    constructor(table, between, isPath, onChange) {
+        Object.assign(this, { between, isPath, onChange });
         const body = table.tBodies[0];
         for (const [name] of ROWS) {
             const row = body.insertRow();
@@ -66,43 +84,44 @@ export class Readings {
         this.#write();
     }
 
-    /** A reading with its pixel, or null. */
-    get(column) {
-        return this.#read[column];
+    /** What is read under the mouse, with its pixel, or null. */
+    get here() {
+        return this.#here;
     }
 
-    set(column, reading) {
-        this.#read[column] = reading;
+    set here(reading) {
+        this.#here = reading;
         this.#write();
         this.onChange();
     }
 
-    /** Keeps a reading: as A, then as B, then B anew. */
+    /** Keeps a reading: as A, then as B, then B anew; of a path as one point more. */
     pin(reading) {
         if (reading) {
-            this.set(this.#read.A ? 'B' : 'A', reading);
+            const most = this.isPath() ? LETTERS.length : 2;
+            this.pins = [...this.#pins.slice(0, Math.max(most - 1, this.#pins.length - 1)), reading];
         }
     }
 
+    /** Takes the pins away; of a path the last one. */
     unpin() {
-        this.pins = {};
+        this.pins = this.isPath() ? this.#pins.slice(0, -1) : [];
     }
 
-    /** The readings of both pins, A and B; null where there is none. */
+    /** The readings of the pins, in their order. */
     get pins() {
-        const { A, B } = this.#read;
-        return { A, B };
+        return this.#pins;
     }
 
-    set pins({ A = null, B = null }) {
-        Object.assign(this.#read, { A, B });
+    set pins(pins) {
+        this.#pins = pins;
         this.#write();
         this.onChange();
     }
 
     /** One sentence for those who do not see the table. */
     get sentence() {
-        const here = this.#read.here;
+        const here = this.#here;
         return here
             ? `${latitudeText(here.latitude)}, ${degrees(here.longitude, 6)} east, height ${fixed(here.height, 0)} metres, `
                 + `${here.facet.invented ? 'invented ground, ' : ''}${here.lit}`
@@ -111,13 +130,17 @@ export class Readings {
 
     /** The readings with all digits, as JSON. */
     get json() {
-        return JSON.stringify(this.#read, null, 2);
+        const pins = Object.fromEntries(this.#pins.map((pin, index) => [LETTERS[index], pin]));
+        return JSON.stringify({ here: this.#here, A: null, B: null, ...pins }, null, 2);
     }
 
     #write() {
+        const pins = this.#pins;
+        const last = pins.length > 1 ? pins.at(-1) : null;
+        const shown = { here: this.#here, A: pins[0] ?? null, B: last };
         for (const [name, textOf] of ROWS) {
             for (const column of COLUMNS) {
-                const reading = this.#read[column];
+                const reading = shown[column];
                 const cell = this.#cells[name][column];
                 cell.textContent = reading && (reading.facet || OF_PLACE.includes(name)) ? textOf(reading) : '–';
                 if (name === 'Light') {
@@ -125,14 +148,12 @@ export class Readings {
                 }
             }
         }
-        this.table.hidden = COLUMNS.every(column => !this.#read[column]);
-        this.table.dataset.pins = (this.#read.A ? 'A' : '') + (this.#read.B ? 'B' : '');
-        const { A, B } = this.#read;
-        this.between.textContent = A && B
-            ? `From A to B: ${lengthText(groundDistance(A.position, B.position))} great-circle distance, `
-                + `${lengthText(length(subtract(B.position, A.position)))} straight, `
-                + `${B.height < A.height ? '' : '+'}${fixed(B.height - A.height, 2)} m in height.`
-            : A ? 'Pin a second place to measure from A to it.' : 'Point at the picture to read it. Click, or press P, to pin a place.';
+        this.table.hidden = COLUMNS.every(column => !shown[column]);
+        this.table.dataset.pins = (shown.A ? 'A' : '') + (shown.B ? 'B' : '');
+        this.table.tHead.rows[0].cells[3].textContent = `Pin ${LETTERS[Math.max(pins.length - 1, 1)]}`;
+        this.between.textContent = last ? pathText(pins)
+            : shown.A ? 'Pin a second place to measure from A to it.'
+            : 'Point at the picture to read it. Click, or press P, to pin a place.';
     }
 }
 

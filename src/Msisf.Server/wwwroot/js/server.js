@@ -73,5 +73,7 @@ export async function readPixels(frame, pixels, signal) {
 /** Heights of the ground at [latitude, longitude] of a list, m. */
 export const readGround = async (frame, points) => (await postJson('/v1/ground', { frame, points })).heights;
 
-/** The light at places, hour by hour, over the month around a frame's time: {from, places}. */
-export const readLight = (frame, points) => postJson('/v1/light', { frame, points });
+/** The light at places, hour by hour, over the month around a frame's time: {from, places}. Its horizons have no invented detail. */
+export function readLight({ refine, 'refine-cell': cell, ...frame }, points) {
+    return postJson('/v1/light', { frame, points });
+}

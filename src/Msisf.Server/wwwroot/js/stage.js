@@ -11,6 +11,10 @@ export class Stage {
         this.other = picture.querySelector('#other');
         this.overlay = picture.querySelector('#overlay');
         this.size = { width: 1, height: 1 };
+        /** What lies over the picture; hidden ones have no size. */
+        this.boxes = [...document.querySelectorAll('#search, #notice, #corner > *, #ground > *, #panel')];
+        const covering = new ResizeObserver(() => this.onPlaced?.());
+        this.boxes.forEach(box => covering.observe(box));
         new ResizeObserver(() => {
             this.place();
             const pixels = this.pixelRatio;
@@ -74,6 +78,21 @@ export class Stage {
         const x = Math.floor((clientX - box.left) / box.width * this.size.width) + 1;
         const y = Math.floor((clientY - box.top) / box.height * this.size.height) + 1;
         return x >= 1 && y >= 1 && x <= this.size.width && y <= this.size.height ? [x, y] : null;
+    }
+
+    /** Where boxes of the page lie over the picture, [left, top, right, bottom] of each, px of the overlay. */
+    get covered() {
+        const { left, top, width } = this.picture.getBoundingClientRect();
+        const unit = this.overlay.width / Math.max(1, width);
+        return this.boxes.map(box => box.getBoundingClientRect()).filter(box => box.width > 0)
+            .map(box => [(box.left - left) * unit, (box.top - top) * unit, (box.right - left) * unit, (box.bottom - top) * unit]);
+    }
+
+    /** Where a point of the overlay is in the page. */
+    onPage([x, y]) {
+        const { left, top, width } = this.picture.getBoundingClientRect();
+        const unit = this.overlay.width / Math.max(1, width);
+        return [left + x / unit, top + y / unit];
     }
 
     /** Where the middle of a pixel is in the stage, px of the page. */

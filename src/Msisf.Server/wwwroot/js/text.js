@@ -29,6 +29,9 @@ export function lengthText(metres) {
         : `${fixed(metres / 1000, 1)} km`;
 }
 
+/** An area in m or km squared, with the digits that matter. */
+export const areaText = area => (area < 1e6 ? `${fixed(area, 0)} m²` : `${fixed(area / 1e6, area < 1e10 ? 2 : 0)} km²`);
+
 /** The nearest of 1, 2, 5, 10, 20, ... that is not above a number. */
 export function roundBelow(number) {
     const power = 10 ** Math.floor(Math.log10(number));
@@ -62,6 +65,9 @@ export function placeOfText(text) {
     const [latitude, longitude] = [number(phi, northSouth, 'S'), number(lambda, eastWest, 'W')];
     return Math.abs(latitude) <= 90 && Math.abs(longitude) <= 360 ? { latitude, longitude: (longitude + 360) % 360 } : null;
 }
+
+/** How many samples a pixel has: 1 sample a pixel, 4 samples a pixel, or as many as it needs. */
+export const samplesText = count => (count === 'auto' ? 'samples as needed' : `${count} ${count === 1 ? 'sample' : 'samples'} a pixel`);
 
 /** A number of pictures: 1 picture, 2 pictures. */
 export const picturesText = count => `${count} ${count === 1 ? 'picture' : 'pictures'}`;
