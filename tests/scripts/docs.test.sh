@@ -69,6 +69,9 @@ test_docs_long_sentences_and_foreign_wording_are_found() {
     run english 'good.md#Unreleased'
     assert_code 1
     assert_same "$(printf '%s\n' "$output" | head -n 1 | cut -d : -f 2,4)" '15: Else it is left out.'
+    run english 'good.md#Nowhere'
+    assert_code 1
+    assert_says 'there is no heading "Nowhere"'
 
     for _ in 1 2 3 4; do printf 'A sentence of %sten words, 5 km and `--option 7` ends here.\n' "$(printf 'very %.0s' $(seq 41))"; done >long.md
     run english long.md

@@ -50,13 +50,16 @@ def blank(match):
 
 def section(text, heading):
     """A page with everything but one section of it blank."""
-    lines, inside, depth = text.split("\n"), False, 0
+    lines, inside, depth, is_there = text.split("\n"), False, 0, False
     for index, line in enumerate(lines):
         found = re.match(r"(#+) +(.*)", line)
         if found and (not inside or len(found.group(1)) <= depth):
             inside, depth = found.group(2).strip() == heading, len(found.group(1))
+            is_there |= inside
         if not inside:
             lines[index] = ""
+    if not is_there:
+        raise SystemExit(f"english.py: there is no heading \"{heading}\"")
     return "\n".join(lines)
 
 
