@@ -11,7 +11,7 @@ public static class FrameFileNames
     private static readonly string[] Endings =
     [
         ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".rowstates.npy", ".craters.csv", ".craters.json",
-        ".landmarks.csv", ".stars.csv",
+        ".landmarks.csv", ".stars.csv", ".bodies.csv",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
         .. ImageMapFiles.Endings, .. CameraFormat.All.SelectMany(format => format.Endings),

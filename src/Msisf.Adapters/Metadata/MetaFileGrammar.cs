@@ -15,20 +15,20 @@ internal static partial class MetaFileGrammar
     private static readonly Lazy<string> Plain = new(() => Make([]));
 
     /// <summary>The first declaration of what only some files have, and how their parent names it, in the order of the declarations:
-    /// truth for navigation, scanned images, cameras of a rig, stars.</summary>
+    /// truth for navigation, scanned images, cameras of a rig, the sky.</summary>
     private static readonly (string Start, string InParent)[] Parts =
     [
         ("\n<!ELEMENT CraterInformation", ",CraterInformation?,LandmarkInformation?"), ("\n<!ELEMENT Scan", ",Scan?"),
-        ("\n<!ELEMENT Rig", ",Rig?"), ("\n<!ELEMENT StarInformation", ",StarInformation?"),
+        ("\n<!ELEMENT Rig", ",Rig?"), ("\n<!ELEMENT StarInformation", ",StarInformation?,SkyBodyInformation?"),
     ];
 
     /// <summary>The declarations of a file: lines that end with LF, without the last one's end.</summary>
     /// <param name="hasNavigation">Whether it has truth for navigation.</param>
     /// <param name="isScan">Whether its image is scanned.</param>
     /// <param name="isOfRig">Whether a camera of a rig took its image.</param>
-    /// <param name="hasStars">Whether it lists stars.</param>
-    public static string Text(bool hasNavigation, bool isScan, bool isOfRig, bool hasStars) =>
-        hasNavigation || isScan || isOfRig || hasStars ? Make([hasNavigation, isScan, isOfRig, hasStars]) : Plain.Value;
+    /// <param name="hasSky">Whether it lists stars, or bodies of the sky.</param>
+    public static string Text(bool hasNavigation, bool isScan, bool isOfRig, bool hasSky) =>
+        hasNavigation || isScan || isOfRig || hasSky ? Make([hasNavigation, isScan, isOfRig, hasSky]) : Plain.Value;
 
     private static string Make(bool[] has)
     {

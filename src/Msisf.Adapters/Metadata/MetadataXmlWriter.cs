@@ -53,7 +53,12 @@ public static class MetadataXmlWriter
 
         if (frame.Stars is { } stars)
         {
-            stream.Write(Encoding.UTF8.GetBytes(StarXml.Elements(stars)));
+            stream.Write(Encoding.UTF8.GetBytes(SkyXml.Elements(stars)));
+        }
+
+        if (frame.Bodies is { } bodies)
+        {
+            stream.Write(Encoding.UTF8.GetBytes(SkyXml.Elements(bodies)));
         }
 
         stream.Write("</MSISRendering>\n"u8);
@@ -79,10 +84,12 @@ public static class MetadataXmlWriter
     private static string Grammar(FrameMetadata frame) => $"""
         <?xml version="1.0" encoding="UTF-8" standalone="no" ?>
         <!DOCTYPE MSISRendering [
-        {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null, frame.Stars is not null)}
+        {MetaFileGrammar.Text(frame.Navigation is not null, frame.Scan is not null, frame.Rig is not null, HasSky(frame))}
         ]>
 
         """;
+
+    private static bool HasSky(FrameMetadata frame) => frame.Stars is not null || frame.Bodies is not null;
 
     private static string GeneralInformation(FrameMetadata frame, PixelSampler pixels, LongEDigits digits) => Invariant($"""
         <MSISRendering>

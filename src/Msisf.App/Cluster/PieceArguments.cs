@@ -27,11 +27,13 @@ internal sealed class PieceArguments
                 "makes a part of the run, and this script looks at all of it in the end; what is there and complete is not made again");
         }
 
-        if (SkyOptions.Stars.ReadIfGiven(values) is not null && MissionOptions.OfGround.Read(values) != Aberration.None)
+        if (MissionOptions.OfGround.Read(values) != Aberration.None)
         {
-            Refuse(
-                SkyOptions.Stars,
-                $"with {MissionOptions.OfGround.Name} needs the velocity of the camera, which the states of pieces do not have");
+            string why = $"with {MissionOptions.OfGround.Name} needs the velocity of the camera, which the states of pieces do not have";
+            foreach (OptionSpec drawn in SkyOptions.Drawn)
+            {
+                Refuse(drawn, why);
+            }
         }
 
         Refuse(RunOptions.Overwrite, "would make all frames again each time a piece is run again; remove the outputs in place of it");

@@ -21,8 +21,8 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
         IEnumerable<string> names =
         [
             .. model.Sets.Select(set => set.ProductId), .. maps.Files.Select(file => file.Name),
-            .. new[] { settings.Native.Navigation?.Craters, settings.Native.Navigation?.Landmarks }.OfType<string>()
-                .Select(path => Path.GetFileName(path)),
+            .. new[] { settings.Native.Navigation?.Craters, settings.Native.Navigation?.Landmarks, settings.Native.Sky?.Catalogue }
+                .OfType<string>().Select(path => Path.GetFileName(path)),
             .. settings.Kernels.Select(path => Path.GetFileName(path)),
         ];
         foreach (string name in names)
@@ -85,6 +85,7 @@ internal sealed record DataSetSource(string Kind, string Name, string Sha256, st
         }
 
         return name.EndsWith("_SYNTHETIC", StringComparison.Ordinal) ? Made
+            : name is "bright" or "bright.csv" ? "CC0 1.0 (Open Source Bright Star Catalog)"
             : Array.Exists(OfNasa, start => name.StartsWith(start, StringComparison.OrdinalIgnoreCase)) ? Nasa
             : null;
     }

@@ -36,9 +36,9 @@ internal static class FrameSetup
             if (settings.Rig is not null && state.Sky?.OfGround == Aberration.LightTimeAndStellar)
             {
                 throw new UsageException(
-                    $"{SkyOptions.Stars.Name}: with {MissionOptions.OfGround.Name} lt+s the ground of a rig's cameras is turned by what "
-                        + "its body sees, so that stars would not fit it. Take lt or none, or leave one of them out.")
-                    .About(SkyOptions.Stars, MissionOptions.OfGround);
+                    $"the sky: with {MissionOptions.OfGround.Name} lt+s the ground of a rig's cameras is turned by what its body sees, so "
+                        + "that stars would not fit it. Take lt or none, or leave one of them out.")
+                    .About(MissionOptions.OfGround);
             }
 
             frames.Add(new Frame(
@@ -50,6 +50,7 @@ internal static class FrameSetup
                 Scan = settings.Scan,
                 Model = model,
                 Sky = sky?.Of(camera, state.Time, state.Sky) ?? [],
+                Earth = sky?.EarthLightOf(camera, state.Time),
                 Flow = state.Flow is { } flow
                     ? new FlowTarget(
                         model.At(new CameraState(flow.PositionBodyFixed, flow.MoonFromCamera)), LightOf(flow))
@@ -124,6 +125,9 @@ internal sealed record Frame(
 
     /// <summary>How the sky lies, for each band of the camera; empty where none is drawn.</summary>
     public IReadOnlyList<SkyAxes> Sky { get; init; } = [];
+
+    /// <summary>The Earth as a second light; null without earthshine.</summary>
+    public EarthLight? Earth { get; init; }
 
     /// <summary>
     /// The image as it is exposed part by part: a scan, or the rows of a frame with a rolling shutter whose camera moves; null for others.

@@ -54,7 +54,9 @@ internal sealed record RunFrames(
         SunPositions sun = new(ephemeris.Engine, first.Aberration, cameras.Count > 1 ? new SharedReadings() : null);
         return [.. cameras.Select((settings, index) =>
         {
-            SkyPositions? sky = settings.Native.Sky is null ? null : new SkyPositions(ephemeris.Engine, geometry.ReferenceRadius);
+            SkyPositions? sky = settings.Native.Sky is { } wanted
+                ? new SkyPositions(ephemeris.Engine, wanted, geometry.ReferenceRadius)
+                : null;
             IReadOnlyList<SpacecraftState> states = host.Times.Measure(
                 Phase.States, () => FlowStates.Of(needs[index].Of(read, trajectory), settings));
             IReadOnlyList<string> names = new FrameNaming(settings.OutputName, settings.Rig?.Name)

@@ -12,9 +12,9 @@ using Msisf.Core.Time;
 namespace Msisf.App.Preparation;
 
 /// <summary>What the sky of a run is drawn from.</summary>
-/// <param name="Stars">The catalogue.</param>
+/// <param name="Stars">The catalogue; null for no stars.</param>
 /// <param name="Files">The files that were read.</param>
-internal sealed record SkyInputs(StarCatalogue Stars, IReadOnlyList<InputFile> Files)
+internal sealed record SkyInputs(StarCatalogue? Stars, IReadOnlyList<InputFile> Files)
 {
     /// <summary>Reads the files.</summary>
     /// <param name="settings">The settings; null for none.</param>
@@ -22,12 +22,17 @@ internal sealed record SkyInputs(StarCatalogue Stars, IReadOnlyList<InputFile> F
     /// <exception cref="MsisfException">A file can't be used.</exception>
     public static SkyInputs? Open(SkySettings? settings, ILog log)
     {
-        if (settings is null)
+        if (settings is not { IsDrawn: true })
         {
             return null;
         }
 
-        StarCatalogueFile file = SkyOptions.Stars.NamedInErrors(() => StarCatalogueReader.Read(settings.Catalogue, settings.Faintest));
+        if (settings.Catalogue is not { } catalogue)
+        {
+            return new SkyInputs(null, []);
+        }
+
+        StarCatalogueFile file = SkyOptions.Stars.NamedInErrors(() => StarCatalogueReader.Read(catalogue, settings.Faintest));
         if (file.Catalogue.Stars.Count == 0)
         {
             throw SkyOptions.StarLimit.Wrong(Invariant(
@@ -46,15 +51,25 @@ internal sealed record SkyInputs(StarCatalogue Stars, IReadOnlyList<InputFile> F
 
 /// <summary>How the sky lies about the cameras of a run. Not for several threads, as CSPICE is not.</summary>
 /// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
+/// <param name="settings">What is drawn of it.</param>
 /// <param name="groundRadius">m: of the sphere that the ground is taken for.</param>
-internal sealed class SkyPositions(Func<IEphemeris> ephemeris, double groundRadius)
+internal sealed class SkyPositions(Func<IEphemeris> ephemeris, SkySettings settings, double groundRadius)
 {
-    /// <summary>The sky of each band of a camera.</summary>
+    private readonly IReadOnlyList<SkyBody> _bodies = settings.Bodies;
+
+    /// <summary>The sky of each band of a camera; empty where none is drawn.</summary>
     /// <param name="observer">What finite light does to the camera's ground; null for nothing.</param>
     /// <exception cref="MsisfException">A time is outside the kernels' cover.</exception>
     public IReadOnlyList<SkyAxes> Of(ICamera camera, Instant time, SkyObserver? observer)
     {
         IEphemeris engine = ephemeris();
-        return [.. camera.Bands.Select(band => SkyAxes.At(time, band.Camera.State, observer, engine, groundRadius))];
+        return settings.IsDrawn
+            ? [.. camera.Bands.Select(band => SkyAxes.At(time, band.Camera.State, observer, engine, groundRadius, _bodies))]
+            : [];
     }
+
+    /// <summary>The Earth as a light of a frame; null where it does not light the ground.</summary>
+    /// <exception cref="MsisfException">The time is outside the kernels' cover.</exception>
+    public EarthLight? EarthLightOf(ICamera camera, Instant time) =>
+        settings.HasEarthshine ? EarthLight.At(time, camera.State, ephemeris(), groundRadius) : null;
 }

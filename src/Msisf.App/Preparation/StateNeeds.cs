@@ -45,7 +45,7 @@ internal sealed record StateNeeds
     {
         CameraWithShutter = settings.Shutter is null ? null : settings.Camera!.Name,
         HasDetector = settings.Native.Detector is not null,
-        HasSky = settings.Native.Sky is not null,
+        HasSky = settings.Native.Sky is { IsDrawn: true },
         Scan = settings.Scan,
         Jitter = settings.Jitter,
         ExposureReach = settings.ExposureReach,

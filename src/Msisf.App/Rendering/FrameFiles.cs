@@ -40,7 +40,8 @@ internal sealed class FrameFiles(
         FrameMetadata metadata = description.Describe(frame, rendered, ledger.Plan.ArgumentsOf(frame.Step, frame.CameraIndex)) with
         {
             Navigation = times.Measure(Phase.Navigation, () => _navigation?.Of(rendered)),
-            Stars = rendered.Stars,
+            Stars = rendered.Sky?.Stars,
+            Bodies = rendered.Sky?.Bodies,
         };
         PixelSampler pixels = description.Sampler(frame, rendered);
         comparison.Compare($"{stem}.xml", metadata.Inputs);
@@ -81,10 +82,16 @@ internal sealed class FrameFiles(
         }
 
         paths.AddRange(times.Measure(Phase.Navigation, () => FrameNavigation.Write(files, stem, frame.Step, metadata)));
-        if (rendered.Stars is { } stars)
+        if (rendered.Sky?.Stars is { } stars)
         {
-            times.Measure(Phase.Sky, () => files.WriteText($"{stem}.stars.csv", writer => StarCsvWriter.Write(writer, stars)));
+            times.Measure(Phase.Sky, () => files.WriteText($"{stem}.stars.csv", writer => SkyCsvWriter.Write(writer, stars)));
             paths.Add($"{stem}.stars.csv");
+        }
+
+        if (rendered.Sky?.Bodies is { } bodies)
+        {
+            times.Measure(Phase.Sky, () => files.WriteText($"{stem}.bodies.csv", writer => SkyCsvWriter.Write(writer, bodies)));
+            paths.Add($"{stem}.bodies.csv");
         }
 
         if (_flows is not null)

@@ -3,7 +3,6 @@ using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
-using Msisf.Core.Sky;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
@@ -64,8 +63,8 @@ internal sealed record RenderedFrame(
     /// <summary>The detector's numbers as a file has them: of an image that is drawn in strips without <see cref="Detected"/>.</summary>
     public DetectorNumbers? Numbers { get => field ?? (Detected is null ? null : DetectorNumbers.Of(Detected)); init; }
 
-    /// <summary>The stars of the frame; null where none are drawn.</summary>
-    public StarsOfFrame? Stars { get; init; }
+    /// <summary>What the frame shows of the sky; null where none is drawn.</summary>
+    public SkyOfFrame? Sky { get; init; }
 
     /// <summary>Number of threads that work on the frame.</summary>
     public int Threads { get; init; } = 1;

@@ -4,17 +4,17 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render;
-using Msisf.Core.Sky;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>Draws frames of one camera and one set of options with the program's own renderer, in memory. Thread-safe.</summary>
 internal sealed class NativeDrawing(
-    NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times, StarsOfCamera? stars = null)
+    NativeSettings settings, ITerrain model, SurfaceInputs maps, NativeLevels levels, RunTimes times, CameraSky? sky = null)
 {
     /// <summary>
     /// Number of frames after which the model's memory pages are released. Mapping the pages of the next frames again takes some ms, which
@@ -70,7 +70,7 @@ internal sealed class NativeDrawing(
         NativeFrame drawn = Draw(renderer, window, frame, options, threads, cancellation);
         try
         {
-            StarLights? lights = StarsOf(frame, window, detector);
+            FrameLights? lights = SkyOf(frame, window, detector);
             DetectorImage? detected = detector is null ? null
                 : shot is null ? Expose(detector, renderer, frame, drawn, lights, threads, cancellation)
                 : ExposeRows(detector, renderer, shot with { NoiseCamera = drawn.Camera }, lights, threads, cancellation);
@@ -83,13 +83,9 @@ internal sealed class NativeDrawing(
         }
     }
 
-    /// <summary>The radiance factors that stars add to pixels of an image of grey levels; empty without stars.</summary>
-    internal IReadOnlyList<(int Pixel, double Factor)> FactorsOf(StarsOfFrame? found, IGroundTruth frame) =>
-        found is null || stars is null ? [] : stars.RadianceFactors(found, frame);
-
-    /// <summary>The stars of a frame; null where none are drawn.</summary>
+    /// <summary>The lights of a frame's sky; null where none is drawn.</summary>
     /// <param name="drawn">The camera with which its ground is drawn.</param>
-    private StarLights? StarsOf(Frame frame, ICamera drawn, CameraDetector? detector) => stars is null ? null : stars.Of(
+    private FrameLights? SkyOf(Frame frame, ICamera drawn, CameraDetector? detector) => sky is null ? null : sky.Of(
         frame, levels.TracerFor(drawn, Settings.Render.DetailSubsamplesPerAxis), detector,
         Settings.Detector is { Settings: var exposed }
             ? exposed.Exposed(frame.ExposureFactor) is var own && own.Shutter is { } shutter
@@ -97,9 +93,10 @@ internal sealed class NativeDrawing(
                 : own.ExposureTime
             : 0.0);
 
-    private StarsOfFrame? Found(
-        StarLights? lights, Frame frame, CameraDetector? detector, int threads, CancellationToken cancellation) => lights is null ? null
-        : times.Measure(Phase.Sky, () => lights.Find(frame.Camera, detector is not null, threads, cancellation));
+    private SkyOfFrame? Found(
+        FrameLights? lights, Frame frame, CameraDetector? detector, int threads, CancellationToken cancellation) => lights is null ? null
+        : times.Measure(Phase.Sky, () => sky!.Find(
+            lights, frame.Camera, row => frame.Light.At(frame.Camera, row).PositionBodyFixed, detector is not null, threads, cancellation));
 
     /// <summary>Counts a frame whose image is done with, and releases the model's memory pages now and then.</summary>
     internal void Finished()
@@ -128,8 +125,22 @@ internal sealed class NativeDrawing(
 
     private NativeFrame Draw(
         NativeRenderer renderer, ICamera camera, Frame frame, NativeRenderOptions options, int threads,
-        CancellationToken cancellation) =>
-        times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
+        CancellationToken cancellation)
+    {
+        NativeFrame drawn = times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
+        if (frame.Earth is not { } earth)
+        {
+            return drawn;
+        }
+
+        // The factors of a frame count in its own light, sunlight at the Moon.
+        double sun = frame.Light.PositionBodyFixed.Length / AstronomicalConstants.AstronomicalUnit;
+        NativeRenderOptions ofEarth = options with { KeepGroundTruth = false, Indirect = null, Progress = null };
+        using NativeFrame earthlit = times.Measure(
+            Phase.Draw, () => renderer.Render(camera, earth.Light, ofEarth, threads, cancellation));
+        drawn.AddLight(earthlit, earth.OverSunlight * sun * sun);
+        return drawn;
+    }
 
     /// <summary>The renderer of a frame's level of detail.</summary>
     public NativeRenderer RendererOf(Frame frame) => levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
@@ -157,7 +168,7 @@ internal sealed class NativeDrawing(
         CancellationToken cancellation)
     {
         CameraDetector detector = _detectors!.Of(ScanReadout.CameraOf(shot), frame.ExposureFactor, threads);
-        StarLights? lights = StarsOf(frame, frame.Camera, detector);
+        FrameLights? lights = SkyOf(frame, frame.Camera, detector);
         ScanReadout readout = new(detector, renderer, options) { Points = lights };
         (NativeFrame drawn, DetectorImage image) = times.Measure(
             Phase.Detector, () => readout.Expose(shot, rows, threads, cancellation));
@@ -168,9 +179,9 @@ internal sealed class NativeDrawing(
 
     /// <summary>Exposes the rows of a frame one by one, each about its own time, and reads them out together.</summary>
     /// <param name="renderer">Draws the rows.</param>
-    /// <param name="lights">The stars of the frame; null for none.</param>
+    /// <param name="lights">The lights of the sky; null for none.</param>
     private DetectorImage ExposeRows(
-        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, StarLights? lights, int threads,
+        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, FrameLights? lights, int threads,
         CancellationToken cancellation)
     {
         ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false }) { Points = lights };
@@ -184,9 +195,9 @@ internal sealed class NativeDrawing(
     /// <summary>Sums up the exposure of a frame and reads it out.</summary>
     /// <param name="renderer">Draws the other instants of the exposure.</param>
     /// <param name="middle">It at its own time.</param>
-    /// <param name="lights">The stars of the frame; null for none.</param>
+    /// <param name="lights">The lights of the sky; null for none.</param>
     private DetectorImage Expose(
-        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, StarLights? lights, int threads,
+        CameraDetector detector, NativeRenderer renderer, Frame frame, NativeFrame middle, FrameLights? lights, int threads,
         CancellationToken cancellation)
     {
         CameraMotion motion = frame.Motion ?? default;

@@ -6,14 +6,13 @@ using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
-using Msisf.Core.Sky;
 
 namespace Msisf.App.Rendering;
 
 /// <summary>A drawn frame in memory: its grey levels or the numbers of the detector, and its ground truth.</summary>
 internal sealed class NativeImage(
     NativeDrawing drawing, NativeRenderer renderer, Frame frame, NativeFrame drawn, CameraDetector? detector, DetectorImage? detected,
-    StarsOfFrame? stars = null)
+    SkyOfFrame? sky = null)
     : IDisposable
 {
     /// <summary>px: a thread's start takes as long as the levels of some thousand.</summary>
@@ -96,10 +95,9 @@ internal sealed class NativeImage(
         }
 
         ConvertGround(levels, threads);
-        foreach (IGrouping<int, (int Pixel, double Factor)> added in drawing.FactorsOf(stars, _truth).GroupBy(star => star.Pixel))
+        foreach ((int pixel, double factor) in sky?.Factors ?? [])
         {
-            double factor = drawn.RadianceFactors[added.Key] + added.Sum(star => star.Factor);
-            ConvertLevels([factor], levels.Span.Slice(added.Key * BytesPerPixel, BytesPerPixel));
+            ConvertLevels([drawn.RadianceFactors[pixel] + factor], levels.Span.Slice(pixel * BytesPerPixel, BytesPerPixel));
         }
     }
 
@@ -160,7 +158,7 @@ internal sealed class NativeImage(
         Threads = threads,
         Terrain = renderer.Terrain,
         PartResolutions = renderer.PartResolutions,
-        Stars = stars,
+        Sky = sky,
     };
 
     public void Dispose()

@@ -228,7 +228,7 @@ internal sealed class RenderRun
         return [.. _cameras.Select((settings, index) => new NativeFrameRenderer(
             new NativeDrawing(
                 settings.Native, model.Grid, inputs.Maps, levels, _times,
-                inputs.Sky is { } sky ? new StarsOfCamera(sky.Stars, settings.Albedo.Band) : null),
+                inputs.Sky is { } sky ? new CameraSky(sky, settings.Albedo.Band) : null),
             files[index], exposures[index], progress, _times))];
     }
 

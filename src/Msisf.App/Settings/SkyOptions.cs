@@ -9,8 +9,11 @@ internal static class SkyOptions
     /// <summary>V: brighter than all stars, and fainter than all that are known.</summary>
     private static readonly NumberRange Magnitudes = new(-2.0, 30.0);
 
+    public static FlagSpec All { get; } = new(
+        "--sky", DecidesBytes.ByOthers.OfRuns(), "Draws all of the sky: --stars, --planets, --earth, --sun-in-view");
+
     public static TextSpec Stars { get; } = new(
-        "--stars", DecidesBytes.As(frame => frame.Native?.Sky is { } sky ? Path.GetFileName(sky.Catalogue) : null).OfRuns(), "FILE",
+        "--stars", DecidesBytes.As(frame => frame.Native?.Sky?.Catalogue is { } name ? Path.GetFileName(name) : null).OfRuns(), "FILE",
         "Draws stars: those to V 6.0 that come with msis (bright, also without a value), of Hipparcos (hip_main.dat), of Tycho-2 "
             + "(tyc2.dat) or of a CSV file")
     {
@@ -25,46 +28,23 @@ internal static class SkyOptions
         DefaultNote = "all of the catalogue",
     };
 
-    public static OptionGroup Group { get; } = new("Sky", [Stars, StarLimit])
+    public static FlagSpec Planets { get; } = new(
+        "--planets", DecidesBytes.As(frame => frame.Native?.Sky?.HasPlanets).OfRuns(), "Draws the planets but the Earth");
+
+    public static FlagSpec Earth { get; } = new(
+        "--earth", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarth).OfRuns(), "Draws the Earth");
+
+    public static FlagSpec SunInView { get; } = new(
+        "--sun-in-view", DecidesBytes.As(frame => frame.Native?.Sky?.HasSun).OfRuns(), "Draws the Sun");
+
+    public static FlagSpec Earthshine { get; } = new(
+        "--earthshine", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarthshine).OfRuns(), "Lights the ground by the Earth too");
+
+    /// <summary>The options that draw something behind the ground.</summary>
+    public static IReadOnlyList<OptionSpec> Drawn => [All, Stars, Planets, Earth, SunInView];
+
+    public static OptionGroup Group { get; } = new("Sky", [All, Stars, StarLimit, Planets, Earth, SunInView, Earthshine])
     {
         Note = "Only with --renderer native.",
     };
-}
-
-/// <summary>The checked options of the sky.</summary>
-internal sealed record SkySettings
-{
-    /// <summary>The catalogue of stars: a path, or the word for the one that comes with the program.</summary>
-    public required string Catalogue { get; init; }
-
-    /// <summary>V of the faintest stars that are drawn; null for all.</summary>
-    public double? Faintest { get; init; }
-
-    /// <returns>Null if no sky is wanted.</returns>
-    /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
-    public static SkySettings? Read(OptionValues values)
-    {
-        string? catalogue = SkyOptions.Stars.ReadIfGiven(values);
-        values.Refuse(
-            catalogue is null ? [SkyOptions.StarLimit] : [],
-            $"is given, but no {SkyOptions.Stars.Name}. Add that, or leave it out.");
-        if (catalogue is null)
-        {
-            return null;
-        }
-
-        if (LightOptions.IgnoreSun.Read(values))
-        {
-            throw SkyOptions.Stars.Wrong(
-                $"has no meaning with {LightOptions.IgnoreSun.Name}: stars are as bright as they are beside sunlit ground. Leave one out.",
-                LightOptions.IgnoreSun);
-        }
-
-        string name = ChoiceSpec.IsSame(StarCatalogueReader.BuiltIn, catalogue) ? StarCatalogueReader.BuiltIn : catalogue;
-        return name == StarCatalogueReader.BuiltIn || File.Exists(name)
-            ? new SkySettings { Catalogue = name, Faintest = SkyOptions.StarLimit.ReadIfGiven(values) }
-            : throw SkyOptions.Stars.Wrong(
-                $"is '{name}', which is neither a file nor '{StarCatalogueReader.BuiltIn}'. Give a catalogue: hip_main.dat of Hipparcos, "
-                    + "tyc2.dat of Tycho-2, or CSV with the columns ra_deg, dec_deg and v_mag.");
-    }
 }

@@ -49,6 +49,9 @@ public sealed record FrameMetadata(
     /// <summary>Stars of the frame; null where none are drawn.</summary>
     public StarsOfFrame? Stars { get; init; }
 
+    /// <summary>Planets, the Earth and the Sun behind the frame's ground; null where none are drawn.</summary>
+    public BodiesOfFrame? Bodies { get; init; }
+
     /// <summary>m: height of the camera over the Moon's mean radius (thesis section 9.2), or over another body's sphere.</summary>
     public double FlightAltitude => Camera.PositionBodyFixed.Length - Globe.AltitudeRadius;
 

@@ -15,7 +15,7 @@ internal interface IDrawnFrame
     SceneLight Light { get; }
 
     /// <inheritdoc cref="IGroundTruth.RadianceFactors"/>
-    ReadOnlyMemory<double> RadianceFactors { get; }
+    Memory<double> RadianceFactors { get; }
 
     /// <inheritdoc cref="IGroundTruth.IndirectFactors"/>
     ReadOnlyMemory<double> IndirectFactors => default;
@@ -40,7 +40,7 @@ internal sealed class DrawnBands(ICamera camera, SceneLight light) : IDrawnFrame
 
     public SceneLight Light => light;
 
-    public ReadOnlyMemory<double> RadianceFactors => _radianceFactors;
+    public Memory<double> RadianceFactors => _radianceFactors;
 
     /// <summary>Copies the rows of a band.</summary>
     /// <param name="drawn">The band, drawn as a frame.</param>

@@ -51,7 +51,7 @@ internal sealed class FramePass : IDrawnFrame
     public SceneLight Light { get; private set; }
 
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>
-    public ReadOnlyMemory<double> RadianceFactors => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
+    public Memory<double> RadianceFactors => _radianceFactors.AsMemory(0, Camera.Width * Camera.Height);
 
     /// <summary>The part of <see cref="RadianceFactors"/> that the ground's own light makes; empty if it is not asked for.</summary>
     public ReadOnlyMemory<double> IndirectFactors =>

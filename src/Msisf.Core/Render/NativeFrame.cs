@@ -32,6 +32,18 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
     /// <summary>The same numbers as <see cref="RadianceFactors"/>.</summary>
     internal ReadOnlyMemory<double> RadianceFactorMemory => Drawn.RadianceFactors;
 
+    /// <summary>Adds the light of another lamp, by which the same camera was drawn.</summary>
+    /// <param name="factor">That lamp's light over this one's.</param>
+    public void AddLight(NativeFrame other, double factor)
+    {
+        Span<double> sum = Drawn.RadianceFactors.Span;
+        ReadOnlySpan<double> more = other.RadianceFactors;
+        for (int i = 0; i < sum.Length; i++)
+        {
+            sum[i] += factor * more[i];
+        }
+    }
+
     private IDrawnFrame Drawn => _drawn ?? throw new ObjectDisposedException(nameof(NativeFrame));
 
     /// <inheritdoc/>

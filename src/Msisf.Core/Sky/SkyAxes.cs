@@ -20,6 +20,12 @@ public sealed record SkyAxes
 {
     private const double MetresPerKilometre = 1000.0;
 
+    /// <summary>Radius of the Earth over its distance from which on it matters that its near parts are nearer.</summary>
+    private const double LeastNearness = 1e-4;
+
+    /// <summary>Solutions of the light time: each makes the error 1e-4 times as large.</summary>
+    private const int LightSteps = 4;
+
     /// <summary>Solutions of the drawn turn for the real one: each makes the error 1e-4 times as large.</summary>
     private const int TurnSteps = 4;
 
@@ -40,8 +46,11 @@ public sealed record SkyAxes
     /// <param name="state">The camera as it is drawn, with its seconds after that.</param>
     /// <param name="observer">What finite light does to its ground, and its velocity; null for nothing.</param>
     /// <param name="radius">m: of the sphere that the ground is taken for.</param>
-    /// <exception cref="MsisfException">The time is outside the kernels' cover.</exception>
-    public static SkyAxes At(Instant frameTime, in CameraState state, SkyObserver? observer, IEphemeris ephemeris, double radius)
+    /// <param name="bodies">Bodies whose places are to be known; null for none.</param>
+    /// <exception cref="MsisfException">The time is outside the kernels' cover, or they have no such body.</exception>
+    public static SkyAxes At(
+        Instant frameTime, in CameraState state, SkyObserver? observer, IEphemeris ephemeris, double radius,
+        IReadOnlyList<SkyBody>? bodies = null)
     {
         Instant time = frameTime.After(state.Seconds);
         TdbTime tdb = time.Tdb;
@@ -56,15 +65,18 @@ public sealed record SkyAxes
             Aberration.LightTime => default,
             _ => observer!.VelocityJ2000(time) - barycenter.Velocity,
         };
+        Vector3D camera = axes.Transposed * state.PositionBodyFixed;
+        Vector3D inC = velocity / (MetresPerKilometre * LightSpeed.KilometresPerSecond);
         return new SkyAxes(
             axes,
             axes * ephemeris.BodyRateJ2000(ofBody),
-            velocity / (MetresPerKilometre * LightSpeed.KilometresPerSecond),
+            inC,
             -barycenter.Position / AstronomicalConstants.AstronomicalUnit,
             tdb.Seconds / AstronomicalConstants.JulianYear,
             ofGround == Aberration.LightTimeAndStellar)
         {
             Seconds = state.Seconds,
+            Bodies = [.. (bodies ?? []).Select(body => PlaceOf(body, tdb, camera - barycenter.Position, inC, ephemeris))],
         };
     }
 
@@ -73,6 +85,9 @@ public sealed record SkyAxes
 
     /// <summary>s after the image's time.</summary>
     public double Seconds { get; private init; }
+
+    /// <summary>Where the bodies are that were asked for.</summary>
+    public IReadOnlyList<BodyPlace> Bodies { get; private init; } = [];
 
     /// <summary>rad/s: how fast the body turns.</summary>
     public double BodyRate => _rateBodyFixed.Length;
@@ -107,6 +122,43 @@ public sealed record SkyAxes
         }
 
         return GroundAberration.Turn(real, velocity) * bodyFixed;
+    }
+
+    /// <summary>Where an observer sees a body.</summary>
+    /// <param name="observer">m, from the solar system's barycentre, J2000.</param>
+    private static BodyPlace PlaceOf(SkyBody body, TdbTime time, Vector3D observer, Vector3D velocityInC, IEphemeris ephemeris)
+    {
+        double seconds = 0.0;
+        Vector3D way = default;
+        for (int step = 0; step < LightSteps; step++)
+        {
+            way = FromBarycenter(body.NaifNumber, time + -seconds) - observer;
+            seconds = LightSpeed.TimeOver(way.Length / MetresPerKilometre);
+        }
+
+        TdbTime sent = time + -seconds;
+        Vector3D sun = FromBarycenter(SkyBody.Sun.NaifNumber, sent) - FromBarycenter(body.NaifNumber, sent);
+        bool isSun = body == SkyBody.Sun;
+        double distance = way.Length / AstronomicalConstants.AstronomicalUnit;
+        double phase = isSun ? 0.0 : Vector3D.AngleBetween(sun, -way);
+        double magnitude = isSun
+            ? PlanetMagnitude.OfSun + (5.0 * Math.Log10(distance))
+            : PlanetMagnitude.Of(
+                body.NaifNumber, sun.Length / AstronomicalConstants.AstronomicalUnit, distance, double.RadiansToDegrees(phase),
+                Latitude(sun), Latitude(-way), time.Seconds / AstronomicalConstants.JulianYear);
+        double ratio = body.EquatorialRadius / way.Length;
+        if (body == SkyBody.Earth && ratio is > LeastNearness and < 1.0)
+        {
+            magnitude -= 2.5 * Math.Log10(LambertSphere.Of(phase, ratio).Light);
+        }
+
+        return new BodyPlace(
+            body, StellarAberration.Of(way.Normalized(), velocityInC), way.Length, isSun ? default : sun.Normalized(), phase, magnitude);
+
+        Vector3D FromBarycenter(int number, TdbTime at) =>
+            ephemeris.StateOf(number, at).Position - ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, at).Position;
+
+        double Latitude(Vector3D direction) => 90.0 - double.RadiansToDegrees(Vector3D.AngleBetween(body.PoleJ2000, direction));
     }
 
     /// <summary>A direction as the body has it, which has turned since.</summary>

@@ -121,7 +121,7 @@ public sealed class StarRunTests : IDisposable
     /// <summary>A rig's cameras, a time without kernels, ...: an error that says what to do.</summary>
     [RequiresTheory(Part.Ldem4)]
     [InlineData(3, "outside the kernels", "--time", "2130-01-01T00:00:00Z")]
-    [InlineData(1, "as bright as they are beside sunlit ground", "--ignore-sun")]
+    [InlineData(1, "as bright as it is beside sunlit ground", "--ignore-sun")]
     [InlineData(1, "for --renderer native only", "--renderer", "povray")]
     [InlineData(1, "leaves no star: all of bright.csv are fainter than V -2", "--star-limit", "-2")]
     [InlineData(1, "neither a file nor 'bright'", "--stars", "no-such-catalogue.dat")]

@@ -99,7 +99,7 @@ internal sealed class LightPass
     {
         if (HasDisc(light, options))
         {
-            SunDisc disc = new(light.PositionBodyFixed);
+            SunDisc disc = new(light.PositionBodyFixed, light.Radius);
             SunwardPoints facing = new(points, light.PositionBodyFixed, sunlight.CosIncidence, disc.MinCosine);
             _penumbras.Run(facing, disc, sunlight.HiddenPoints, threads, cancellation);
             _discShader.Run(points, disc, sunlight, threads, cancellation);

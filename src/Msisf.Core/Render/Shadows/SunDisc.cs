@@ -13,8 +13,6 @@ namespace Msisf.Core.Render.Shadows;
 /// </remarks>
 internal sealed class SunDisc
 {
-    private const double SunRadius = AstronomicalConstants.SunRadius;
-
     /// <summary>Number of points of the disc, and of bits in a mask of them.</summary>
     public const int Points = 64;
 
@@ -35,19 +33,20 @@ internal sealed class SunDisc
 
     /// <summary>Places the points for a position of the Sun.</summary>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
+    /// <param name="sunRadius">m: of the Sun, or of another light that is a disc.</param>
     /// <exception cref="BadInputException">The Moon's centre is inside the Sun.</exception>
-    public SunDisc(Vector3D sunBodyFixed)
+    public SunDisc(Vector3D sunBodyFixed, double sunRadius = AstronomicalConstants.SunRadius)
     {
         CentreBodyFixed = sunBodyFixed;
         double distance = sunBodyFixed.Length;
-        if (!(distance > SunRadius))
+        if (!(distance > sunRadius))
         {
             throw new BadInputException(
                 $"The Sun is at {sunBodyFixed} m, so that the Moon is inside the Sun; give a position farther away.");
         }
 
         // The angular radius of a sphere's outline is asin(R / D); a disc at the distance of its centre has this radius.
-        double radius = distance * SunRadius / Math.Sqrt((distance - SunRadius) * (distance + SunRadius));
+        double radius = distance * sunRadius / Math.Sqrt((distance - sunRadius) * (distance + sunRadius));
         Slope = radius / distance;
         LightFrame axes = new(sunBodyFixed, Vector3D.UnitZ);
         List<(double Turn, double FromCentre)> points = [];

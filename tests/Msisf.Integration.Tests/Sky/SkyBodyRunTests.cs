@@ -1,0 +1,145 @@
+using System.Globalization;
+using System.Xml.Linq;
+using Msisf.Adapters.Ephemeris;
+using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
+using Msisf.Integration.Tests.Ephemeris;
+using Msisf.TestSupport;
+using Xunit;
+
+namespace Msisf.Integration.Tests.Sky;
+
+/// <summary>Runs with the Earth behind the Moon and on its night.</summary>
+public sealed class SkyBodyRunTests : IDisposable
+{
+    private const string Time = "2010-04-06T20:24:00Z";
+
+    private const string Camera = """
+        width: 400
+        height: 300
+        focal-length: 16
+        pixel-pitch: 0.011
+        detector: {f-number: 1.4, band: [420, 700], transmission: 0.8, quantum-efficiency: 0.5, exposure-time: 0.001, gain: 4, adc-bits: 12,
+                   psf: gaussian, psf-sigma: 0.7}
+        """;
+
+    private readonly TemporaryFolder _folder = new();
+
+    public SkyBodyRunTests() => _folder.Write("camera.yaml", Camera);
+
+    public void Dispose() => _folder.Dispose();
+
+    /// <summary>The Earth over the limb: where the ephemeris has it, with the electrons of its magnitude.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_Earth_IsWhereTheEphemerisHasIt()
+    {
+        Run("earth", "--position", "5,125,400000", "--look-at", "horizon:274", "--earth", "--planets", "--camera", _folder["camera.yaml"]);
+        string stem = Path.Combine(_folder["earth"], "MoonSurfIllumSim_step_00001");
+        string[][] rows = [.. File.ReadLines($"{stem}.bodies.csv").Select(line => line.Split(','))];
+        string[] earth = rows.Single(row => row[0] == "Earth");
+        double Value(string name) => double.Parse(earth[Array.IndexOf(rows[0], name)], CultureInfo.InvariantCulture);
+        XElement general = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Root!.Element("GeneralInformation")!;
+        double[] k = Numbers(general.Descendants("K").Single().Value);
+        double[] r = Numbers(general.Descendants("R").Single().Value);
+        double[] t = Numbers(general.Descendants("t").Single().Value);
+        using OpenedEphemeris opened = Engines.BuiltIn();
+        double mjd = double.Parse(general.Descendants("MJD").Single().Value, CultureInfo.InvariantCulture);
+        IEphemeris engine = opened.Engine;
+        Vector3D place = engine.BodyFromJ2000(engine.TimeScale.InstantOfMjd(mjd).Tdb)
+            * engine.StateOf(399, engine.TimeScale.InstantOfMjd(mjd).Tdb).Position;
+        double[] seen = [.. Enumerable.Range(0, 3).Select(
+            i => (r[3 * i] * place.X) + (r[(3 * i) + 1] * place.Y) + (r[(3 * i) + 2] * place.Z) + t[i])];
+
+        // Light time and aberration nearly cancel for a body that flies with the Moon: 1 km/s is 0.7 arcseconds, 0.005 px.
+        Assert.Equal((k[0] * seen[0] / seen[2]) + k[2] + 1.0, Value("h"), 0.01);
+        Assert.Equal((k[4] * seen[1] / seen[2]) + k[5] + 1.0, Value("v"), 0.01);
+        double distance = Math.Sqrt(seen.Sum(x => x * x));
+        Assert.Equal(k[0] * Math.Tan(Math.Asin(6_378_136.6 / distance)), Value("radius"), 0.6); // off the axis pixels are smaller
+        Assert.Equal(1.0, Value("visible"));
+        Assert.InRange(Value("phase"), 80.0, 90.0);
+        Assert.Equal(-15.43, Value("magnitude"), 0.03); // -3.99 - 1.06e-3 a + 2.054e-4 a^2, a = 85.3, from 0.002694 au; and its nearness
+        Assert.InRange(Value("electrons"), 1e8, 1e10);
+    }
+
+    /// <summary>Lambert's ground in the night: as bright as the Earth's light falls on it.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_Earthshine_LightsTheNight()
+    {
+        Run(
+            "shine", "--position", "0,30,100000", "--earthshine", "--reflectance", "lambert", "--albedo", "0.2", "--fov", "20", "--width",
+            "64", "--height", "64", "--layers", "position,normal,radiance-factor", "--layers-format", "npy");
+        using OpenedEphemeris opened = Engines.BuiltIn();
+        string stem = Path.Combine(_folder["shine"], "MoonSurfIllumSim_step_00001");
+        XElement general = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Root!.Element("GeneralInformation")!;
+        double mjd = double.Parse(general.Descendants("MJD").Single().Value, CultureInfo.InvariantCulture);
+        IEphemeris engine = opened.Engine;
+        var tdb = engine.TimeScale.InstantOfMjd(mjd).Tdb;
+        RotationMatrix axes = engine.BodyFromJ2000(tdb);
+        Vector3D earth = axes * engine.StateOf(399, tdb).Position;
+        Vector3D sun = axes * engine.StateOf(10, tdb).Position;
+        double[] positions = Reals($"{stem}.position.npy");
+        double[] normals = Reals($"{stem}.normal.npy");
+        double[] factors = Reals($"{stem}.radiance-factor.npy");
+        List<double> ratios = [];
+        for (int i = 0; i < factors.Length; i++)
+        {
+            Vector3D ground = new(positions[3 * i], positions[(3 * i) + 1], positions[(3 * i) + 2]);
+            Vector3D normal = new(normals[3 * i], normals[(3 * i) + 1], normals[(3 * i) + 2]);
+            ratios.Add(factors[i] / (0.2 * Light(earth - ground, sun - ground, normal)));
+        }
+
+        ratios.Sort();
+        Assert.Equal(1.0, ratios[ratios.Count / 2], 5e-3);
+    }
+
+    /// <summary>Light of the Earth over sunlight at the Moon on a facet: a sum over its surface, scaled to its magnitude from far away.</summary>
+    private static double Light(Vector3D earth, Vector3D sun, Vector3D normal)
+    {
+        const double Radius = 6_371_000.0;
+        const double Au = 149_597_870_700.0;
+        const int Net = 24;
+        Vector3D toSun = (sun - earth).Normalized();
+        Vector3D back = -earth.Normalized();
+        double sum = 0.0;
+        double far = 0.0;
+        for (int i = 0; i < Net; i++)
+        {
+            double z = (((2.0 * i) + 1.0) / Net) - 1.0;
+            for (int j = 0; j < 2 * Net; j++)
+            {
+                (double y, double x) = Math.SinCos(Math.PI * (j + 0.5) / Net);
+                Vector3D point = new(x * Math.Sqrt(1.0 - (z * z)), y * Math.Sqrt(1.0 - (z * z)), z);
+                double lit = Math.Max(0.0, Vector3D.Dot(point, toSun));
+                Vector3D way = earth + (Radius * point);
+                double leaves = Math.Max(0.0, -Vector3D.Dot(point, way.Normalized()));
+                sum += lit * leaves * Math.Max(0.0, Vector3D.Dot(normal, way.Normalized())) * earth.LengthSquared / way.LengthSquared;
+                far += lit * Math.Max(0.0, Vector3D.Dot(point, back));
+            }
+        }
+
+        double phase = double.RadiansToDegrees(Vector3D.AngleBetween(toSun, back));
+        double magnitude = -3.99 - (1.060e-3 * phase) + (2.054e-4 * phase * phase)
+            + (5.0 * Math.Log10((sun - earth).Length * earth.Length / (Au * Au)));
+        return sum / far * Math.Pow(10.0, -0.4 * (magnitude + 26.76)) * (sun.LengthSquared / (Au * Au));
+    }
+
+    private void Run(string output, params string[] options)
+    {
+        CommandLineRun run = CommandLineRun.Of(["--renderer", "native", "--time", Time, "--output-dir", _folder[output], .. options]);
+        Assert.True(run.ExitCode == 0, run.Error);
+    }
+
+    private static double[] Numbers(string text) =>
+        [.. text.Split((char[])[' ', '\n'], StringSplitOptions.RemoveEmptyEntries)
+            .Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+
+    /// <summary>The doubles of an array of NumPy, version 1.</summary>
+    private static double[] Reals(string path)
+    {
+        byte[] bytes = File.ReadAllBytes(path);
+        int start = 10 + BitConverter.ToUInt16(bytes, 8);
+        double[] values = new double[(bytes.Length - start) / sizeof(double)];
+        Buffer.BlockCopy(bytes, start, values, 0, values.Length * sizeof(double));
+        return values;
+    }
+}
