@@ -3,6 +3,7 @@ using System.Xml.Linq;
 using Msisf.Adapters.Ephemeris;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Numerics;
+using Msisf.Core.Time;
 using Msisf.Integration.Tests.Ephemeris;
 using Msisf.TestSupport;
 using Xunit;
@@ -73,7 +74,7 @@ public sealed class SkyBodyRunTests : IDisposable
         XElement general = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Root!.Element("GeneralInformation")!;
         double mjd = double.Parse(general.Descendants("MJD").Single().Value, CultureInfo.InvariantCulture);
         IEphemeris engine = opened.Engine;
-        var tdb = engine.TimeScale.InstantOfMjd(mjd).Tdb;
+        TdbTime tdb = engine.TimeScale.InstantOfMjd(mjd).Tdb;
         RotationMatrix axes = engine.BodyFromJ2000(tdb);
         Vector3D earth = axes * engine.StateOf(399, tdb).Position;
         Vector3D sun = axes * engine.StateOf(10, tdb).Position;
@@ -92,7 +93,7 @@ public sealed class SkyBodyRunTests : IDisposable
         Assert.Equal(1.0, ratios[ratios.Count / 2], 5e-3);
     }
 
-    /// <summary>Light of the Earth over sunlight at the Moon on a facet: a sum over its surface, scaled to its magnitude from far away.</summary>
+    /// <summary>Light of the Earth over sunlight on a facet of the Moon: a sum over its surface, scaled to its magnitude.</summary>
     private static double Light(Vector3D earth, Vector3D sun, Vector3D normal)
     {
         const double Radius = 6_371_000.0;
