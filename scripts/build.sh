@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Builds the program into publish/, where ./msis starts it. Builds nothing if publish/ was made from these very sources.
-#     scripts/build.sh             the program and the .NET that it runs on
-#     scripts/build.sh --native    compiled ahead of time: starts at once and needs no .NET; takes minutes. For processors with AVX2
-#                                  (x86-64-v3); where this one has AVX-512 (x86-64-v4), a second program for those beside it
+#     scripts/build.sh             as publish/ was built; at first --dotnet
+#     scripts/build.sh --dotnet    the program and the .NET that it runs on
+#     scripts/build.sh --native    one program for command line and server, compiled ahead of time: starts at once and needs no .NET;
+#                                  takes minutes. For processors with AVX2 (x86-64-v3); where this one has AVX-512 (x86-64-v4), a
+#                                  second program for those beside it
 #     scripts/build.sh --native-all    both of these, whatever this processor has: for packages
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
@@ -12,10 +14,11 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 cd "$root"
 
 help_if_asked "$@"
-usage='Usage: scripts/build.sh [--native | --native-all]'
+usage='Usage: scripts/build.sh [--dotnet | --native | --native-all]'
 levels=()
 case "${1:-} $#" in
-    ' 0') ;;
+    ' 0') [ ! -r publish/sources ] || read -ra levels <<<"$(cut -d ' ' -f 3- publish/sources)" ;;
+    '--dotnet 1') ;;
     '--native 1')
         levels=(x86-64-v3)
         ! grep -qw avx512vl /proc/cpuinfo || levels+=(x86-64-v4)
@@ -24,7 +27,7 @@ case "${1:-} $#" in
     *) die "unknown arguments: $*. $usage" ;;
 esac
 [ ${#levels[@]} -eq 0 ] || [ "$(uname -s)-$(uname -m)" = Linux-x86_64 ] ||
-    die '--native is for Linux on x86-64: run scripts/build.sh without it.'
+    die '--native is for Linux on x86-64: run scripts/build.sh --dotnet.'
 
 # By content: a checkout changes times, and a removed file leaves no newer one behind.
 fingerprint_of_sources() (
@@ -41,7 +44,11 @@ if [ -x publish/msis ] && [ "$(cat publish/sources 2>/dev/null)" = "$fingerprint
 fi
 
 ensure_dotnet
-say 'Building the program ...'
+if [ ${#levels[@]} -gt 0 ]; then
+    say "Building the program ahead of time (${levels[*]}), which takes minutes ..."
+else
+    say 'Building the program ...'
+fi
 
 # Beside publish/, so that the swap is two renames; a run that is cut off leaves the old program as it was.
 fresh=$root/obj/publish-$$
@@ -61,33 +68,33 @@ case "${#levels[@]}-$(uname -s)-$(uname -m)" in
     *) target=(-p:PublishReadyToRun=false) ;;
 esac
 
-# publish_program FOLDER ARGUMENTS...: the analysers judge the sources in test.sh's build.
+# publish_program PROJECT FOLDER ARGUMENTS...: the analysers judge the sources in test.sh's build.
 publish_program() {
-    seldom_collecting dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false "${@:2}" -o "$1" -v quiet -nologo ||
+    seldom_collecting dotnet publish "src/$1" -c Release -p:RunAnalyzers=false "${@:3}" -o "$2" -v quiet -nologo ||
         die 'the build failed; the messages above say why. publish/ is as it was.'
 }
 
 # A program for each level of processors, under its name; msis is the one that runs on most. ./msis chooses.
 publish_native() {
     local level
-    install_parts compiler cmake static-openssl || die '--native needs them: install them, or run scripts/build.sh without it.'
+    install_parts compiler cmake static-openssl || die '--native needs them: install them, or run scripts/build.sh --dotnet.'
     for level in "${levels[@]}"; do
-        publish_program "$fresh/$level" "${target[@]}" -p:Native=true -p:IlcInstructionSet="$level"
-        mv "$fresh/$level/msis" "$fresh/msis-$level"
-        mv "$fresh/$level"/*.so "$fresh"
+        publish_program Msisf.Native "$fresh/$level" "${target[@]}" -p:Native=true -p:IlcInstructionSet="$level"
+        mv "$fresh/$level/msisf" "$fresh/msis-$level"
+        [ -e "$fresh/wwwroot" ] || mv "$fresh/$level"/{*.so,wwwroot} "$fresh"
         rm -r "${fresh:?}/$level"
     done
     ln -s "msis-${levels[0]}" "$fresh/msis"
 }
 
+# The server in a folder of its own, with libraries of its own: those of msis fit the .NET that it brings along, and the server runs on
+# that of the machine.
 if [ ${#levels[@]} -gt 0 ]; then
     publish_native
 else
-    publish_program "$fresh" "${target[@]}"
+    publish_program Msisf.Cli "$fresh" "${target[@]}"
+    publish_program Msisf.Server "$fresh/server" -p:PublishReadyToRun=false "${target[@]:0:2}"
 fi
-# In a folder of its own, with libraries of its own: those of msis fit the .NET that it brings along, and the server runs on that of the machine.
-seldom_collecting dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false "${target[@]:0:2}" -o "$fresh/server" -v quiet -nologo ||
-    die 'the build of the server failed; the messages above say why. publish/ is as it was.'
 printf '%s\n' "$fingerprint" >"$fresh/sources"
 printf '%s\n' "$DOTNET_ROOT" >"$fresh/dotnet-root"
 

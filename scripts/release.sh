@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Packs the program, compiled ahead of time, for machines without .NET, into release/ or another folder:
 #     scripts/release.sh [FOLDER]
-#     scripts/release.sh --test     packs nothing: compares all that the native program writes with what the one on .NET's JIT writes
+#     scripts/release.sh --test     compares all that the native programs write with what the one on .NET's JIT writes, and draws with the
+#                                   packages, by command line and by server, where there is the C library and nothing else; as root
 # msisf-VERSION-linux-x64.tar.gz is unpacked anywhere and started by ./msis; msisf_VERSION_amd64.deb puts msis on the PATH of Debian or Ubuntu.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
@@ -10,34 +11,31 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 . "$root/scripts/lib/dotnet.sh"
 . "$root/scripts/lib/install.sh"
 . "$root/scripts/lib/same-bytes.sh"
-
-# Both programs stand in this folder, so that they name the same files.
-test_bytes() {
-    local work=$root/obj/release-test-$$
-    cd "$root"
-    [ -f input/ldem/LDEM_4.IMG ] || die 'the comparison needs LDEM_4: ./msis fetch ldem'
-    scripts/build.sh --native
-    find_dotnet || die '.NET is missing: run scripts/build.sh'
-    dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false -o "$work/jit" -v quiet -nologo ||
-        die 'the build on .NET failed; the messages above say why.'
-    compare_programs "$work/jit/msis" "$root/msis" "$work/outputs" || die "what differs is in $work/outputs"
-    rm -r "$work"
-}
+. "$root/scripts/lib/bare-root.sh"
 
 help_if_asked "$@"
+test=no
 case "${1:-} $#" in
-    '--test 1')
-        test_bytes
-        exit 0
-        ;;
+    '--test 1') test=yes ;;
     -* | *' '[2-9]) die 'Usage: scripts/release.sh [--test | FOLDER]' ;;
 esac
-target=${1:-$root/release}
+have dpkg-deb || die 'dpkg-deb is missing: apt-get install dpkg'
+if [ "$test" = yes ]; then
+    target=$root/obj/release-test-$$
+    [ "$(id -u)" -eq 0 ] || die 'root is needed to try the packages in a root file system of their own.'
+    [ -f "$root/input/ldem/LDEM_4.IMG" ] || die 'LDEM_4 is missing: ./msis fetch ldem'
+    compgen -G "$root/input/albedo/*.jpg" >/dev/null || die 'the map is missing: ./msis fetch albedo'
+else
+    target=${1:-$root/release}
+fi
 mkdir -p "$target" || die "$target can't be written: name another folder"
 target=$(cd "$target" >/dev/null && pwd -P)
 cd "$root"
-have dpkg-deb || die 'dpkg-deb is missing: apt-get install dpkg'
-scripts/build.sh --native-all
+if [ "$test" = yes ]; then
+    scripts/build.sh --native # what runs here can be tried
+else
+    scripts/build.sh --native-all
+fi
 
 version=$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' Directory.Build.props)
 name=msisf-$version-linux-x64
@@ -45,23 +43,12 @@ work=$target/.release-$$
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work"
 
-# The server brings its .NET along, in a folder of its own. publish/server needs that of the machine.
-publish_server() {
-    find_dotnet || die '.NET is missing: run scripts/build.sh'
-    say 'Packing the server ...'
-    dotnet publish src/Msisf.Server -c Release -p:RunAnalyzers=false -r linux-x64 --self-contained -p:PublishReadyToRun=false \
-        -o "$work/server" -v quiet -nologo || die 'the build of the server failed; the messages above say why.'
-    rm -f "$work/server"/{createdump,libmscordaccore.so,libmscordbi.so}
-}
-
-# stage_program FOLDER: what msis reads of its installation; no symbols and no comments of the code.
+# stage_program FOLDER: what msis reads of its installation.
 stage_program() {
     mkdir -p "$1/lib" "$1/input/ldem" "$1/input/albedo"
     cp -R msis kernels cameras "$1"
     cp -R publish "$1/publish"
-    rm -r "$1/publish/server"
-    cp -R "$work/server" "$1/publish/server"
-    rm -f "$1"/publish/{sources,dotnet-root} "$1"/publish/server/*.{pdb,xml}
+    rm -f "$1"/publish/{sources,dotnet-root}
     cp lib/*.dtd "$1/lib"
     install -D -m 644 lib/fonts/LICENSE-DejaVu.txt "$1/lib/fonts/LICENSE-DejaVu.txt"
     # The program holds OpenSSL.
@@ -86,8 +73,7 @@ pack_tarball() {
     rm -rf "${work:?}/$name"
 }
 
-# msis needs libc alone; the rest of what is needed are the libraries of the server's .NET, OpenSSL for its checksums. What is recommended
-# and suggested makes single options work.
+# What is recommended and suggested makes single options work.
 write_control() {
     local kilobytes
     kilobytes=$(du -sk "$1" | cut -f 1)
@@ -98,7 +84,7 @@ Version: $version
 Architecture: amd64
 Maintainer: The MSISF authors <msisf@localhost>
 Installed-Size: $kilobytes
-Depends: libc6 (>= 2.34), libgcc-s1, libstdc++6, libssl3t64 | libssl3
+Depends: libc6 (>= 2.34)
 Recommends: libcfitsio10t64 | libcfitsio10, povray, curl
 Suggests: libgdal36 | libgdal34t64 | libgdal32
 Section: science
@@ -132,8 +118,44 @@ pack_deb() {
     mv "$work/msisf_${version}_amd64.deb" "$target"
 }
 
-publish_server
+# The programs stand in this folder, so that they name the same files. $target keeps what differs.
+test_bytes() {
+    local level
+    for level in x86-64-v3 x86-64-v4; do
+        if [ ! -e "publish/msis-$level" ]; then
+            say "missing: a processor with AVX-512, so $level is not tried"
+            continue
+        fi
+        say "$level and .NET's JIT:"
+        compare_programs "$target/jit/msis" "$root/publish/msis-$level" "$target/$level" || die "what differs is in $target/$level"
+    done
+}
+
+test_packages() {
+    local kind
+    # shellcheck disable=SC2046 # words
+    "$target/jit/msis" $(words_of_trial) --output-dir "$target/trial" 2>/dev/null
+    for kind in tarball deb; do
+        make_bare_root "$target/$kind"
+    done
+    mkdir "$target/tarball/opt"
+    tar -xzf "$target/$name.tar.gz" -C "$target/tarball/opt"
+    try_package "$target/tarball" "/opt/$name/msis" "/opt/$name" "$target/trial" || die "the tarball does not draw: see $target"
+    dpkg-deb -x "$target/msisf_${version}_amd64.deb" "$target/deb"
+    try_package "$target/deb" msis /usr/lib/msisf "$target/trial" || die "the Debian package does not draw: see $target"
+    say 'Both packages draw and serve with the C library alone.'
+}
+
 pack_tarball
 pack_deb
-say "$target/$name.tar.gz"
-say "$target/msisf_${version}_amd64.deb"
+if [ "$test" = yes ]; then
+    find_dotnet || die '.NET is missing: run scripts/build.sh --dotnet'
+    dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false -o "$target/jit" -v quiet -nologo ||
+        die 'the build on .NET failed; the messages above say why.'
+    test_packages
+    test_bytes
+    rm -r "$target"
+else
+    say "$target/$name.tar.gz"
+    say "$target/msisf_${version}_amd64.deb"
+fi

@@ -12,7 +12,7 @@ for part in numpy pytest; do
         exit 0
     fi
 done
-if [ ! -x publish/server/msis-server ] || [ -n "${MSISF_BUILD_FAILED:-}" ]; then
+if [ ! -x publish/msis ] || [ -n "${MSISF_BUILD_FAILED:-}" ]; then
     record skipped python 'all tests (missing: the build)'
     exit 0
 fi

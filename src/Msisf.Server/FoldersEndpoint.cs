@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Msisf.App.Host;
 using Msisf.App.Serving;
 using Msisf.Core.Time;
@@ -30,35 +31,27 @@ internal sealed class FoldersEndpoint
         }
     }
 
-    public Task ListAsync(HttpContext context) => JsonBody.SendAsync(context.Response, new
-    {
-        Folders = _frames.Settings.Folders.Select(folder => new
-        {
-            Name = folder.Key,
-            Kind = Directory.Exists(folder.Value) ? "output" : "batch",
-        }),
-    });
+    public Task ListAsync(HttpContext context) => JsonBody.SendAsync(
+        context.Response,
+        new FoldersAnswer(_frames.Settings.Folders.Select(
+            folder => new FolderAnswer(folder.Key, Directory.Exists(folder.Value) ? "output" : "batch"))));
 
     public async Task ListFramesAsync(HttpContext context)
     {
         string name = NameOf(context);
         IReadOnlyList<ServedFrame> frames = await _readers[name](context.RequestAborted).ConfigureAwait(false);
         string url = $"/v1/folders/{Uri.EscapeDataString(name)}/frames";
-        await JsonBody.SendAsync(context.Response, new
-        {
-            Frames = frames.Select(frame => new
-            {
-                frame.Number,
-                Mjd = frame.State.Time.Mjd,
-                Utc = frame.State.Time.ToIsoUtc(),
-                State = frame.State.ToNumbers(),
-                Camera = frame.Camera is { } camera ? ModelsEndpoint.Described(camera) : null,
-                Options = frame.Options.ToDictionary(option => option.Key, option => JsonValue(option.Value)),
-                Image = UrlOf(frame, "image"),
-                Annotated = UrlOf(frame, "annotated"),
-                Meta = UrlOf(frame, "meta"),
-            }),
-        }).ConfigureAwait(false);
+        FramesAnswer answer = new(frames.Select(frame => new FrameAnswer(
+            frame.Number,
+            frame.State.Time.Mjd,
+            frame.State.Time.ToIsoUtc(),
+            frame.State.ToNumbers(),
+            frame.Camera is { } camera ? ModelsEndpoint.Described(camera) : null,
+            frame.Options.ToDictionary(option => option.Key, option => ValueOf(option.Value)),
+            UrlOf(frame, "image"),
+            UrlOf(frame, "annotated"),
+            UrlOf(frame, "meta"))));
+        await JsonBody.SendAsync(context.Response, answer).ConfigureAwait(false);
 
         string? UrlOf(ServedFrame frame, string kind) => frame.Files.ContainsKey(kind)
             ? Invariant($"{url}/{frame.Number}/{kind}")
@@ -104,9 +97,26 @@ internal sealed class FoldersEndpoint
     private static string Word(HttpContext context, string name) => (string)context.Request.RouteValues[name]!;
 
     /// <summary>Numbers as numbers, flags as true, all else as text.</summary>
-    private static object JsonValue(string text) => text == "true"
-        ? true
+    private static JsonValue ValueOf(string text) => text == "true"
+        ? JsonValue.Create(true)
         : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
-            ? number
-            : text;
+            ? JsonValue.Create(number)
+            : JsonValue.Create(text);
 }
+
+/// <summary>The folders of a server.</summary>
+internal sealed record FoldersAnswer(IEnumerable<FolderAnswer> Folders);
+
+/// <summary>A folder.</summary>
+/// <param name="Kind">"output", or "batch" for a batch file.</param>
+internal sealed record FolderAnswer(string Name, string Kind);
+
+/// <summary>The frames of a folder.</summary>
+internal sealed record FramesAnswer(IEnumerable<FrameAnswer> Frames);
+
+/// <summary>A frame of a folder.</summary>
+/// <param name="State">As a row of a batch file.</param>
+/// <param name="Image">URL of the image; null where there is none, as for the files after it.</param>
+internal sealed record FrameAnswer(
+    int Number, double Mjd, string Utc, double[] State, CameraAnswer? Camera, Dictionary<string, JsonValue> Options, string? Image,
+    string? Annotated, string? Meta);

@@ -1,5 +1,6 @@
 using System.Text.Encodings.Web;
 using System.Text.Json;
+using System.Text.Json.Serialization.Metadata;
 using Msisf.App.Serving;
 
 namespace Msisf.Server;
@@ -16,6 +17,7 @@ internal static class JsonBody
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
         PropertyNamingPolicy = JsonNamingPolicy.SnakeCaseLower,
         DictionaryKeyPolicy = JsonNamingPolicy.SnakeCaseLower,
+        TypeInfoResolver = AnswerTypes.Default,
     };
 
     /// <summary>Reads the body of a request.</summary>
@@ -40,10 +42,14 @@ internal static class JsonBody
         return JsonText.Parse(body.ToArray());
     }
 
-    /// <summary>Sends an object as JSON, its properties in small letters with underscores.</summary>
+    /// <summary>An object as JSON, its properties in small letters with underscores.</summary>
+    /// <typeparam name="T">One of <see cref="AnswerTypes"/>.</typeparam>
+    public static byte[] ToBytes<T>(T value) => JsonSerializer.SerializeToUtf8Bytes(value, (JsonTypeInfo<T>)Names.GetTypeInfo(typeof(T)));
+
+    /// <summary>Sends an object as JSON.</summary>
     public static async Task SendAsync<T>(HttpResponse response, T value)
     {
-        byte[] bytes = JsonSerializer.SerializeToUtf8Bytes(value, Names);
+        byte[] bytes = ToBytes(value);
         response.ContentType = AnswerForm.Json;
         response.ContentLength = bytes.Length;
         await response.Body.WriteAsync(bytes).ConfigureAwait(false);

@@ -18,8 +18,12 @@ internal sealed class OpenApiEndpoint
     /// <param name="services">The server's services.</param>
     public static void AddServices(IServiceCollection services, string version)
     {
-        services.ConfigureHttpJsonOptions(json => (json.SerializerOptions.PropertyNamingPolicy, json.SerializerOptions.NumberHandling) =
-            (JsonBody.Names.PropertyNamingPolicy, JsonBody.Names.NumberHandling));
+        services.ConfigureHttpJsonOptions(json =>
+        {
+            json.SerializerOptions.PropertyNamingPolicy = JsonBody.Names.PropertyNamingPolicy;
+            json.SerializerOptions.NumberHandling = JsonBody.Names.NumberHandling;
+            json.SerializerOptions.TypeInfoResolverChain.Insert(0, AnswerTypes.Default);
+        });
         services.AddOpenApi(DocumentName, options =>
         {
             options.AddOperationTransformer((operation, context, _) =>

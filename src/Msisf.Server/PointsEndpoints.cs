@@ -45,7 +45,7 @@ internal sealed class PointsEndpoints(FrameService frames)
     {
         double[] heights = await AnswersAsync(
             context, Place, (truth, point) => truth.HeightAt(point[0], point[1])).ConfigureAwait(false);
-        await JsonBody.SendAsync(context.Response, new { Heights = heights }).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new HeightsAnswer(heights)).ConfigureAwait(false);
     }
 
     public async Task PointsAsync(HttpContext context)
@@ -53,7 +53,7 @@ internal sealed class PointsEndpoints(FrameService frames)
         PixelReading[] pixels = await AnswersAsync(
             context, [.. Place, "height"],
             (truth, point) => truth.Of(point[0], point[1], point.Length > 2 ? point[2] : null)).ConfigureAwait(false);
-        await JsonBody.SendAsync(context.Response, new { Pixels = pixels }).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new PixelsAnswer(pixels)).ConfigureAwait(false);
     }
 
     public async Task PixelsAsync(HttpContext context)
@@ -65,7 +65,7 @@ internal sealed class PointsEndpoints(FrameService frames)
             (session, threads, end) => Read(session, frame, request.Points, threads, end),
             context.RequestAborted,
             samples: frame.IsTraceable ? 0 : FrameService.SamplesOf(frame.Settings)).ConfigureAwait(false);
-        await JsonBody.SendAsync(context.Response, new { Points = points }).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new SurfacePointsAnswer(points)).ConfigureAwait(false);
     }
 
     /// <summary>The light of places over the month, hour by hour.</summary>
@@ -179,3 +179,14 @@ internal sealed record PointsRequest(RequestedFrame Frame, IReadOnlyList<double[
     private static bool IsNumber(JsonElement value) =>
         value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && double.IsFinite(number);
 }
+
+/// <summary>Heights of places.</summary>
+/// <param name="Heights">m over the reference radius.</param>
+internal sealed record HeightsAnswer(double[] Heights);
+
+/// <summary>Where places are in an image.</summary>
+internal sealed record PixelsAnswer(PixelReading[] Pixels);
+
+/// <summary>What points of an image show.</summary>
+/// <param name="Points">Null for the sky.</param>
+internal sealed record SurfacePointsAnswer(SurfaceReading?[] Points);

@@ -44,9 +44,8 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
         await response.Body.WriteAsync(ToJson()).ConfigureAwait(false);
     }
 
-    public byte[] ToJson() => JsonSerializer.SerializeToUtf8Bytes(
-        new ProblemText("about:blank", ReasonPhrases.GetReasonPhrase(Status), Status, Shortened(Detail), [.. Options.Distinct()]),
-        JsonBody.Names);
+    public byte[] ToJson() => JsonBody.ToBytes(
+        new ProblemText("about:blank", ReasonPhrases.GetReasonPhrase(Status), Status, Shortened(Detail), [.. Options.Distinct()]));
 
     /// <summary>
     /// The text with quotations and words cut short that are too long; of one that still is too long the middle is left out.

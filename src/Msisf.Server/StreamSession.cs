@@ -1,6 +1,7 @@
 using System.Buffers.Binary;
 using System.Net.WebSockets;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using System.Threading.Channels;
 using Msisf.App.Preparation;
 using Msisf.App.Serving;
@@ -127,13 +128,9 @@ internal sealed class StreamSession : IDisposable
             _cameras = [.. _opening.Cameras.Select(camera => camera.InStream(_frames, _opening.Frame))];
             RenderSettings first = _cameras[0].Settings;
             await _socket.SendJsonAsync(
-                new
-                {
-                    Ready = true,
-                    first.Width,
-                    first.Height,
-                    Cameras = _cameras.Select(camera => new { camera.Settings.Width, camera.Settings.Height }),
-                },
+                new StreamReady(
+                    Ready: true, first.Width, first.Height,
+                    _cameras.Select(camera => new StreamImageSize(camera.Settings.Width, camera.Settings.Height))),
                 _gone.Token).ConfigureAwait(false);
             return true;
         }
@@ -272,8 +269,17 @@ internal sealed class StreamSession : IDisposable
     private Task SendErrorAsync(Exception exception, uint? number)
     {
         string error = Problem.Shortened(Problem.Of(exception)!.Detail);
-        return number is null
-            ? _socket.SendJsonAsync(new { Error = error }, _gone.Token)
-            : _socket.SendJsonAsync(new { Number = number, Error = error }, _gone.Token);
+        return _socket.SendJsonAsync(new StreamError(number, error), _gone.Token);
     }
 }
+
+/// <summary>Answers the first message of a stream.</summary>
+/// <param name="Width">Pixels, as the height, of the first camera's images.</param>
+internal sealed record StreamReady(bool Ready, int Width, int Height, IEnumerable<StreamImageSize> Cameras);
+
+/// <summary>The size of a camera's images, pixels.</summary>
+internal sealed record StreamImageSize(int Width, int Height);
+
+/// <summary>What is wrong with a message of a stream.</summary>
+/// <param name="Number">The frame's; left out for the first message.</param>
+internal sealed record StreamError([property: JsonIgnore(Condition = JsonIgnoreCondition.WhenWritingNull)] uint? Number, string Error);

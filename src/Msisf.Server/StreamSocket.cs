@@ -3,7 +3,6 @@ using Msisf.Core.Scene;
 using Msisf.Core.Time;
 using System.Buffers.Binary;
 using System.Net.WebSockets;
-using System.Text.Json;
 
 namespace Msisf.Server;
 
@@ -55,7 +54,7 @@ internal sealed class StreamSocket(WebSocket socket, int usualLength)
 
     /// <summary>Sends a JSON object.</summary>
     public Task SendJsonAsync<T>(T value, CancellationToken cancellation) =>
-        SendAsync(JsonSerializer.SerializeToUtf8Bytes(value, JsonBody.Names), WebSocketMessageType.Text, cancellation);
+        SendAsync(JsonBody.ToBytes(value), WebSocketMessageType.Text, cancellation);
 
     /// <summary>Says that nothing more comes, if the client can still hear it.</summary>
     public async Task CloseAsync(WebSocketCloseStatus status, string reason, CancellationToken cancellation)

@@ -52,20 +52,15 @@ internal sealed class SunEndpoints(FrameService frames)
         SelenographicPoint below = SelenographicPoint.Below(sun);
         Vector3D direction = sun.Normalized();
         SkyDirection? sky = query.ContainsKey("latitude") ? SkyDirection.Of(PlaceOf(query), sun) : null;
-        return JsonBody.SendAsync(context.Response, new
-        {
-            Utc = time.ToIsoUtc(),
-            Mjd = time.Mjd,
-            SubSolarPoint = new
-            {
-                Latitude = double.RadiansToDegrees(below.Latitude),
-                Longitude = double.RadiansToDegrees(below.Longitude),
-            },
-            Direction = (double[])[direction.X, direction.Y, direction.Z],
-            Distance = sun.Length,
-            Elevation = sky is { } above ? double.RadiansToDegrees(above.Elevation) : (double?)null,
-            Azimuth = sky?.Azimuth is { } azimuth ? double.RadiansToDegrees(azimuth) : (double?)null,
-        });
+        SunAnswer answer = new(
+            time.ToIsoUtc(),
+            time.Mjd,
+            new PointAnswer(double.RadiansToDegrees(below.Latitude), double.RadiansToDegrees(below.Longitude)),
+            [direction.X, direction.Y, direction.Z],
+            sun.Length,
+            sky is { } above ? double.RadiansToDegrees(above.Elevation) : null,
+            sky?.Azimuth is { } azimuth ? double.RadiansToDegrees(azimuth) : null);
+        return JsonBody.SendAsync(context.Response, answer);
     }
 
     public Task AnswerPathAsync(HttpContext context)
@@ -84,12 +79,8 @@ internal sealed class SunEndpoints(FrameService frames)
         double step = (to - from) / (count - 1.0);
         TimeScale scale = frames.TimeScale();
         Vector3D[] suns = frames.SunAt(Enumerable.Range(0, (int)count).Select(index => scale.InstantOfMjd(from + (index * step))));
-        return JsonBody.SendAsync(context.Response, new
-        {
-            From = from,
-            Step = step,
-            Positions = suns.Select(sun => (double[])[sun.X, sun.Y, sun.Z]),
-        });
+        return JsonBody.SendAsync(
+            context.Response, new SunPathAnswer(from, step, suns.Select(sun => (double[])[sun.X, sun.Y, sun.Z])));
     }
 
     /// <summary>The options of the ephemeris, read as those of a frame.</summary>
@@ -97,7 +88,8 @@ internal sealed class SunEndpoints(FrameService frames)
     {
         Dictionary<string, string> options = new[] { LightOptions.Ephemeris.Key, LightOptions.Aberration.Key }
             .Where(query.ContainsKey).ToDictionary(key => key, key => Text(query, key));
-        return frames.Read(JsonSerializer.SerializeToElement(options), needsPlace: false).Settings;
+        JsonElement json = JsonSerializer.SerializeToElement(options, AnswerTypes.Default.DictionaryStringString);
+        return frames.Read(json, needsPlace: false).Settings;
     }
 
     private static Vector3D PlaceOf(IQueryCollection query) => PlaceText.Place(
@@ -115,3 +107,20 @@ internal sealed class SunEndpoints(FrameService frames)
             ? number
             : throw new UsageException($"'{name}' is needed once, as a number: 'from' and 'to' are MJD, 'count' is how many times.");
 }
+
+/// <summary>The Sun at a time, and in the sky of a place, if one was asked for.</summary>
+/// <param name="Direction">Length 1, BODY_FIXED.</param>
+/// <param name="Distance">m, from the Moon's centre.</param>
+/// <param name="Elevation">Degrees above the horizontal.</param>
+/// <param name="Azimuth">Degrees from north by east.</param>
+internal sealed record SunAnswer(
+    string Utc, double Mjd, PointAnswer SubSolarPoint, double[] Direction, double Distance, double? Elevation, double? Azimuth);
+
+/// <summary>A place, degrees.</summary>
+internal sealed record PointAnswer(double Latitude, double Longitude);
+
+/// <summary>The Sun at evenly spaced times.</summary>
+/// <param name="From">MJD of the first.</param>
+/// <param name="Step">Days.</param>
+/// <param name="Positions">m, BODY_FIXED.</param>
+internal sealed record SunPathAnswer(double From, double Step, IEnumerable<double[]> Positions);

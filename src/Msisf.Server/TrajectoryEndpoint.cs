@@ -25,7 +25,7 @@ internal sealed class TrajectoryEndpoint(FrameService frames, ProgramHost host)
             _ => throw new UsageException(
                 "the request has 'name' and 'text' of a batch file or an OEM, or 'frame' with an orbit and 'times', a list of MJD."),
         };
-        await JsonBody.SendAsync(context.Response, new { States = states.Select(state => state.ToNumbers()) }).ConfigureAwait(false);
+        await JsonBody.SendAsync(context.Response, new StatesAnswer(states.Select(state => state.ToNumbers()))).ConfigureAwait(false);
     }
 
     /// <summary>The readers of missions' files want files.</summary>
@@ -67,3 +67,6 @@ internal sealed class TrajectoryEndpoint(FrameService frames, ProgramHost host)
             client);
     }
 }
+
+/// <summary>States of a trajectory, each as a row of a batch file.</summary>
+internal sealed record StatesAnswer(IEnumerable<double[]> States);

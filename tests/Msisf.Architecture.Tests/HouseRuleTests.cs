@@ -1,3 +1,4 @@
+using System.CodeDom.Compiler;
 using System.Reflection;
 using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
@@ -15,6 +16,7 @@ public sealed class HouseRuleTests
             .SelectMany(name => Assembly.Load(name).GetTypes())
             .Where(
                 type => type.GetCustomAttribute<CompilerGeneratedAttribute>() is null
+                    && type.GetCustomAttribute<GeneratedCodeAttribute>() is null
                     && type.Namespace is not null // the class of top-level statements
                     && !type.FullName!.Contains('<', StringComparison.Ordinal)),
     ];

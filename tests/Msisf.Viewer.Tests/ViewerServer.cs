@@ -72,8 +72,7 @@ public sealed class ViewerServer : IDisposable
     {
         StringBuilder output = new();
         RunningProgram program = RunningProgram.Start(
-            TestParts.Program("dotnet") ?? throw new InvalidOperationException("dotnet is not on the PATH"),
-            [Path.Combine(AppContext.BaseDirectory, "msis.dll"), .. arguments], folder,
+            TestedProgram.File, TestedProgram.Words(arguments), folder,
             onOutput: text =>
             {
                 lock (output)

@@ -10,13 +10,15 @@ case $1 in
     --list-sdks) printf '8.0.100 [/old/sdk]\n10.0.100 [%s/sdk]\n' "$(cd "$(dirname "$0")" && pwd -P)" ;;
     restore) [ "${RUNTIME:-}" != no ] || exit 1 ;;
     publish)
+        program=msis
         case $2 in
             *Msisf.Server) exit ;;
+            *Msisf.Native) program=msisf ;;
         esac
         echo "$*" >>"$BUILDS"
         [ -z "${BROKEN:-}" ] || exit 1
         while [ "$1" != -o ]; do shift; done
-        mkdir -p "$2" && echo '#!/bin/sh' >"$2/msis" && chmod +x "$2/msis" && echo lib >"$2/libSkiaSharp.so"
+        mkdir -p "$2/wwwroot" && echo '#!/bin/sh' >"$2/$program" && chmod +x "$2/$program" && echo lib >"$2/libSkiaSharp.so"
         ;;
 esac
 SDK
@@ -108,16 +110,25 @@ libSkiaSharp.so
 msis
 msis-x86-64-v3
 msis-x86-64-v4
-sources"
+sources
+wwwroot"
     assert_same "$(readlink clone/publish/msis)" msis-x86-64-v3
     run clone/scripts/build.sh --native-all
     assert_says 'up to date'
     run clone/scripts/build.sh
+    assert_says 'up to date'
+    echo 'return 1;' >clone/src/Msisf.Cli/Other.cs
+    run clone/scripts/build.sh
+    assert_says 'ahead of time (x86-64-v3 x86-64-v4)'
+    assert_same "$(builds)" 4
+    run clone/scripts/build.sh --dotnet
     assert_code 0
     assert_no_file clone/publish/msis-x86-64-v3
+    run clone/scripts/build.sh
+    assert_says 'up to date'
     run clone/scripts/build.sh --nativ
     assert_code 1
-    assert_says 'Usage: scripts/build.sh [--native | --native-all]'
+    assert_says 'Usage: scripts/build.sh [--dotnet | --native | --native-all]'
 }
 
 # assert_says_build TEXT: the last build was asked for it.

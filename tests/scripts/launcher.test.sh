@@ -80,7 +80,7 @@ test_launcher_on_a_processor_without_avx2_says_what_to_run() {
     run clone/msis --version
     assert_code 1
     assert_same "$output" \
-        'msis: error: this program needs a processor with AVX2 (x86-64-v3). Build it here from its source: scripts/build.sh.'
+        'msis: error: this program needs a processor with AVX2 (x86-64-v3). Build it here from its source: scripts/build.sh --dotnet.'
 }
 
 test_launcher_dotnet_noted_by_the_build_is_used_unless_the_user_names_one() {

@@ -29,6 +29,9 @@ internal sealed class ProgramHost
 
     public required Func<TextReader> StandardInput { get; init; }
 
+    /// <summary>Whether this program is that of the server too.</summary>
+    public bool HoldsServer { get; init; }
+
     public TimeProvider Clock { get; }
 
     public RunTimes Times { get; }

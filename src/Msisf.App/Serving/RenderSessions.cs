@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Diagnostics.CodeAnalysis;
 using Msisf.Adapters.Ephemeris;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
@@ -54,9 +55,12 @@ internal sealed class RenderSessions(ProgramHost host) : IDisposable
 /// </summary>
 /// <typeparam name="T">Type of the values; disposed when they leave the cache.</typeparam>
 /// <param name="capacity">Number of values that are kept.</param>
-internal sealed class SharedCache<T>(int capacity) : IDisposable
+internal sealed class SharedCache<[DynamicallyAccessedMembers(ForLazy)] T>(int capacity) : IDisposable
     where T : IDisposable
 {
+    /// <summary>What <see cref="Lazy{T}"/> may use of its type, so that a compiler ahead of time keeps it.</summary>
+    private const DynamicallyAccessedMemberTypes ForLazy = DynamicallyAccessedMemberTypes.PublicParameterlessConstructor;
+
     private readonly Lock _gate = new();
     private readonly Dictionary<string, Entry> _entries = new(StringComparer.Ordinal);
     private long _clock;

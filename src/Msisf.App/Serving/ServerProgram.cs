@@ -6,9 +6,14 @@ using Msisf.App.Settings.Specs;
 
 namespace Msisf.App.Serving;
 
-/// <summary>Starts the program of the server, which msis does not contain: starting ASP.NET Core would slow down every call.</summary>
+/// <summary>
+/// Starts the program of the server. On .NET it is one of its own: starting ASP.NET Core would slow down every call of msis.
+/// </summary>
 internal static class ServerProgram
 {
+    /// <summary>First argument that makes a program the server that holds it.</summary>
+    public const string Word = Name;
+
     private const string Name = "msis-server";
     private const string Variable = "MSISF_SERVER";
     private const string Folder = "server";
@@ -22,7 +27,7 @@ internal static class ServerProgram
         OptionValues values, ProgramHost host, CancellationToken cancellation, Action<string>? onAddress = null)
     {
         ServeSettings settings = ServeOptions.Read(values); // what is wrong is said by msis, before anything is started
-        ChildProgram program = new(Find(host), ServeArguments.ToWords(values));
+        ChildProgram program = Of(host, ServeArguments.ToWords(values));
         using CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         if (settings.EndsWithInput)
         {
@@ -32,6 +37,11 @@ internal static class ServerProgram
 
         return await program.RunUntilInputEndsAsync(end.Token, onAddress).ConfigureAwait(false);
     }
+
+    private static ChildProgram Of(ProgramHost host, IReadOnlyList<string> words) =>
+        host.HoldsServer && host.Environment(Variable) is null
+            ? new ChildProgram(Environment.ProcessPath!, [Word, .. words])
+            : new ChildProgram(Find(host), words);
 
     private static string Find(ProgramHost host)
     {

@@ -7,7 +7,8 @@ namespace Msisf.Cli.Output;
 internal static class ConsoleHost
 {
     public static ProgramHost Create(
-        TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, Func<string, string?> environment)
+        TextWriter results, TextWriter error, Func<TextReader> standardInput, TimeProvider clock, Func<string, string?> environment,
+        bool holdsServer = false)
     {
         ResultsWriter output = new(results);
         ConsoleLog log = new(error);
@@ -17,6 +18,7 @@ internal static class ConsoleHost
             Log = log,
             Progress = new ProgressDisplay(output, log, clock),
             StandardInput = standardInput,
+            HoldsServer = holdsServer,
         };
     }
 }

@@ -37,10 +37,10 @@ internal sealed class BasiliskSettings : IDisposable
                 file with { Name = frames.Names.Add(file) });
         }
 
-        IReadOnlyDictionary<string, JsonElement> options = settings.FrameOptions is { } optionsFile
+        Dictionary<string, JsonElement> options = settings.FrameOptions is { } optionsFile
             ? ReadOptions(optionsFile)
-            : new Dictionary<string, JsonElement>();
-        frames.Read(JsonSerializer.SerializeToElement(options), needsPlace: false);
+            : [];
+        frames.Read(JsonSerializer.SerializeToElement(options, AnswerTypes.Default.DictionaryStringJsonElement), needsPlace: false);
         return new BasiliskSettings
         {
             Cameras = cameras,

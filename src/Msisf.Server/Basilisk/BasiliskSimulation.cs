@@ -220,16 +220,17 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         if (settings.Cameras.TryGetValue(camera.Id, out CameraFile? file))
         {
             Compare(camera, file);
-            options["camera"] = JsonSerializer.SerializeToElement(file.Name);
+            options["camera"] = JsonSerializer.SerializeToElement(file.Name, AnswerTypes.Default.String);
         }
         else
         {
-            options["width"] = JsonSerializer.SerializeToElement(camera.Width);
-            options["height"] = JsonSerializer.SerializeToElement(camera.Height);
-            options["fov"] = JsonSerializer.SerializeToElement(HorizontalDegrees(camera));
+            options["width"] = JsonSerializer.SerializeToElement(camera.Width, AnswerTypes.Default.Int32);
+            options["height"] = JsonSerializer.SerializeToElement(camera.Height, AnswerTypes.Default.Int32);
+            options["fov"] = JsonSerializer.SerializeToElement(HorizontalDegrees(camera), AnswerTypes.Default.Double);
         }
 
-        RequestedFrame requested = frames.Read(JsonSerializer.SerializeToElement(options), needsPlace: false);
+        JsonElement json = JsonSerializer.SerializeToElement(options, AnswerTypes.Default.DictionaryStringJsonElement);
+        RequestedFrame requested = frames.Read(json, needsPlace: false);
         _requested[camera.Id] = (camera, requested);
         return requested;
     }

@@ -134,11 +134,9 @@ public sealed class FieldKernelTests
     /// <summary>The paths of this meta-kernel start at the folder in which the program runs, as SPICE takes them.</summary>
     [RequiresFact(Part.Field)]
     public void MetaKernel_PathsFromTheWorkingFolder_AreFound() => ChildRun.Of(
-        Environment.ProcessPath!,
-        [
-            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "states", "--kernels", "mk/mission.tm", "--position", "0,0,100000",
-            "--time", "2010-04-06T20:24:00Z", "--format", "csv",
-        ],
+        TestedProgram.File,
+        TestedProgram.Words(
+            "states", "--kernels", "mk/mission.tm", "--position", "0,0,100000", "--time", "2010-04-06T20:24:00Z", "--format", "csv"),
         Path.Combine(TestParts.Field, "19")).Succeeded();
 
     /// <summary>A second apart by the rows' own velocities too, also across 23:59:60.</summary>

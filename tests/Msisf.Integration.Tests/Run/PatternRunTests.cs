@@ -60,7 +60,7 @@ public sealed class PatternRunTests : IDisposable
     public async Task Patterns_FourProcessesAtOnce_MakeEachOnce()
     {
         ChildRun[] runs = await Within.Seconds(600, "four processes at once", Task.WhenAll(Enumerable.Range(0, 4).Select(_ => Task.Run(
-            () => ChildRun.Of(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path).Succeeded()))));
+            () => ChildRun.Of(TestedProgram.File, TestedProgram.Words(PatternsOfTheMoon), _folder.Path).Succeeded()))));
 
         Assert.Equal(AllPatterns, runs.Sum(run => Made(run.Error)));
         Assert.Equal(AllPatterns, Directory.GetFiles(Path.Combine(_folder["patterns"], "4"), "pattern_*").Length);
@@ -72,22 +72,20 @@ public sealed class PatternRunTests : IDisposable
         string patterns = Directory.CreateDirectory(Path.Combine(_folder["patterns"], "4")).FullName;
         IEnumerable<string> made = Directory.EnumerateFiles(patterns, "pattern_*").Where(
             path => !path.Contains(".partial", StringComparison.Ordinal));
-        using RunningProgram killed = RunningProgram.Start(Environment.ProcessPath!, PatternsOfTheMoon, _folder.Path);
+        using RunningProgram killed = RunningProgram.Start(TestedProgram.File, TestedProgram.Words(PatternsOfTheMoon), _folder.Path);
         await Within.Seconds(120, "the first pattern of the process that is to be killed", made.Any);
         killed.Kill();
         killed.End(TimeSpan.FromSeconds(30));
         int finished = made.Count();
 
-        CommandLineRun next = Msis([.. PatternsOfTheMoon.Skip(1)]);
+        CommandLineRun next = Msis(PatternsOfTheMoon);
 
         Assert.InRange(finished, 1, AllPatterns - 1);
         Assert.Equal(AllPatterns - finished, Made(next));
     }
 
     private string[] PatternsOfTheMoon =>
-        [Path.Combine(
-            AppContext.BaseDirectory,
-            "msis.dll"), "patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
+        ["patterns", "--ldem", TestParts.Ldem4Label!, "--pattern-repos", _folder["patterns"], "--batch"];
 
     private static CommandLineRun Msis(string[] arguments)
     {

@@ -53,12 +53,11 @@ public sealed class VectorWidthTests : IDisposable
             $"{{55289,{Position.X:R},{Position.Y:R},{Position.Z:R},{attitude.X:R},{attitude.Y:R},{attitude.Z:R},{attitude.W:R}}}");
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "msis.dll"), "--renderer", "native", "--fixed-state", state, "--width", "150",
-            "--height", "120",
-            "--samples", "4", .. shading, "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
+            "--renderer", "native", "--fixed-state", state, "--width", "150", "--height", "120", "--samples", "4",
+            .. shading, "--layers", "all", "--surface", "terrain", "--bit-depth", "16",
             "--ldem", TestParts.Ldem4Label!, "--ephemeris", "builtin", "--output-dir", _folder[folder], "--output-name", "view", "--batch",
         ];
-        ChildRun.Of(Environment.ProcessPath!, arguments, _folder.Path, environment: environment).Succeeded();
+        ChildRun.Of(TestedProgram.File, TestedProgram.Words(arguments), _folder.Path, environment: environment).Succeeded();
         return [.. Files(folder).Select(File.ReadAllBytes)];
     }
 }

@@ -15,8 +15,8 @@ internal static class Msis
         : TestParts.Ldem4Label is null ? "LDEM_4 (msis fetch ldem)"
         : null;
 
-    /// <summary>The launcher; it becomes the program, so that their process is one.</summary>
-    public static string Program => Path.Combine(TestParts.RepositoryRoot, "msis");
+    /// <summary>The launcher, or what MSISF_PROGRAM names; it becomes the program, so that their process is one.</summary>
+    public static string Program => TestedProgram.Named ?? Path.Combine(TestParts.RepositoryRoot, "msis");
 
     /// <summary>Starts it in a folder.</summary>
     public static RunningProgram Start(string folder, IReadOnlyList<string> arguments, Action<string>? onOutput = null) =>

@@ -12,8 +12,6 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <summary>Far above what any call here takes, even on a busy machine.</summary>
     private const double LimitSeconds = 600.0;
 
-    private static readonly string? Built = Environment.GetEnvironmentVariable("MSISF_PROGRAM");
-
     /// <summary>Runs the program.</summary>
     /// <exception cref="TimeoutException">It did not end in time; the message has what it was called with.</exception>
     /// <param name="arguments">As <c>main</c> gets them.</param>
@@ -25,7 +23,7 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     public static CommandLineRun Of(
         IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings", string? searchPath = null)
     {
-        if (Built is not null)
+        if (TestedProgram.Named is { } built)
         {
             Dictionary<string, string> variables = new() { ["XDG_CONFIG_HOME"] = configHome };
             if (searchPath is not null)
@@ -33,7 +31,7 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
                 variables["PATH"] = searchPath;
             }
 
-            ChildRun run = ChildRun.Of(Built, arguments, Environment.CurrentDirectory, standardInput, variables);
+            ChildRun run = ChildRun.Of(built, arguments, Environment.CurrentDirectory, standardInput, variables);
             return new CommandLineRun(run.ExitCode, run.Output, run.Error);
         }
 
