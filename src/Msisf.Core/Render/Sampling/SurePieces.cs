@@ -7,7 +7,7 @@ using Msisf.Core.Render.Visibility;
 namespace Msisf.Core.Render.Sampling;
 
 /// <summary>
-/// Knows the pieces of facets that the light, a point, reaches as a whole or not at all, and over which no map changes much. Safe for
+/// Knows the pieces of facets that all of the light reaches as a whole or not at all, and over which no map changes much. Safe for
 /// several threads.
 /// </summary>
 /// <param name="view">The projection of the frame.</param>
@@ -60,7 +60,7 @@ internal sealed class SurePieces(ImageView view, Vector3D lightBodyFixed, SureLi
         z = Vector256.Create(_camera.Z) + (parameter * z);
         Vector3D toSun = lightBodyFixed - new Vector3D(x[0], y[0], z[0]);
         double facing = Vector3D.Dot(normal, toSun);
-        double least = Tolerances.FacingOfFacet;
+        double least = light.LeastCosine;
         return facing * facing > least * least * square * toSun.LengthSquared
             && (facing < 0.0 || light.Of(x, y, z) != PieceLight.Unsure);
     }

@@ -80,11 +80,15 @@ internal sealed class LightPass
         CancellationToken cancellation) =>
         _shader.FindScales(points, sunlight, options, scales, threads, cancellation);
 
-    /// <summary>Prepares to tell the light on pieces of facets; null for a light that is no point or throws no shadows.</summary>
+    /// <summary>Prepares to tell the light on pieces of facets; null for a light that throws no shadows.</summary>
     /// <param name="blocks">The blocks in which the facets lie.</param>
     public SureLight? FindSureLight(
         IEnumerable<CellBlock> blocks, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation) =>
-        light.IsSun && !HasDisc(light, options) ? _shadows.FindCasters(blocks, light.PositionBodyFixed, threads, cancellation) : null;
+        light.IsSun
+            ? _shadows.FindCasters(
+                blocks, light.PositionBodyFixed,
+                HasDisc(light, options) ? new SunDisc(light.PositionBodyFixed, light.Radius).Slope : 0.0, threads, cancellation)
+            : null;
 
     /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>

@@ -5,6 +5,9 @@ namespace Msisf.Core.Render.Shadows;
 /// </summary>
 internal sealed class CasterDepths
 {
+    /// <summary>Times that a box is made smaller: the nearer the facets are found to be, the nearer to it they must lie.</summary>
+    private const int Looks = 3;
+
     private readonly DepthGrid _before = new(); // minus the depths: the grid finds maxima
 
     /// <summary>Begins a frame, without facets.</summary>
@@ -52,10 +55,26 @@ internal sealed class CasterDepths
     /// <summary>Ends the adding of facets.</summary>
     public void Finish() => _before.Finish();
 
-    /// <summary>Whether a facet that was added may hide something from the Sun.</summary>
+    /// <summary>Whether a facet that was added may hide something from the Sun's centre.</summary>
     /// <param name="box">Its bounds, m.</param>
     /// <param name="maxDepth">Its maximum depth, m.</param>
     public bool MayHide(in LightBox box, double maxDepth) => !(-maxDepth > _before.Max(_before.BinsOf(in box)));
+
+    /// <summary>Whether a facet that was added may hide something from a part of the Sun's disc.</summary>
+    /// <param name="box">Its bounds, m.</param>
+    /// <param name="maxDepth">Its maximum depth, m.</param>
+    /// <param name="slope">Radius of the disc over its distance: so far beside the box a facet may lie for each metre before it.</param>
+    public bool MayHide(in LightBox box, double maxDepth, double slope)
+    {
+        double nearest = -_before.Max();
+        for (int look = 0; look < Looks && nearest < maxDepth; look++)
+        {
+            LightBox reach = box.Widened((slope * (maxDepth - nearest)) + SureLight.Margin);
+            nearest = -_before.Max(_before.BinsOf(in reach));
+        }
+
+        return !(nearest > maxDepth);
+    }
 
     /// <summary>What a facet with some limits has of a bin along one axis; the outermost bins extend to infinity.</summary>
     private (double Min, double Max) Within(LightAxis axis, int bin, double min, double max) => (

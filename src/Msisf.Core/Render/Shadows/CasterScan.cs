@@ -57,16 +57,19 @@ internal sealed class CasterScan
     }
 
     /// <summary>Adds the facets of a block that may hide a receiver from the Sun.</summary>
+    /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <param name="casters">Receives the facets.</param>
-    public void Find(CellBlock block, IReceiverBounds receivers, CasterDepths casters)
+    public void Find(CellBlock block, IReceiverBounds receivers, double slope, CasterDepths casters)
     {
         Load(block, receivers.Frame);
-        LightBox box = receivers.Box;
+        double deepest = receivers.MaxDepth;
+        LightBox box = receivers.Box.Widened(slope * Math.Max(0.0, deepest - _vertices.MinZ()));
         for (int line = 0; line + 1 < _vertices.Lines; line++)
         {
             for (int sample = 0; sample + 1 < _vertices.Samples; sample += CellStrip.Cells)
             {
-                if (!_strip.TrySet(line, sample, in box, slope: 0.0) || !(_strip.MinDepth < receivers.MaxDepthIn(_strip.Box)))
+                if (!_strip.TrySet(line, sample, in box, slope)
+                    || !(_strip.MinDepth < receivers.MaxDepthIn(_strip.Box.Widened(slope * Math.Max(0.0, deepest - _strip.MinDepth)))))
                 {
                     continue;
                 }

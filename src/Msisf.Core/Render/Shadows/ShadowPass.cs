@@ -75,16 +75,19 @@ internal sealed class ShadowPass
     /// <param name="blocks">The blocks in which the facets lie.</param>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
     /// <param name="threads">Maximum number of threads, at least 1.</param>
+    /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <returns>Valid until the next call.</returns>
-    public SureLight FindCasters(IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, int threads, CancellationToken cancellation)
+    public SureLight FindCasters(
+        IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, double slope, int threads, CancellationToken cancellation)
     {
         Start(sunBodyFixed, threads);
         BlockReceivers receivers = new(_surface, blocks, sunBodyFixed, _search.SolidRadius);
         _casters.Lay(receivers.Box, CasterBins);
-        IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope: 0.0, threads, cancellation);
-        WorkerTeam.Run(threads, found.Count, (worker, item) => _scans[worker].Find(found[item], receivers, _casters), cancellation);
+        IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope, threads, cancellation);
+        WorkerTeam.Run(
+            threads, found.Count, (worker, item) => _scans[worker].Find(found[item], receivers, slope, _casters), cancellation);
         _casters.Finish();
-        return new SureLight(receivers.Frame, _search.SolidRadius, _casters);
+        return new SureLight(receivers.Frame, _search.SolidRadius, slope, _casters);
     }
 
     private void Start(Vector3D sunBodyFixed, int threads)

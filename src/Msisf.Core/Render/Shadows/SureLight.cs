@@ -18,15 +18,26 @@ internal enum PieceLight
 
 /// <summary>
 /// Tells of pieces of facets that face the Sun whether it certainly reaches all or none of their points, as <see cref="ShadowPass.Run"/>
-/// would find it for each. Safe for several threads.
+/// or, for all of the disc, <see cref="PenumbraPass.Run"/> would find it for each. Safe for several threads.
 /// </summary>
 /// <param name="frame">Light space.</param>
 /// <param name="solidRadius">Radius of the night zone, m; 0 for none.</param>
-/// <param name="casters">The facets that face away.</param>
-internal sealed class SureLight(LightFrame frame, double solidRadius, CasterDepths casters)
+/// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
+/// <param name="casters">The facets that face away, from the disc at least in part.</param>
+internal sealed class SureLight(LightFrame frame, double solidRadius, double slope, CasterDepths casters)
 {
     /// <summary>m: far above the rounding errors of points in space and in light space, and far below what one sees.</summary>
     public const double Margin = 1e-3;
+
+    /// <summary>
+    /// More than that of <see cref="SunDisc.MinCosine"/>, also where the cosine is another one at the other end of a piece.
+    /// </summary>
+    private const double DiscMargin = 1.05;
+
+    /// <summary>
+    /// Cosine of the incidence angle to the Sun's centre from which on a facet faces all of the Sun, and with the other sign none of it.
+    /// </summary>
+    public double LeastCosine => Math.Max(Tolerances.FacingOfFacet, DiscMargin * slope);
 
     /// <summary>The light on a piece.</summary>
     /// <param name="x">m, body-fixed x of four points; the piece lies within their convex hull.</param>
@@ -46,7 +57,7 @@ internal sealed class SureLight(LightFrame frame, double solidRadius, CasterDept
             double within = solidRadius - Margin;
             double aside = Math.Max(0.0, Math.Max(box.MinU, -box.MaxU));
             double along = Math.Max(0.0, Math.Max(box.MinV, -box.MaxV));
-            if (within > 0.0 && Vector256.LessThanAll((u * u) + (v * v), Vector256.Create(within * within))
+            if (slope == 0.0 && within > 0.0 && Vector256.LessThanAll((u * u) + (v * v), Vector256.Create(within * within))
                 && Vector256.GreaterThanAll(w, Vector256.Create(Margin)))
             {
                 return PieceLight.Dark;
@@ -58,7 +69,8 @@ internal sealed class SureLight(LightFrame frame, double solidRadius, CasterDept
             }
         }
 
-        return casters.MayHide(in box, maxDepth) ? PieceLight.Unsure : PieceLight.Lit;
+        bool mayHide = slope == 0.0 ? casters.MayHide(in box, maxDepth) : casters.MayHide(in box, maxDepth, slope);
+        return mayHide ? PieceLight.Unsure : PieceLight.Lit;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
