@@ -11,6 +11,11 @@ internal sealed class Canvas : IDisposable
     /// <summary>1: makes a letter half as wide as the font is high, so that the annotation fits on images from 320 px on.</summary>
     private const float Narrowing = 0.83f;
 
+    /// <summary>px.</summary>
+    private const double OutlineWidth = 1.0;
+
+    private const double OutlineAlpha = 0.7;
+
     private static readonly Lazy<SKTypeface> Typeface = new(ReadTypeface);
 
     private readonly SKBitmap _bitmap;
@@ -86,6 +91,17 @@ internal sealed class Canvas : IDisposable
         _canvas.DrawLine((float)x1, (float)y1, (float)x2, (float)y2, _paint);
     }
 
+    /// <summary>Draws something twice, in black and wider, then in a colour: so that it is seen on any ground.</summary>
+    /// <param name="color">Parts of red, green and blue, 0 to 1.</param>
+    /// <param name="draw">Draws it with so many px more on each side.</param>
+    public void DrawOutlined((double Red, double Green, double Blue) color, Action<double> draw)
+    {
+        SetColor(0.0, 0.0, 0.0, OutlineAlpha);
+        draw(OutlineWidth);
+        SetColor(color.Red, color.Green, color.Blue, 1.0);
+        draw(0.0);
+    }
+
     /// <summary>Draws a filled circle.</summary>
     public void FillCircle(double x, double y, double radius) => _canvas.DrawCircle((float)x, (float)y, (float)radius, _paint);
 
@@ -106,8 +122,13 @@ internal sealed class Canvas : IDisposable
     public double MeasureText(string text, double fontSize) => WithSize(fontSize).MeasureText(text);
 
     /// <summary>Draws a text whose base line starts at a point.</summary>
-    public void DrawText(string text, double x, double y, double fontSize) =>
+    /// <param name="wider">px by which letters are wider on each side.</param>
+    public void DrawText(string text, double x, double y, double fontSize, double wider = 0.0)
+    {
+        (_paint.Style, _paint.StrokeWidth) = (wider > 0.0 ? SKPaintStyle.StrokeAndFill : SKPaintStyle.Fill, (float)(2.0 * wider));
         _canvas.DrawText(text, (float)x, (float)y, WithSize(fontSize), _paint);
+        _paint.Style = SKPaintStyle.Fill;
+    }
 
     /// <inheritdoc/>
     public void Dispose()

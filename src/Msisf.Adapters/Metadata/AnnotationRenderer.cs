@@ -10,17 +10,7 @@ namespace Msisf.Adapters.Metadata;
 /// </summary>
 public static class AnnotationRenderer
 {
-    /// <summary>px: the smallest readable size.</summary>
-    private const double MinFontSize = 8.0;
-
-    /// <summary>px: larger text only hides more of the image.</summary>
-    private const double LargestFontSize = 24.0;
-
-    /// <summary>Line height as a multiple of the font size.</summary>
-    private const double LineSpacing = 1.35;
-
-    /// <summary>Share of the image's width that the text block takes, if the font sizes allow it.</summary>
-    private const double TextWidthShare = 0.6;
+    private static readonly (double Red, double Green, double Blue) Red = (1.0, 0.0, 0.0);
 
     /// <summary>
     /// Writes the annotated image. The text is left out where a readable one does not fit (on images less than about 310 px wide or 190 px
@@ -45,17 +35,18 @@ public static class AnnotationRenderer
                     + $"Render it again.");
         }
 
-        DrawGrid(image, pixels, cancellation);
+        TextBlock block = TextBlock.Of(image, AnnotationText.Lines(frame));
+        DrawGrid(image, pixels, block, cancellation);
         if (frame.Navigation is { } navigation)
         {
-            NavigationDrawing.Draw(image, navigation);
+            NavigationDrawing.Draw(image, navigation, block);
         }
 
-        DrawText(image, AnnotationText.Lines(frame));
+        block.Draw(image);
         image.WritePng(annotated);
     }
 
-    private static void DrawGrid(Canvas image, PixelSampler pixels, CancellationToken cancellation)
+    private static void DrawGrid(Canvas image, PixelSampler pixels, TextBlock block, CancellationToken cancellation)
     {
         // Neighbours' marks stay apart on a narrow grid and thin on a wide one.
         PixelGrid grid = pixels.Grid;
@@ -64,7 +55,6 @@ public static class AnnotationRenderer
         double lineWidth = Math.Clamp(0.03 * spacing, 0.7, 1.5);
         double radius = Math.Clamp(0.05 * spacing, 0.7, 2.5);
 
-        image.SetColor(1.0, 0.0, 0.0, 1.0);
         foreach (PixelRecord pixel in pixels.Sample())
         {
             cancellation.ThrowIfCancellationRequested();
@@ -72,33 +62,77 @@ public static class AnnotationRenderer
             // A canvas counts from the corner of the first pixel, rendering coordinates have its centre at 1.
             double x = pixel.H - 0.5;
             double y = pixel.V - 0.5;
-            image.FillCircle(x, y, radius);
-            if (pixel.IlluminationDirection is double direction)
+            (double right, double down) = Math.SinCos(pixel.IlluminationDirection ?? 0.0);
+            double reach = pixel.IlluminationDirection is null ? 0.0 : length;
+            if (block.Covers(x, y) || block.Covers(x + (reach * right), y + (reach * down)))
             {
-                (double right, double down) = Math.SinCos(direction);
-                image.DrawLine(x, y, x + (length * right), y + (length * down), lineWidth);
+                continue;
             }
+
+            image.DrawOutlined(Red, wider =>
+            {
+                image.FillCircle(x, y, radius + wider);
+                if (reach > 0.0)
+                {
+                    image.DrawLine(x, y, x + (reach * right), y + (reach * down), lineWidth + (2.0 * wider));
+                }
+            });
         }
     }
+}
 
-    private static void DrawText(Canvas image, string[] lines)
+/// <summary>The block of text in the upper left corner, under which nothing else is drawn.</summary>
+internal sealed class TextBlock
+{
+    /// <summary>px: the smallest readable size.</summary>
+    private const double MinFontSize = 8.0;
+
+    /// <summary>px: larger text only hides more of the image.</summary>
+    private const double LargestFontSize = 24.0;
+
+    /// <summary>Line height as a multiple of the font size.</summary>
+    private const double LineSpacing = 1.35;
+
+    /// <summary>Share of the image's width that the text block takes, if the font sizes allow it.</summary>
+    private const double TextWidthShare = 0.6;
+
+    /// <summary>White text on it can be read over sunlit ground.</summary>
+    private const double Backing = 0.75;
+
+    private readonly string[] _lines;
+    private readonly double _size;
+    private readonly double _width;
+    private readonly double _height;
+
+    private TextBlock(string[] lines, double size, double width, double height) =>
+        (_lines, _size, _width, _height) = (lines, size, width, height);
+
+    private double Margin => 0.5 * _size;
+
+    /// <summary>Lays a text out; it is left out where a readable one does not fit.</summary>
+    public static TextBlock Of(Canvas image, string[] lines)
     {
         double widthAtSize1 = lines.Max(line => image.MeasureText(line, LargestFontSize)) / LargestFontSize;
         double size = Math.Clamp(TextWidthShare * image.Width / widthAtSize1, MinFontSize, LargestFontSize);
-        double margin = 0.5 * size;
-        double blockWidth = lines.Max(line => image.MeasureText(line, size)) + (2.0 * margin);
-        double blockHeight = (size * LineSpacing * lines.Length) + (2.0 * margin);
-        if (blockWidth > image.Width || blockHeight > 0.5 * image.Height)
-        {
-            return;
-        }
+        double width = lines.Max(line => image.MeasureText(line, size)) + size;
+        double height = (size * LineSpacing * lines.Length) + size;
+        return width > image.Width || height > 0.5 * image.Height
+            ? new TextBlock([], size, 0.0, 0.0)
+            : new TextBlock(lines, size, width, height);
+    }
 
-        image.SetColor(0.0, 0.0, 0.0, 0.55);
-        image.FillRectangle(0.0, 0.0, blockWidth, blockHeight);
+    /// <summary>Whether a point of the image lies under the text.</summary>
+    public bool Covers(double x, double y) => x < _width && y < _height;
+
+    /// <summary>Draws it.</summary>
+    public void Draw(Canvas image)
+    {
+        image.SetColor(0.0, 0.0, 0.0, Backing);
+        image.FillRectangle(0.0, 0.0, _width, _height);
         image.SetColor(1.0, 1.0, 1.0, 1.0);
-        for (int i = 0; i < lines.Length; i++)
+        for (int i = 0; i < _lines.Length; i++)
         {
-            image.DrawText(lines[i], margin, margin + (size * ((LineSpacing * i) + 1.0)), size);
+            image.DrawText(_lines[i], Margin, Margin + (_size * ((LineSpacing * i) + 1.0)), _size);
         }
     }
 }

@@ -136,6 +136,30 @@ public class AnnotationRendererTests
         Assert.InRange(letters.Max(pixel => pixel.Y), boxHeight / 2, boxHeight - 2);
     }
 
+    /// <summary>On white ground and on black: what is red has a dark line around it, what is white dark ground behind it.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(128)]
+    [InlineData(255)]
+    public void Write_AnyGround_MarksAndTextStandOut(byte ground)
+    {
+        const int size = 600;
+        FrameMetadata frame = ExampleFrame.OfSize(size, size);
+        PixelSampler pixels = ExampleFrame.Sampler(frame, spacing: 60);
+
+        PngPixels image = PngPixels.Read(new MemoryStream(Bytes(frame, pixels, GreyImage(size, size, ground))));
+
+        PixelRecord low = pixels.Sample().Last(pixel => pixel.H < size - 10);
+        Assert.True(IsRed(image, low.H, low.V));
+        int darkest = Enumerable.Range(low.H - 6, 13).Min(x => image[x - 1, low.V - 1, 0]);
+        Assert.InRange(darkest, 0, Math.Max(100, (int)ground - 100));
+        int width = Enumerable.Range(0, size).Count(x => image[x, 0, 0] <= ground / 3);
+        Assert.True(ground == 0 || (width is > 100 and < size), "the text has no backing");
+        Assert.DoesNotContain(
+            from y in Enumerable.Range(0, 40) from x in Enumerable.Range(0, 100) select (x, y),
+            place => image[place.x, place.y, 0] > image[place.x, place.y, 1] + 30); // no mark under the text
+    }
+
     [Fact]
     public void Write_Twice_GivesTheSameBytesWithoutTimeStamp()
     {
@@ -198,5 +222,5 @@ public class AnnotationRendererTests
         Enumerable.Range(first, last - first + 1).Sum(
             y => Enumerable.Range(first, last - first + 1).Count(x => image[x - 1, y - 1, 0] != Background));
 
-    private static byte[] GreyImage(int width, int height) => PngBytes.Grey(width, height, Background);
+    private static byte[] GreyImage(int width, int height, byte ground = Background) => PngBytes.Grey(width, height, ground);
 }
