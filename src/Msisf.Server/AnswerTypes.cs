@@ -22,6 +22,7 @@ namespace Msisf.Server;
 [JsonSerializable(typeof(SunAnswer))]
 [JsonSerializable(typeof(SunPathAnswer))]
 [JsonSerializable(typeof(SurfacePointsAnswer))]
+[JsonSerializable(typeof(long))]
 [JsonSerializable(typeof(Dictionary<string, double>))]
 [JsonSerializable(typeof(Dictionary<string, string>))]
 [JsonSerializable(typeof(Dictionary<string, JsonElement>))]

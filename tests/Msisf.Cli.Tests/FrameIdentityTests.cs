@@ -155,7 +155,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--planets", $"{Place} --look-at horizon:0", "--planets" },
         { "--earth", $"{Place} --look-at horizon:0", "--earth" },
         { "--sun-in-view", $"{Place} --look-at horizon:0", "--sun-in-view" },
-        { "--earthshine", $"{Place}", "--earthshine" },
+        { "--earthshine", "--position 10,20,160000 --time 55303 --exposure 100000", "--earthshine" }, // at night
         { "--stars", $"{Place} --look-at horizon:0", "--stars" },
         { "--star-limit", $"{Place} --look-at horizon:0 --stars", "--star-limit 3" },
         { "--flow-format", "--stereo 100", "--flow-format npy" },

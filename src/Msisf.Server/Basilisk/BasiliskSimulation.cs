@@ -224,8 +224,8 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         }
         else
         {
-            options["width"] = JsonSerializer.SerializeToElement(camera.Width, AnswerTypes.Default.Int32);
-            options["height"] = JsonSerializer.SerializeToElement(camera.Height, AnswerTypes.Default.Int32);
+            options["width"] = JsonSerializer.SerializeToElement(camera.Width, AnswerTypes.Default.Int64);
+            options["height"] = JsonSerializer.SerializeToElement(camera.Height, AnswerTypes.Default.Int64);
             options["fov"] = JsonSerializer.SerializeToElement(HorizontalDegrees(camera), AnswerTypes.Default.Double);
         }
 

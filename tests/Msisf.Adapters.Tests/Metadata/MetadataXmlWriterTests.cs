@@ -104,7 +104,9 @@ public class MetadataXmlWriterTests
             : 0)..]);
         return [.. string.Concat(parts).Split('\n', StringSplitOptions.RemoveEmptyEntries)
             .TakeWhile(line => !line.StartsWith("<!ELEMENT CraterInformation ", StringComparison.Ordinal))
-            .Select(line => line.Replace(",CraterInformation?,LandmarkInformation?", string.Empty, StringComparison.Ordinal)
+            .Select(line => line
+                .Replace(
+                    ",CraterInformation?,LandmarkInformation?,StarInformation?,SkyBodyInformation?", string.Empty, StringComparison.Ordinal)
                 .Replace("Input+,Scan?,Rig?", "Input+", StringComparison.Ordinal))];
     }
 
