@@ -35,8 +35,9 @@ internal sealed record SkySettings
 
     /// <returns>Null if no sky is wanted.</returns>
     /// <param name="scans">Whether rows of the image have times of their own.</param>
+    /// <param name="hasShutter">Whether the camera's motion during the exposure is in the image.</param>
     /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
-    public static SkySettings? Read(OptionValues values, bool scans)
+    public static SkySettings? Read(OptionValues values, bool scans, bool hasShutter)
     {
         bool isAll = SkyOptions.All.Read(values);
         string? catalogue = SkyOptions.Stars.ReadIfGiven(values) ?? (isAll ? StarCatalogueReader.BuiltIn : null);
@@ -65,10 +66,11 @@ internal sealed record SkySettings
                 LightOptions.IgnoreSun);
         }
 
-        if (settings.HasEarthshine && scans)
+        if (settings.HasEarthshine && (scans || hasShutter))
         {
             throw SkyOptions.Earthshine.Wrong(
-                "is not drawn by cameras whose rows have times of their own. Leave it out, or 'scan' in the camera file.",
+                $"is not drawn by cameras that {(scans ? "scan" : "have a shutter")}. Leave it out, or "
+                    + $"'{(scans ? "scan" : "shutter")}' in the camera file.",
                 ImageOptions.Camera);
         }
 

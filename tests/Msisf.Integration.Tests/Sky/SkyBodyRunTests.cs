@@ -124,6 +124,27 @@ public sealed class SkyBodyRunTests : IDisposable
         return sum / far * Math.Pow(10.0, -0.4 * (magnitude + 26.76)) * (sun.LengthSquared / (Au * Au));
     }
 
+    /// <summary>The exposures of a shutter have the Sun's light only; what the message advises works.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("global")]
+    [InlineData("rolling, line-time: 1.0e-5")]
+    public void Run_EarthshineWithAShutter_IsRefused(string shutter)
+    {
+        string[] view = ["--position", "0,30,100000", "--camera", _folder["shutter.yaml"]];
+        string[] motion = ["--motion", "{0,1600,0,0,0,0}"];
+        _folder.Write("shutter.yaml", Camera.Replace("psf: gaussian", $"shutter: {shutter}, psf: gaussian", StringComparison.Ordinal));
+        CommandLineRun run = CommandLineRun.Of(
+            ["--renderer", "native", "--time", Time, "--output-dir", _folder["shutter"], "--earthshine", .. view, .. motion]);
+
+        Assert.Equal(1, run.ExitCode);
+        Assert.Contains(
+            "--earthshine is not drawn by cameras that have a shutter. Leave it out, or 'shutter' in the camera file.", run.Error,
+            StringComparison.Ordinal);
+        Run("without", [.. view, .. motion]);
+        _folder.Write("shutter.yaml", Camera);
+        Run("still", [.. view, "--earthshine"]);
+    }
+
     private void Run(string output, params string[] options)
     {
         CommandLineRun run = CommandLineRun.Of(["--renderer", "native", "--time", Time, "--output-dir", _folder[output], .. options]);
