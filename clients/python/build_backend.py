@@ -13,20 +13,46 @@ import io
 import tarfile
 import zipfile
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Optional
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 HERE = Path(__file__).resolve().parent
-TAG = "py3-none-any"
+ANY_PLATFORM = "any"
+INSTALLATION = "msisf/_installation"  # where a package that brings the program has it
+STARTER = b'''"""Starts the program that this package brings, without the time that NumPy takes."""
+
+import os
+import subprocess
+import sys
+
+
+def main() -> int:
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "msisf", "_installation")
+    if os.name == "posix":
+        program = os.path.join(root, "msis")
+        os.execv(program, [program, *sys.argv[1:]])
+    process = subprocess.Popen([os.path.join(root, "msis.exe"), *sys.argv[1:]])
+    while True:
+        try:
+            return process.wait()
+        except KeyboardInterrupt:
+            continue  # the program has it too, and ends by itself
+'''
 
 
 def build_wheel(wheel_directory: str, config_settings: Any = None, metadata_directory: Optional[str] = None) -> str:
     """What pip installs."""
-    return _wheel(Path(wheel_directory), _package())
+    return _wheel(Path(wheel_directory), _plain(_package()))
+
+
+def build_wheel_with_program(folder: Path, program: Mapping[str, Tuple[bytes, int]], platform: str) -> str:
+    """What pip installs where the program comes along: path within its installation -> content and mode. scripts/release.sh makes it."""
+    installation = {f"{INSTALLATION}/{path}": file for path, file in program.items()}
+    return _wheel(folder, {**_plain({**_package(), "msisf_program.py": STARTER}), **installation}, platform)
 
 
 def build_editable(wheel_directory: str, config_settings: Any = None, metadata_directory: Optional[str] = None) -> str:
     """What `pip install -e` installs: a reference to the sources."""
-    return _wheel(Path(wheel_directory), {"msisf.pth": f"{HERE}\n".encode()})
+    return _wheel(Path(wheel_directory), _plain({"msisf.pth": f"{HERE}\n".encode()}))
 
 
 def build_sdist(sdist_directory: str, config_settings: Any = None) -> str:
@@ -43,18 +69,26 @@ def build_sdist(sdist_directory: str, config_settings: Any = None) -> str:
     return f"{name}.tar.gz"
 
 
-def _wheel(folder: Path, files: Mapping[str, bytes]) -> str:
+def _plain(files: Mapping[str, bytes]) -> Dict[str, Tuple[bytes, int]]:
+    return {path: (content, 0o644) for path, content in files.items()}
+
+
+def _wheel(folder: Path, files: Mapping[str, Tuple[bytes, int]], platform: str = ANY_PLATFORM) -> str:
     name = f"msisf-{_project()['version']}"
-    tags = f"Wheel-Version: 1.0\nGenerator: msisf\nRoot-Is-Purelib: true\nTag: {TAG}\n".encode()
+    tag = f"py3-none-{platform}"
+    pure = "true" if platform == ANY_PLATFORM else "false"
+    notes = {"METADATA": _metadata(), "WHEEL": f"Wheel-Version: 1.0\nGenerator: msisf\nRoot-Is-Purelib: {pure}\nTag: {tag}\n".encode()}
+    if platform != ANY_PLATFORM:
+        notes["entry_points.txt"] = b"[console_scripts]\nmsis = msisf_program:main\n"
+    files = {**files, **_plain({f"{name}.dist-info/{note}": content for note, content in notes.items()})}
     record = f"{name}.dist-info/RECORD"
-    files = {**files, f"{name}.dist-info/METADATA": _metadata(), f"{name}.dist-info/WHEEL": tags}
-    lines = [f"{path},sha256={_digest(content)},{len(content)}\n" for path, content in files.items()] + [f"{record},,\n"]
-    with zipfile.ZipFile(folder / f"{name}-{TAG}.whl", "w") as archive:
-        for path, content in {**files, record: "".join(lines).encode()}.items():
+    lines = [f"{path},sha256={_digest(content)},{len(content)}\n" for path, (content, _) in files.items()] + [f"{record},,\n"]
+    with zipfile.ZipFile(folder / f"{name}-{tag}.whl", "w") as archive:
+        for path, (content, mode) in {**files, **_plain({record: "".join(lines).encode()})}.items():
             entry = zipfile.ZipInfo(path)  # of 1980-01-01
-            entry.external_attr = 0o644 << 16
+            entry.external_attr = (0o100000 | mode) << 16
             archive.writestr(entry, content, zipfile.ZIP_DEFLATED)
-    return f"{name}-{TAG}.whl"
+    return f"{name}-{tag}.whl"
 
 
 def _package() -> Dict[str, bytes]:

@@ -16,6 +16,20 @@ make_bare_root() {
     mknod -m 666 "$1/dev/urandom" c 1 9
 }
 
+# add_python ROOT: Debian's Python with NumPy, and the libraries that these two name.
+add_python() {
+    local library
+    install_parts numpy || die 'NumPy is needed to try the package for pip.'
+    install -D -m 755 /usr/bin/python3 "$1/usr/bin/python3"
+    mkdir -p "$1/usr/lib/python3/dist-packages"
+    cp -a /usr/lib/python3.[0-9]* "$1/usr/lib"
+    cp -aL /usr/lib/python3/dist-packages/numpy "$1/usr/lib/python3/dist-packages"
+    while read -r library; do
+        [ -e "$1$library" ] || install -D -m 755 "$library" "$1$library"
+    done < <(find "$1/usr/lib/python3" "$1"/usr/lib/python3.*/lib-dynload "$1/usr/bin/python3" \( -name '*.so' -o -name python3 \) \
+        -exec ldd {} + 2>/dev/null | sed -n 's|.*=> \(/[^ ]*\) .*|\1|p' | sort -u)
+}
+
 # within_root FOLDER COMMAND...: its processes see their own /proc, which goes with them.
 within_root() {
     # shellcheck disable=SC2016 # expanded by the inner shell
@@ -23,43 +37,55 @@ within_root() {
         sh -c 'mount -t proc proc "$1/proc" && cd "$1" && root=$1 && shift && exec /usr/sbin/chroot "$root" "$@"' sh "$@"
 }
 
-# try_package ROOT STARTER INSTALLATION FOLDER: draws there by command line and by server. FOLDER has the pictures that are right, and gets
-# what comes of it.
+# try_package ROOT STARTER FOLDER: draws there by command line and by server. FOLDER has the pictures that are right, and gets what comes
+# of it.
 try_package() {
-    local root=$1 starter=$2 file address='' server code=1
-    mkdir -p "$root$3/input" "$4/here"
-    cp -R input/ldem input/albedo "$root$3/input"
+    local root=$1 starter=$2 file
+    mkdir -p "$3/here"
     # shellcheck disable=SC2046 # words
-    within_root "$root" "$starter" $(words_of_trial) --output-dir /tmp/out >"$4/here/stdout" 2>"$4/here/stderr" </dev/null || {
-        cat "$4/here/stderr" >&2
+    within_root "$root" "$starter" $(words_of_trial) --output-dir /tmp/out >"$3/here/stdout" 2>"$3/here/stderr" </dev/null || {
+        cat "$3/here/stderr" >&2
         return 1
     }
     for file in trial.png trial.annotated.png; do
-        cmp "$root/tmp/out/$file" "$4/$file" || return 1
+        cmp "$root/tmp/out/$file" "$3/$file" || return 1
     done
+    try_server "$3" within_root "$root" "$starter" serve
+}
 
-    within_root "$root" "$starter" serve --listen 127.0.0.1:0 >"$4/here/address" 2>"$4/here/stderr" </dev/null &
+# try_server FOLDER SERVE...: SERVE starts a server, which draws the picture for a client and shows the viewer, and ends with its input.
+try_server() {
+    local folder=$1 address='' server hold code=1
+    mkdir -p "$folder/here"
+    rm -f "$folder/here"/{input,address}
+    mkfifo "$folder/here/input"
+    exec {hold}<>"$folder/here/input"
+    "${@:2}" --listen 127.0.0.1:0 --end-with-input >"$folder/here/address" 2>"$folder/here/stderr" <"$folder/here/input" {hold}>&- &
     server=$!
-    for _ in $(seq 100); do
-        read -r address <"$4/here/address" && break
+    for _ in $(seq 600); do
+        read -r address <"$folder/here/address" && break
+        kill -0 "$server" 2>/dev/null || break
         sleep 0.1
     done
-    if curl -fsS "$address/v1/render" -H 'Content-Type: application/json' -o "$4/here/served.png" -d "$(request_of_trial)" &&
-        cmp "$4/here/served.png" "$4/trial.png" && curl -fsS "$address/" | grep -qi '<html'; then
+    address=${address%$'\r'}
+    if [ -n "$address" ] &&
+        curl -fsS "$address/v1/render" -H 'Content-Type: application/json' -o "$folder/here/served.png" -d "$(request_of_trial)" &&
+        cmp "$folder/here/served.png" "$folder/trial.png" && curl -fsS "$address/" | grep -qi '<html'; then
         code=0
     else
-        cat "$4/here/stderr" >&2
+        cat "$folder/here/stderr" >&2
     fi
-    kill "$server"
+    exec {hold}>&-
+    wait "$server" || code=1
     return "$code"
 }
 
 words_of_trial() {
     say "--renderer native --position -58.6,-14.5,60000 --time 2010-04-06T20:24:00Z --width 320 --height 240 --rendering-annotation \
---output-name trial --batch"
+--output-name trial --batch --ephemeris builtin"
 }
 
 # The same picture.
 request_of_trial() {
-    say '{"position": [-58.6, -14.5, 60000], "time": "2010-04-06T20:24:00Z", "width": 320, "height": 240}'
+    say '{"position": [-58.6, -14.5, 60000], "time": "2010-04-06T20:24:00Z", "width": 320, "height": 240, "ephemeris": "builtin"}'
 }

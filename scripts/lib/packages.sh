@@ -7,6 +7,8 @@ part_is_here() {
         downloader) have curl || have wget ;;
         compiler) have cc || have gcc ;;
         static-openssl) compgen -G '/usr/lib/*/libcrypto.a' >/dev/null || [ -e /usr/lib64/libcrypto.a ] ;;
+        lld) have ld.lld ;;
+        objcopy-*) have "${1#objcopy-}-linux-gnu-objcopy" ;;
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
         gdal) have gdalinfo && python_package_is_here osgeo ;;
@@ -56,6 +58,7 @@ package_of() {
         *-certificates) echo ca-certificates ;;
         apt-compiler) echo gcc libc6-dev ;;
         *-compiler) echo gcc ;;
+        apt-objcopy-*) echo "binutils-${2#objcopy-}-linux-gnu" ;;
         apt-static-openssl) echo libssl-dev ;;
         *-static-openssl) echo openssl ;;
         apt-cfitsio) echo libcfitsio10 ;;

@@ -26,7 +26,7 @@ $low --camera $PWD/input/navigation-camera.yaml --renderer native --exposure-tim
 $low --batch --output-dir out --width 200 --height 160 --pattern-repos patterns
 ldem synthesize --res 4 --seed 3 --output-dir out --batch
 illumination --center -89,0 --size 20 --cell 2000 --time-interval [55289:1:55299] --output-dir out --batch
-dataset $PWD/input/data-set.yaml --frames 1:2 --output-dir out --batch
+dataset $PWD/input/data-set.yaml --frames 1:2 --jobs 1 --output-dir out --batch
 kernels $PWD/kernels/de421.bsp --format json
 cameras
 places --near Tycho --format json

@@ -71,10 +71,13 @@ class ServerProcess:
 
 
 def find_program() -> str:
-    """msis: of MSISF_PROGRAM, on the PATH, or in the tree that this file lies in."""
+    """msis: of MSISF_PROGRAM, of this package, on the PATH, or in the tree that this file lies in."""
     named = os.environ.get("MSISF_PROGRAM")
     if named:
         return named
+    own = Path(__file__).resolve().parent / "_installation" / ("msis.exe" if os.name == "nt" else "msis")
+    if own.is_file():
+        return str(own)
     found = shutil.which("msis")
     if found:
         return found

@@ -23,7 +23,7 @@ public sealed class Installation
     public string Cameras => Path.Combine(Root, "cameras");
 
     /// <summary>The command that starts the program in scripts that run later and elsewhere.</summary>
-    public string Launcher => OperatingSystem.IsWindows() ? Path.Combine(Root, "publish", "msis.exe") : Path.Combine(Root, "msis");
+    public string Launcher => Path.Combine(Root, OperatingSystem.IsWindows() ? "msis.exe" : "msis");
 
     /// <summary>Searches a folder and the folders above it for the installation.</summary>
     /// <param name="programFolder">Folder of the running program.</param>

@@ -49,9 +49,10 @@ public sealed class WorkFolder : IDisposable
             {
                 using (OpenLock(folder))
                 {
-                    Directory.Delete(folder, recursive: true);
+                    RemoveContents(folder);
                 }
 
+                Directory.Delete(folder);
                 removed++;
             }
             catch (Exception exception) when (exception.IsFileError())
@@ -69,6 +70,8 @@ public sealed class WorkFolder : IDisposable
     {
         try
         {
+            RemoveContents(Path);
+            _heldLock.Dispose();
             int left = Tries;
             while (!TryRemove(isLast: --left == 0))
             {
@@ -82,6 +85,27 @@ public sealed class WorkFolder : IDisposable
         finally
         {
             _heldLock.Dispose();
+        }
+    }
+
+    /// <summary>Removes all but the lock, which Windows keeps as long as it is open.</summary>
+    private static void RemoveContents(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        foreach (FileSystemInfo entry in new DirectoryInfo(folder).EnumerateFileSystemInfos().Where(entry => entry.Name != LockName))
+        {
+            if (entry is DirectoryInfo { LinkTarget: null } inner)
+            {
+                inner.Delete(recursive: true);
+            }
+            else
+            {
+                entry.Delete();
+            }
         }
     }
 
@@ -126,7 +150,9 @@ public sealed class WorkFolder : IDisposable
         }
     }
 
-    private static FileStream OpenLock(string folder) => new(LockOf(folder), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None);
+    /// <summary>The file goes as it is closed, before its lock is free.</summary>
+    private static FileStream OpenLock(string folder) => new(
+        LockOf(folder), FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None, bufferSize: 1, FileOptions.DeleteOnClose);
 
     private static string LockOf(string folder) => System.IO.Path.Combine(folder, LockName);
 }

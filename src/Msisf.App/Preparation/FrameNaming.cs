@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.RegularExpressions;
+using Msisf.Adapters.IO;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Time;
@@ -57,6 +58,11 @@ internal sealed partial class FrameNaming
                 ? step.ToString(format, CultureInfo.InvariantCulture)
                 : mjd.ToString(format ?? "R", CultureInfo.InvariantCulture);
         });
+        if (OperatingSystem.IsWindows() && WindowsNames.FaultOf(name) is { } fault)
+        {
+            throw OutputOptions.Name.Wrong($"'{name}': {fault}. Choose another name.");
+        }
+
         int bytes = Encoding.UTF8.GetByteCount(name);
         return bytes <= LongestName
             ? name

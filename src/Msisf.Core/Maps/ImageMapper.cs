@@ -149,8 +149,15 @@ public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)
             WorkerTeam.Run(
                 threads,
                 (int)(cells.Lines * cells.Samples),
-                (_, index) => isSeen |= !isSeen
-                    && PixelOf(projection, cell, cells.Top + (index / cells.Samples), cells.Left + (index % cells.Samples)) >= 0,
+                (_, index) =>
+                {
+                    // Only ever set: "isSeen |=" would write back what it read before another thread saw something.
+                    if (!Volatile.Read(ref isSeen)
+                        && PixelOf(projection, cell, cells.Top + (index / cells.Samples), cells.Left + (index % cells.Samples)) >= 0)
+                    {
+                        Volatile.Write(ref isSeen, true);
+                    }
+                },
                 cancellation);
             return isSeen;
         }

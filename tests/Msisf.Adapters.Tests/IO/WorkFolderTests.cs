@@ -16,6 +16,8 @@ public sealed class WorkFolderTests : IDisposable
         using (WorkFolder work = WorkFolder.In(_folder.Path))
         {
             File.WriteAllText(Path.Combine(work.Path, "image.png"), "x");
+            Directory.CreateDirectory(Path.Combine(work.Path, "inner"));
+            File.WriteAllText(Path.Combine(work.Path, "inner", "lock"), "x");
         }
 
         Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));

@@ -1,0 +1,77 @@
+# shellcheck shell=bash
+# Sourced by release.sh: tries the packages by what users do with them.
+
+. "$root/scripts/lib/bare-root.sh"
+. "$root/scripts/lib/same-bytes.sh"
+. "$root/scripts/lib/foreign.sh"
+
+# test_release FOLDER VERSION SYSTEM...: FOLDER has the packages, and keeps what is wrong.
+test_release() {
+    local system
+    find_dotnet || die '.NET is missing: run scripts/build.sh --dotnet'
+    dotnet publish src/Msisf.Cli -c Release -p:RunAnalyzers=false -p:PublishReadyToRun=false -o "$1/jit" -v quiet -nologo ||
+        die 'the build on .NET failed; the messages above say why.'
+    # shellcheck disable=SC2046 # words
+    "$1/jit/msis" $(words_of_trial) --output-dir "$1/trial" >/dev/null 2>&1
+    for system in "${@:3}"; do
+        read_target "$system"
+        case $system in
+            linux-x64)
+                try_own_packages "$1" "$2"
+                compare_levels "$1"
+                ;;
+            linux-arm64) try_arm "$1" "$2" ;;
+            win-x64) try_windows "$1" "$2" ;;
+            *) say "missing: a machine to try $system on" ;;
+        esac
+    done
+}
+
+# Archive, Debian package, package for pip and .NET tool, each in a root file system of its own.
+try_own_packages() {
+    local name=msisf-$2-linux-x64 kind
+    for kind in archive deb pip tool; do
+        make_bare_root "$1/$kind"
+    done
+    mkdir "$1/archive/opt"
+    tar -xzf "$1/$name.tar.gz" -C "$1/archive/opt"
+    try_package "$1/archive" "/opt/$name/msis" "$1/trial" || die "the archive does not draw: see $1"
+
+    dpkg-deb -x "$1/msisf_$2_amd64.deb" "$1/deb"
+    try_package "$1/deb" msis "$1/trial" || die "the Debian package does not draw: see $1"
+
+    install_parts pip || die 'pip is needed to try its package.'
+    add_python "$1/pip"
+    /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target "$1/pip/usr/lib/python3/dist-packages" \
+        "$1/msisf-$2-py3-none-manylinux_2_34_x86_64.whl" || die "pip can't install: see $1"
+    try_package "$1/pip" /usr/lib/python3/dist-packages/bin/msis "$1/trial" || die "the package for pip does not draw: see $1"
+    within_root "$1/pip" python3 -c "$(python_trial)" && cmp "$1/pip/tmp/python.png" "$1/trial/trial.png" ||
+        die "import msisf does not draw: see $1"
+
+    DOTNET_CLI_HOME=$1 dotnet tool install msisf --version "$2" --source "$1" --tool-path "$1/tool/opt" >"$1/tool/log" ||
+        die "dotnet tool install fails: see $1/tool/log"
+    try_package "$1/tool" /opt/msis "$1/trial" || die "the .NET tool does not draw: see $1"
+    say 'Archive, Debian package, package for pip and .NET tool draw and serve with the C library alone.'
+}
+
+# The picture of the trial, as a client of Python gets it at once.
+python_trial() {
+    cat <<'PYTHON'
+import msisf
+with msisf.Moon() as moon:
+    moon.render((-58.6, -14.5, 60000), time="2010-04-06T20:24:00Z", width=320, height=240).save("/tmp/python.png")
+PYTHON
+}
+
+# The programs stand in this tree, so that they name the same files.
+compare_levels() {
+    local level
+    for level in $target_levels; do
+        if [ "$level" = x86-64-v4 ] && ! grep -qw avx512vl /proc/cpuinfo; then
+            say "missing: a processor with AVX-512, so $level is not tried"
+            continue
+        fi
+        say "$level and .NET's JIT:"
+        compare_programs "$1/jit/msis" "$root/obj/programs/linux-x64/msis-$level" "$1/$level" || die "what differs is in $1/$level"
+    done
+}
