@@ -5,6 +5,7 @@
 #     scripts/build.sh --native    one program for command line and server, compiled ahead of time: starts at once and needs no .NET;
 #                                  takes minutes. For processors with AVX2 (x86-64-v3); where this one has AVX-512 (x86-64-v4), a
 #                                  second program for those beside it
+#     scripts/build.sh --native-all    both of these, whatever this processor has
 #     scripts/build.sh --for NAME  the program of the packages for a system, e.g. win-x64, into obj/programs/NAME
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
@@ -17,7 +18,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
 cd "$root"
 
 help_if_asked "$@"
-usage='Usage: scripts/build.sh [--dotnet | --native | --for NAME]'
+usage='Usage: scripts/build.sh [--dotnet | --native | --native-all | --for NAME]'
 output=publish
 system=''
 levels=()
@@ -28,6 +29,7 @@ case "${1:-} $#" in
         levels=(x86-64-v3)
         ! grep -qw avx512vl /proc/cpuinfo || levels+=(x86-64-v4)
         ;;
+    '--native-all 1') levels=(x86-64-v3 x86-64-v4) ;;
     '--for 2')
         system=$2
         read_target "$system" || die "unknown system: $system. Choose one of: $(names_of_targets | paste -sd ' ')"

@@ -8,6 +8,7 @@ part_is_here() {
         compiler) have cc || have gcc ;;
         static-openssl) compgen -G '/usr/lib/*/libcrypto.a' >/dev/null || [ -e /usr/lib64/libcrypto.a ] ;;
         lld) have ld.lld ;;
+        qemu) have qemu-aarch64-static ;;
         objcopy-*) have "${1#objcopy-}-linux-gnu-objcopy" ;;
         cfitsio) library_is_here libcfitsio ;;
         astropy) python_package_is_here astropy ;;
@@ -79,6 +80,8 @@ package_of() {
         pacman-numpy | pacman-pytest) echo "python-$2" ;;
         pacman-pip) echo python-pip python-setuptools python-wheel ;;
         apt-icu) echo libicu-dev ;; # the run-time package alone has its version in its name
+        apt-qemu) echo qemu-user-static ;;
+        apt-wine) echo wine wine64 ;;
         apt-octave) echo octave octave-instrument-control ;;
         apt-xmllint) echo libxml2-utils ;;
         apt-php) echo php-cli php-mysql ;;

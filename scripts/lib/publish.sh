@@ -1,4 +1,5 @@
 # shellcheck shell=bash
+# shellcheck disable=SC2154 # sysroot.sh sets sysroot
 # Sourced after dotnet.sh and sysroot.sh: lets .NET make the program, in each of its kinds, in a folder.
 
 # publish_program PROJECT FOLDER ARGUMENTS...: the analysers judge the sources in test.sh's build.

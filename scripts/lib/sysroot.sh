@@ -1,9 +1,10 @@
 # shellcheck shell=bash
+# shellcheck disable=SC2154 # the script that sources this sets root
 # Sourced after packages.sh: what is compiled ahead of time for another processor is linked with Debian's libraries for that one.
 
 # prepare_sysroot SYSTEM: sets sysroot, a folder with the C library and OpenSSL of a system; fetched with apt, nothing is installed.
 prepare_sysroot() {
-    local architecture machine state package gcc
+    local architecture machine state package link gcc
     case $1 in
         linux-arm64) architecture=arm64 machine=aarch64 ;;
         *) die "there is no compiler for $1" ;;
@@ -30,6 +31,9 @@ prepare_sysroot() {
         dpkg-deb -x "$package" "$sysroot"
     done
     rm -r "$state"
+    while IFS= read -r link; do # those that start at / mean the root of that system
+        ln -sf --relative "$sysroot$(readlink "$link")" "$link"
+    done < <(find "$sysroot" -type l -lname '/*')
     cat >"$sysroot/toolchain.cmake" <<CMAKE
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR $machine)

@@ -15,6 +15,7 @@ case $1 in
             *Msisf.Server) exit ;;
             *Msisf.Native) program=msisf ;;
         esac
+        [[ " $* " != *' win-x64 '* ]] || program=$program.exe
         echo "$*" >>"$BUILDS"
         [ -z "${BROKEN:-}" ] || exit 1
         while [ "$1" != -o ]; do shift; done
@@ -105,8 +106,7 @@ test_build_native_has_a_program_for_each_level() {
     assert_code 0
     assert_says_build '-p:Native=true -p:IlcInstructionSet=x86-64-v4'
     assert_same "$(builds)" 2
-    assert_same "$(cd clone/publish && ls)" "dotnet-root
-libSkiaSharp.so
+    assert_same "$(cd clone/publish && ls)" "libSkiaSharp.so
 msis
 msis-x86-64-v3
 msis-x86-64-v4
@@ -128,7 +128,22 @@ wwwroot"
     assert_says 'up to date'
     run clone/scripts/build.sh --nativ
     assert_code 1
-    assert_says 'Usage: scripts/build.sh [--dotnet | --native | --native-all]'
+    assert_says 'Usage: scripts/build.sh [--dotnet | --native | --native-all | --for NAME]'
+}
+
+test_build_for_a_system_leaves_publish_as_it_is() {
+    make_clone_with_sdk
+    run clone/scripts/build.sh
+    run clone/scripts/build.sh --for win-x64
+    assert_code 0
+    assert_says_build '-r win-x64 -p:WithJit=true'
+    assert_file clone/obj/programs/win-x64/msis.exe
+    assert_file clone/publish/msis
+    run clone/scripts/build.sh --for win-x64
+    assert_says 'up to date'
+    run clone/scripts/build.sh --for win-x86
+    assert_code 1
+    assert_says 'unknown system: win-x86. Choose one of: linux-x64 linux-arm64 win-x64 osx-arm64 osx-x64'
 }
 
 # assert_says_build TEXT: the last build was asked for it.

@@ -1,48 +1,61 @@
 # shellcheck shell=bash
 . "$MSISF_TESTED_ROOT/tests/scripts/lib.sh"
 
-# A clone whose program is a stand-in: it says where it runs, and prints the texts that are installed.
+# A clone whose programs are stand-ins: they say where they run, and print the texts that are installed.
 make_published_clone() {
+    local system program
     need dpkg-deb
     make_clone "$PWD/clone"
-    make_executable clone/scripts/build.sh </dev/null
+    mkdir -p clone/cameras clone/lib/fonts clone/input/albedo
     cp "$MSISF_TESTED_ROOT"/{README.md,LICENSE} clone
-    mkdir -p clone/cameras clone/lib/fonts
+    cp -R "$MSISF_TESTED_ROOT/clients" clone
     echo 'licence' >clone/lib/fonts/LICENSE-DejaVu.txt
     echo 'focal-length: 1' >clone/cameras/one.yaml
     echo 'meta' >clone/kernels/msisf.tm
     echo '<!ELEMENT a EMPTY>' >clone/lib/MSISRendering.dtd
-    make_executable clone/publish/msis-x86-64-v3 <<'PROGRAM'
+    touch clone/input/{ldem,albedo}/README.md
+    echo model >clone/input/ldem/LDEM_4.IMG
+    echo label >clone/input/ldem/LDEM_4.LBL
+    echo map >clone/input/albedo/map.jpg
+    make_executable clone/scripts/build.sh </dev/null
+    for system in linux-x64/msis-x86-64-v3 linux-arm64/msis-armv8-a win-x64/msis.exe osx-arm64/msis; do
+        program=clone/obj/programs/$system
+        make_executable "$program" <<'PROGRAM'
 #!/bin/sh
 case $1 in
     man) echo '.TH MSIS 1 ""' ;;
     completion) echo "# Completion of msis for $2" ;;
-    *) echo "program: $* in $0 dotnet=${DOTNET_ROOT:-none}" ;;
+    *) echo "program: $* in $0" ;;
 esac
 PROGRAM
-    cp clone/publish/msis-x86-64-v3 clone/publish/msis-x86-64-v4
-    ln -s msis-x86-64-v3 clone/publish/msis
-    mkdir clone/publish/wwwroot
-    echo page >clone/publish/wwwroot/index.html
-    echo /my/dotnet >clone/publish/dotnet-root
+        echo made >"${program%/*}/sources"
+        mkdir "${program%/*}/wwwroot"
+        echo page >"${program%/*}/wwwroot/index.html"
+        [[ $system != linux-* ]] || ln -s "${program##*/}" "${program%/*}/msis"
+    done
+    cp clone/obj/programs/linux-x64/msis-x86-64-v{3,4}
+    version=$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' clone/Directory.Build.props)
 }
 
-test_release_packages_hold_program_kernels_and_dependencies() {
+test_release_packages_hold_program_kernels_and_data() {
     make_published_clone
-    run clone/scripts/release.sh out
+    run clone/scripts/release.sh --for linux-x64 out
     assert_code 0
-    version=$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' clone/Directory.Build.props)
     assert_says "$PWD/out/msisf-$version-linux-x64.tar.gz"
     assert_same "$(ls -A out)" "msisf-$version-linux-x64.tar.gz
+msisf-$version-py3-none-manylinux_2_34_x86_64.whl
+msisf.$version.nupkg
+msisf.linux-x64.$version.nupkg
 msisf_${version}_amd64.deb"
 
     tar -xzf "out/msisf-$version-linux-x64.tar.gz"
     run env -i "msisf-$version-linux-x64/msis" --version
     assert_says "program: --version in msisf-$version-linux-x64/publish/msis"
-    assert_says 'dotnet=none'
     assert_file "msisf-$version-linux-x64/kernels/msisf.tm"
     assert_file "msisf-$version-linux-x64/lib/fonts/LICENSE-DejaVu.txt"
     assert_file "msisf-$version-linux-x64/lib/LICENSE-OpenSSL.txt"
+    assert_file "msisf-$version-linux-x64/input/ldem/LDEM_4.IMG"
+    assert_file "msisf-$version-linux-x64/input/albedo/map.jpg"
     assert_same "$(cd "msisf-$version-linux-x64/publish" && find . ! -type d | sort)" './msis
 ./msis-x86-64-v3
 ./msis-x86-64-v4
@@ -61,15 +74,6 @@ msisf_${version}_amd64.deb"
     assert_silent_on dotnet
 }
 
-test_release_again_gives_the_same_bytes() {
-    make_published_clone
-    run clone/scripts/release.sh first
-    touch clone/publish/msis-x86-64-v4
-    run clone/scripts/release.sh second
-    assert_code 0
-    assert_same "$(cd second && cksum -- *)" "$(cd first && cksum -- *)"
-}
-
 test_release_real_program_runs_where_there_is_no_dotnet() {
     [ -e "$MSISF_TESTED_ROOT/publish/libcoreclr.so" ] || [ -e "$MSISF_TESTED_ROOT/publish/msis-x86-64-v3" ] || {
         echo 'missing: a program that brings .NET along or needs none'
@@ -78,4 +82,42 @@ test_release_real_program_runs_where_there_is_no_dotnet() {
     run env -i HOME="$PWD" PATH=/nowhere /bin/sh "$MSISF_TESTED_ROOT/msis" --version
     assert_code 0
     assert_same "$output" "$(sed -n 's|.*<Version>\(.*\)</Version>.*|\1|p' "$MSISF_TESTED_ROOT/Directory.Build.props")"
+}
+
+test_release_same_sources_give_the_same_bytes() {
+    make_published_clone
+    run clone/scripts/release.sh --for linux-arm64 --for win-x64 one
+    assert_code 0
+    touch clone/obj/programs/linux-arm64/msis-armv8-a
+    run clone/scripts/release.sh --for linux-arm64 --for win-x64 other
+    assert_code 0
+    diff -r one other
+}
+
+test_release_pip_installs_command_and_module() {
+    need /usr/bin/python3
+    /usr/bin/python3 -c 'import numpy, pip' 2>/dev/null || {
+        echo 'missing: pip and NumPy'
+        exit 77
+    }
+    make_published_clone
+    run clone/scripts/release.sh --for linux-x64 out
+    assert_code 0
+    run /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target site "out/msisf-$version-py3-none-manylinux_2_34_x86_64.whl"
+    assert_code 0
+    PYTHONPATH=site run site/bin/msis --version
+    assert_says "program: --version in $PWD/site/msisf/_installation/publish/msis"
+    PYTHONPATH=site run /usr/bin/python3 -c 'from msisf._process import find_program; print(find_program())'
+    assert_same "$output" "$PWD/site/msisf/_installation/msis"
+}
+
+test_release_windows_has_the_program_at_the_top() {
+    make_published_clone
+    run clone/scripts/release.sh --for win-x64 out
+    assert_code 0
+    assert_same "$(python3 -m zipfile --list "out/msisf-$version-win-x64.zip" | grep -c "^msisf-$version-win-x64/msis.exe ")" 1
+    assert_same "$(python3 -m zipfile --list "out/msisf-$version-py3-none-win_amd64.whl" | grep -c '^msisf/_installation/msis.exe ')" 1
+    run clone/scripts/release.sh --for win-x86 out
+    assert_code 1
+    assert_says 'unknown system: win-x86. Choose one of:'
 }

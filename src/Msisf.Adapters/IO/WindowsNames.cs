@@ -5,7 +5,8 @@ public static class WindowsNames
 {
     private static readonly string[] Devices =
     [
-        "CON", "PRN", "AUX", "NUL", .. Enumerable.Range(1, 9).SelectMany(number => new[] { Invariant($"COM{number}"), Invariant($"LPT{number}") }),
+        "CON", "PRN", "AUX", "NUL",
+        .. Enumerable.Range(1, 9).SelectMany(number => new[] { Invariant($"COM{number}"), Invariant($"LPT{number}") }),
     ];
 
     /// <summary>What keeps a name from being that of a file.</summary>

@@ -5,7 +5,7 @@ namespace Msisf.Adapters.Interop;
 /// <summary>Finds CSPICE's shared library for <see cref="CSpiceNative"/>. Call it under <see cref="CSpice"/>'s lock.</summary>
 internal sealed class CSpiceLibrary
 {
-    private const string FileName = "libcspice.so";
+    private static readonly string FileName = OperatingSystem.IsWindows() ? "cspice.dll" : "libcspice.so";
 
     private nint _loaded;
 

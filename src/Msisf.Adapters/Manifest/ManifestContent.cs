@@ -3,11 +3,14 @@ namespace Msisf.Adapters.Manifest;
 /// <summary>The content of a manifest: of several lines about one thing, the last counts. Not for several threads.</summary>
 public sealed class ManifestContent
 {
+    /// <summary>Names are those of files, of which Windows takes two that differ in case for one.</summary>
+    private static readonly StringComparer Names = OperatingSystem.IsWindows() ? StringComparer.OrdinalIgnoreCase : StringComparer.Ordinal;
+
     private readonly Dictionary<string, SettingsRecord> _settings = [];
     private readonly Dictionary<string, RunRecord> _runs = [];
     private readonly Dictionary<string, ExpectedRecord> _expected = [];
-    private readonly Dictionary<string, FrameRecord> _frames = [];
-    private readonly Dictionary<string, FailedRecord> _failed = [];
+    private readonly Dictionary<string, FrameRecord> _frames = new(Names);
+    private readonly Dictionary<string, FailedRecord> _failed = new(Names);
     private readonly SortedDictionary<string, OutputFile> _shared = new(StringComparer.Ordinal);
 
     /// <summary>Settings by key.</summary>

@@ -119,13 +119,7 @@ internal sealed class RunConversion(ProgramHost host)
     {
         RenderSettings settings = cameras[0].Settings;
         int atOnce = settings.Jobs ?? slurm?.CpusPerTask ?? 1;
-        string folder = Path.GetFullPath(settings.OutputFolder);
-        while (!Directory.Exists(folder))
-        {
-            folder = Path.GetDirectoryName(folder)!;
-        }
-
-        ResourceCheck.Check(cameras, atOnce, slurm?.MemoryBytes ?? long.MaxValue, new DriveInfo(folder).AvailableFreeSpace);
+        ResourceCheck.Check(cameras, atOnce, slurm?.MemoryBytes ?? long.MaxValue, DiskRoom.Of(settings.OutputFolder));
     }
 
     private static void Write(PieceScript script, string text, string? statesFile, IReadOnlyList<SpacecraftState> states, bool hasLogs)

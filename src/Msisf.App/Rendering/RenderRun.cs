@@ -165,16 +165,10 @@ internal sealed class RenderRun
     /// <summary>Checks memory and disk before anything is written.</summary>
     private void RequireRoom(IReadOnlyList<Frame> frames, bool[] areThere)
     {
-        string folder = Path.GetFullPath(Settings.OutputFolder);
-        while (!Directory.Exists(folder) && Path.GetDirectoryName(folder) is { } above)
-        {
-            folder = above;
-        }
-
         ResourceCheck.Check(
             [.. _cameras.Select((settings, index) =>
                 (settings, frames.Zip(areThere).Count(pair => !pair.Second && pair.First.CameraIndex == index)))],
-            AtOnce(areThere.Count(isThere => !isThere)), MemoryThere, new DriveInfo(folder).AvailableFreeSpace);
+            AtOnce(areThere.Count(isThere => !isThere)), MemoryThere, DiskRoom.Of(Settings.OutputFolder));
     }
 
     /// <summary>Compares the input files of the frames that were there before with those of this run.</summary>

@@ -1,4 +1,5 @@
 using Msisf.Adapters.IO;
+using Xunit;
 
 namespace Msisf.Adapters.Tests.IO;
 

@@ -156,7 +156,7 @@ internal sealed record KeptRaster(SidecarPlaces Scan, SidecarPlaces Levels, byte
             {
                 string folder = Path.GetDirectoryName(Path.GetFullPath(Levels.ForWriting()))!;
                 Directory.CreateDirectory(folder);
-                return new DriveInfo(folder).AvailableFreeSpace;
+                return DiskRoom.Of(folder);
             }
             catch (Exception exception) when (exception.IsFileError())
             {
