@@ -48,9 +48,13 @@ SETTINGS = """<?xml version="1.0" encoding="utf-8"?>
 
 
 def files_of(tree):
-    """Path within the tree -> content and mode; what links lead to is a file of its own."""
+    """Path within the tree -> content and mode. These packages know no links: in place of one to a program is a script that starts it."""
     paths = sorted(path for path in pathlib.Path(tree).rglob('*') if path.is_file())
-    return {path.relative_to(tree).as_posix(): (path.read_bytes(), path.stat().st_mode & 0o777) for path in paths}
+    return {path.relative_to(tree).as_posix(): (content_of(path), path.stat().st_mode & 0o777) for path in paths}
+
+
+def content_of(path):
+    return f'#!/bin/sh\nexec "${{0%/*}}/{path.readlink()}" "$@"\n'.encode() if path.is_symlink() else path.read_bytes()
 
 
 def write_zip(path, files):

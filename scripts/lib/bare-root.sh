@@ -60,7 +60,7 @@ try_server() {
     rm -f "$folder/here"/{input,address}
     mkfifo "$folder/here/input"
     exec {hold}<>"$folder/here/input"
-    "${@:2}" --listen 127.0.0.1:0 --end-with-input >"$folder/here/address" 2>"$folder/here/stderr" <"$folder/here/input" {hold}>&- &
+    "${@:2}" --listen=127.0.0.1:0 --end-with-input >"$folder/here/address" 2>"$folder/here/stderr" <"$folder/here/input" {hold}>&- &
     server=$!
     for _ in $(seq 600); do
         read -r address <"$folder/here/address" && break
@@ -70,7 +70,8 @@ try_server() {
     address=${address%$'\r'}
     if [ -n "$address" ] &&
         curl -fsS "$address/v1/render" -H 'Content-Type: application/json' -o "$folder/here/served.png" -d "$(request_of_trial)" &&
-        cmp "$folder/here/served.png" "$folder/trial.png" && curl -fsS "$address/" | grep -qi '<html'; then
+        cmp "$folder/here/served.png" "$folder/trial.png" && curl -fsS "$address/" -o "$folder/here/page.html" &&
+        grep -qi '<html' "$folder/here/page.html"; then
         code=0
     else
         cat "$folder/here/stderr" >&2

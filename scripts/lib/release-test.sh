@@ -61,7 +61,7 @@ python_trial() {
     cat <<'PYTHON'
 import msisf
 with msisf.Moon() as moon:
-    moon.render((-58.6, -14.5, 60000), time="2010-04-06T20:24:00Z", width=320, height=240).save("/tmp/python.png")
+    moon.render((-58.6, -14.5, 60000), time="2010-04-06T20:24:00Z", nadir=True, width=320, height=240).save("/tmp/python.png")
 PYTHON
 }
 

@@ -46,7 +46,8 @@ written_by() {
 
 # Those that need no library of this system: GDAL, CFITSIO, POV-Ray.
 runs_elsewhere() {
-    runs_to_compare | grep -e '--output-dir out' | grep -v -e --map -e layers-compression -e --pattern-repos -e ^dataset -e ^illumination
+    runs_to_compare | grep -e '--output-dir out' |
+        grep -v -e --map -e layers-compression -e --pattern-repos -e noise-seed -e ^dataset -e ^illumination
 }
 
 same_bytes() { diff -rq "$1" "$2"; }

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Compares two folders of outputs from different systems: bytes, or for texts and arrays their numbers, within one unit of the 16th digit.
+"""Compares two folders of outputs from different systems: bytes, or the numbers of texts, within one unit of the 16th digit.
 
     same-numbers.py ONE OTHER
 
-Sines, cosines and arc tangents of two systems differ by one unit in the last place of a double (2.2e-16 of the number, half a unit of the
-16th digit, before it is rounded to 16 digits). The letters of annotated pictures are drawn by the system. The manifest has the checksums.
+The 16th digit counts of the largest number in a line: a vector's small components come from its large ones. The letters of annotated
+pictures are drawn by the system, and the manifest has the checksums.
 """
 
 import pathlib
@@ -16,17 +16,20 @@ NUMBER = re.compile(r'[+-]?\d+\.\d+(?:[eE][+-]?\d+)?')
 LEFT_OUT = ('.jsonl', '.annotated.png')
 
 
-def unit(number):
-    """One unit of the 16th digit of a number, or of its last digit if it is written with fewer."""
-    return Decimal(1).scaleb(max(number.as_tuple().exponent, number.adjusted() - 15))
+def unit(numbers):
+    """One unit of the 16th digit of the largest number, or of the last digit of one with fewer."""
+    largest = max(abs(number) for number in numbers)
+    return Decimal(1).scaleb(max(largest.adjusted() - 15, min(number.as_tuple().exponent for number in numbers)))
 
 
 def same_text(one, other):
-    if NUMBER.sub('#', one) != NUMBER.sub('#', other):
+    lines = one.splitlines(), other.splitlines()
+    if [NUMBER.sub('#', line) for line in lines[0]] != [NUMBER.sub('#', line) for line in lines[1]]:
         return 'other words'
-    for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)):
-        if a != b and abs(Decimal(a) - Decimal(b)) > max(unit(Decimal(a)), unit(Decimal(b))):
-            return f'{a} and {b}'
+    for a, b in zip(*lines):
+        numbers = [[Decimal(number) for number in NUMBER.findall(line)] for line in (a, b)]
+        if a != b and max(abs(x - y) for x, y in zip(*numbers)) > unit(numbers[0]):
+            return f'{a.strip()} and {b.strip()}'
     return None
 
 

@@ -127,7 +127,7 @@ internal sealed class CkLinear : CkSegment
         (RotationMatrix before, RotationMatrix after) = (Matrix(records), Matrix(records.AsSpan(_record)));
         UnitQuaternion turn = UnitQuaternion.FromMatrix(after.Transposed * before);
         Vector3D axis = new(turn.X, turn.Y, turn.Z);
-        double angle = 2.0 * Math.Atan2(axis.Length, turn.W);
+        double angle = 2.0 * Trigonometry.Atan2(axis.Length, turn.W);
         double fraction = (ticks - times[index]) / (times[index + 1] - times[index]);
         return new CkAttitude(
             axis.Length == 0.0 ? before : before * CkRates.Turn(axis, fraction * angle).Transposed,

@@ -93,8 +93,8 @@ internal sealed class SpkTwoBody : SpkSegment
         (StateVector first, StateVector second) = (From(after - 1, tdb), From(after, tdb));
         double span = epochs[after] - epochs[after - 1];
         double angle = Math.PI * (tdb - epochs[after - 1]) / span;
-        double weight = 0.5 + (0.5 * Math.Cos(angle));
-        double weightRate = -0.5 * Math.PI / span * Math.Sin(angle);
+        double weight = 0.5 + (0.5 * Trigonometry.Cos(angle));
+        double weightRate = -0.5 * Math.PI / span * Trigonometry.Sin(angle);
         StateVector mean = (weight * first) + ((1.0 - weight) * second);
         return mean with { Velocity = mean.Velocity + (weightRate * (first.Position - second.Position)) };
     }

@@ -62,7 +62,7 @@ public static class AnnotationRenderer
             // A canvas counts from the corner of the first pixel, rendering coordinates have its centre at 1.
             double x = pixel.H - 0.5;
             double y = pixel.V - 0.5;
-            (double right, double down) = Math.SinCos(pixel.IlluminationDirection ?? 0.0);
+            (double right, double down) = Trigonometry.SinCos(pixel.IlluminationDirection ?? 0.0);
             double reach = pixel.IlluminationDirection is null ? 0.0 : length;
             if (block.Covers(x, y) || block.Covers(x + (reach * right), y + (reach * down)))
             {

@@ -79,9 +79,9 @@ internal static class StarFields
     /// <summary>The values; empty where one is not defined.</summary>
     public static IEnumerable<(string Name, string Value)> Of(StarView view)
     {
-        double rightAscension = double.RadiansToDegrees(Math.Atan2(view.ApparentJ2000.Y, view.ApparentJ2000.X));
+        double rightAscension = double.RadiansToDegrees(Trigonometry.Atan2(view.ApparentJ2000.Y, view.ApparentJ2000.X));
         double declination = double.RadiansToDegrees(
-            Math.Atan2(view.ApparentJ2000.Z, double.Hypot(view.ApparentJ2000.X, view.ApparentJ2000.Y)));
+            Trigonometry.Atan2(view.ApparentJ2000.Z, double.Hypot(view.ApparentJ2000.X, view.ApparentJ2000.Y)));
         return
         [
             ("h", Text(view.X)),

@@ -9,6 +9,11 @@ namespace Msisf.App.Host;
 /// </summary>
 internal sealed class ProgramHost
 {
+    private const string Name = "msisf";
+
+    /// <summary>Windows has one folder for data and cache; a map's cache is no map.</summary>
+    private const string CacheOnWindows = "cache";
+
     private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));
     private readonly Func<string, string?> _environment;
     private readonly Lazy<GeoTiffFiles> _geoTiffs;
@@ -45,7 +50,7 @@ internal sealed class ProgramHost
     public Installation Installation => _installation.Value;
 
     /// <summary>Folder for files that can be made again and have no other place; null if no variable says where it is.</summary>
-    public string? CacheFolder => UserFolder("XDG_CACHE_HOME", "LOCALAPPDATA", ".cache");
+    public string? CacheFolder => UserFolder("XDG_CACHE_HOME", "LOCALAPPDATA", ".cache", CacheOnWindows);
 
     /// <summary>Folder of the user's settings; null if no variable says where it is.</summary>
     public string? ConfigFolder => UserFolder("XDG_CONFIG_HOME", "APPDATA", ".config");
@@ -57,9 +62,9 @@ internal sealed class ProgramHost
     public string? Environment(string name) => _environment(name) is { Length: > 0 } value ? value : null;
 
     /// <summary>The program's folder below that of a variable, of one of Windows, or of $HOME.</summary>
-    private string? UserFolder(string variable, string ofWindows, string belowHome) =>
-        (Environment(variable) ?? Environment(ofWindows)
-            ?? (Environment("HOME") is { } home ? Path.Combine(home, belowHome) : null)) is { } parent
-            ? Path.Combine(parent, "msisf")
-            : null;
+    private string? UserFolder(string variable, string ofWindows, string belowHome, string belowWindows = "") =>
+        Environment(variable) is { } named ? Path.Combine(named, Name)
+        : Environment(ofWindows) is { } local ? Path.Combine(local, Name, belowWindows)
+        : Environment("HOME") is { } home ? Path.Combine(home, belowHome, Name)
+        : null;
 }

@@ -150,7 +150,7 @@ public sealed class AttitudeSamples : IAttitudeSamples
         }
 
         double part = (time - _times[first]) / (_times[first + 1] - _times[first]);
-        return before * UnitQuaternion.FromAxisAngle(sine, part * 2.0 * Math.Atan2(length, turn.W));
+        return before * UnitQuaternion.FromAxisAngle(sine, part * 2.0 * Trigonometry.Atan2(length, turn.W));
     }
 
     /// <summary>The four numbers of a quaternion, of any length.</summary>

@@ -28,8 +28,8 @@ public static class Boresight
     public static Vector3D OffNadir(Vector3D positionBodyFixed, double offNadir, double azimuth)
     {
         UnitQuaternion nadir = NadirPointing.MoonFromCamera(positionBodyFixed);
-        (double sinAngle, double cosAngle) = Math.SinCos(offNadir);
-        (double sinAzimuth, double cosAzimuth) = Math.SinCos(azimuth);
+        (double sinAngle, double cosAngle) = Trigonometry.SinCos(offNadir);
+        (double sinAzimuth, double cosAzimuth) = Trigonometry.SinCos(azimuth);
         return nadir * new Vector3D(-cosAngle, sinAngle * sinAzimuth, sinAngle * cosAzimuth);
     }
 
@@ -44,7 +44,7 @@ public static class Boresight
     {
         double height = positionBodyFixed.Length - radius;
         double toHorizon = Math.Sqrt(Math.Max(0.0, height * (height + (2.0 * radius))));
-        return OffNadir(positionBodyFixed, Math.Atan2(radius, toHorizon), azimuth);
+        return OffNadir(positionBodyFixed, Trigonometry.Atan2(radius, toHorizon), azimuth);
     }
 
     /// <summary>The attitude that looks along a direction.</summary>

@@ -26,8 +26,8 @@ public static class NadirPointing
         }
 
         // Without the test, atan2 of two signed zeros may be pi.
-        double longitude = horizontal == 0.0 ? 0.0 : Math.Atan2(positionBodyFixed.Y, positionBodyFixed.X);
-        double latitude = Math.Atan2(positionBodyFixed.Z, horizontal);
+        double longitude = horizontal == 0.0 ? 0.0 : Trigonometry.Atan2(positionBodyFixed.Y, positionBodyFixed.X);
+        double latitude = Trigonometry.Atan2(positionBodyFixed.Z, horizontal);
         return UnitQuaternion.FromAxisAngle(Vector3D.UnitZ, longitude) * UnitQuaternion.FromAxisAngle(Vector3D.UnitY, -latitude);
     }
 

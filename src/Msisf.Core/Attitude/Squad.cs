@@ -38,6 +38,6 @@ public static class Squad
         UnitQuaternion turn = from.Conjugate * to;
         Vector3D sine = new(turn.X, turn.Y, turn.Z); // of half the angle
         double length = sine.Length;
-        return length == 0.0 ? default : 2.0 * Math.Atan2(length, Math.Abs(turn.W)) * (turn.W < 0.0 ? -1.0 : 1.0) / length * sine;
+        return length == 0.0 ? default : 2.0 * Trigonometry.Atan2(length, Math.Abs(turn.W)) * (turn.W < 0.0 ? -1.0 : 1.0) / length * sine;
     }
 }

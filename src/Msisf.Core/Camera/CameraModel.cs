@@ -41,7 +41,7 @@ public sealed class CameraModel
 
         (double leftX, _) = ToIdeal(0.5, 0.5 * (1.0 + height));
         (double rightX, _) = ToIdeal(width + 0.5, 0.5 * (1.0 + height));
-        FieldOfView = Math.Atan2(rightX - leftX, 1.0 + (leftX * rightX));
+        FieldOfView = Trigonometry.Atan2(rightX - leftX, 1.0 + (leftX * rightX));
         RequireField();
     }
 

@@ -38,7 +38,7 @@ public readonly record struct CameraMotion(Vector3D VelocityBodyFixed, Vector3D 
         UnitQuaternion turn = before.MoonFromCamera.Conjugate * after.MoonFromCamera;
         Vector3D sine = new(turn.X, turn.Y, turn.Z); // of half the angle, along the axis
         double length = sine.Length;
-        double angle = 2.0 * Math.Atan2(length, Math.Abs(turn.W));
+        double angle = 2.0 * Trigonometry.Atan2(length, Math.Abs(turn.W));
         return new CameraMotion(
             (after.PositionBodyFixed - before.PositionBodyFixed) / seconds,
             length == 0.0 ? default : angle * (turn.W < 0.0 ? -1.0 : 1.0) / (length * seconds) * sine);

@@ -72,7 +72,7 @@ public sealed class Jitter
         Span<double> angles = stackalloc double[3];
         foreach (JitterSine sine in _sines)
         {
-            angles[(int)sine.Axis] += sine.Amplitude * Math.Sin((2.0 * Math.PI * sine.Frequency * seconds) + sine.Phase);
+            angles[(int)sine.Axis] += sine.Amplitude * Trigonometry.Sin((2.0 * Math.PI * sine.Frequency * seconds) + sine.Phase);
         }
 
         return new Vector3D(angles[0], angles[1], angles[2]);

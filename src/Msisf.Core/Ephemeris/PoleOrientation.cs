@@ -46,7 +46,7 @@ public sealed class PoleOrientation : IFrameOrientation
         double[] perCentury = [.. Angles.Select(angle => double.DegreesToRadians(PoleSeries.Slope(angle, centuries)))];
         double[] perDay = [.. perCentury.Select(rate => rate / DaysPerCentury)];
         double rightAscension = RightAscension.RateAt(centuries, angles, perCentury, Math.Cos) / DaysPerCentury;
-        double declination = Declination.RateAt(centuries, angles, perCentury, static angle => -Math.Sin(angle)) / DaysPerCentury;
+        double declination = Declination.RateAt(centuries, angles, perCentury, static angle => -Trigonometry.Sin(angle)) / DaysPerCentury;
         double meridian = Meridian.RateAt(days, angles, perDay, Math.Cos);
         return EulerAngles.ToRateJ2000(
             EulerAnglesAt(time),

@@ -105,7 +105,7 @@ public static class TwoBody
             return ((Math.Cosh(root) - 1.0) / -z, (Math.Sinh(root) - root) / (-z * root));
         }
 
-        double half = Math.Sin(0.5 * root);
-        return (2.0 * half * half / z, (root - Math.Sin(root)) / (z * root));
+        double half = Trigonometry.Sin(0.5 * root);
+        return (2.0 * half * half / z, (root - Trigonometry.Sin(root)) / (z * root));
     }
 }

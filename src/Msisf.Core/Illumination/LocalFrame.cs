@@ -30,8 +30,8 @@ public readonly record struct LocalFrame(Vector3D PositionBodyFixed, Vector3D Ea
     /// <param name="elevation">rad, over the plane at a right angle to up.</param>
     public Vector3D DirectionOf(double azimuth, double elevation)
     {
-        (double sine, double cosine) = Math.SinCos(azimuth);
-        (double up, double across) = Math.SinCos(elevation);
+        (double sine, double cosine) = Trigonometry.SinCos(azimuth);
+        (double up, double across) = Trigonometry.SinCos(elevation);
         return (across * ((sine * East) + (cosine * North))) + (up * Up);
     }
 }

@@ -32,7 +32,7 @@ internal static class RowGeometry
             FindSines(u, v, sign, first, length, degrees, cosines);
             for (int i = 0; i < length; i++)
             {
-                degrees[first + i] = double.RadiansToDegrees(Math.Atan2(degrees[first + i], cosines[i]));
+                degrees[first + i] = double.RadiansToDegrees(Trigonometry.Atan2(degrees[first + i], cosines[i]));
             }
         }
     }
@@ -50,7 +50,7 @@ internal static class RowGeometry
             FindDifferences(u, uLengths, v, vLengths, first, length, degrees, sums);
             for (int i = 0; i < length; i++)
             {
-                degrees[first + i] = double.RadiansToDegrees(2.0 * Math.Atan2(degrees[first + i], sums[i]));
+                degrees[first + i] = double.RadiansToDegrees(2.0 * Trigonometry.Atan2(degrees[first + i], sums[i]));
             }
         }
     }

@@ -49,7 +49,7 @@ internal static class SurfaceValues
         LaneHypot.AxisDistances(points, row.Count, values);
         for (int i = 0; i < row.Count; i++)
         {
-            values[i] = double.RadiansToDegrees(Math.Atan2(points.Z[i], values[i]));
+            values[i] = double.RadiansToDegrees(Trigonometry.Atan2(points.Z[i], values[i]));
         }
     }
 
@@ -59,7 +59,7 @@ internal static class SurfaceValues
         VectorRow points = row.Points;
         for (int i = 0; i < row.Count; i++)
         {
-            values[i] = double.RadiansToDegrees(AngleReduction.FullTurnOfHalf(Math.Atan2(points.Y[i], points.X[i])));
+            values[i] = double.RadiansToDegrees(AngleReduction.FullTurnOfHalf(Trigonometry.Atan2(points.Y[i], points.X[i])));
         }
     }
 
@@ -197,7 +197,7 @@ internal static class SlopeValues
 
     private static double Azimuth(double toEast, double toNorth)
     {
-        double azimuth = double.RadiansToDegrees(Math.Atan2(toEast, toNorth));
+        double azimuth = double.RadiansToDegrees(Trigonometry.Atan2(toEast, toNorth));
         return azimuth < 0.0 ? Math.Min(azimuth + 360.0, Math.BitDecrement(360.0)) : azimuth;
     }
 }

@@ -54,6 +54,6 @@ public static class IlluminationDirection
 
         // A lens turns the direction as it turns a short line at the point.
         (right, down) = camera.DirectionInImage(lineOfSightBodyFixed, right, down);
-        return AngleReduction.FullTurnOfHalf(Math.Atan2(right, down));
+        return AngleReduction.FullTurnOfHalf(Trigonometry.Atan2(right, down));
     }
 }

@@ -25,7 +25,7 @@ internal static class CraterCovariance
 
         double step = Step * 0.5 * crater.Diameter;
         double degrees = double.RadiansToDegrees(step / radius);
-        double alongParallel = degrees / Math.Max(Step, Math.Cos(double.DegreesToRadians(crater.LatitudeDegrees)));
+        double alongParallel = degrees / Math.Max(Step, Trigonometry.Cos(double.DegreesToRadians(crater.LatitudeDegrees)));
         double turn = double.RadiansToDegrees(Step);
         bool isCircle = crater.MinorDiameter == crater.Diameter && errors.MinorDiameter == 0.0;
         double[]?[] columns =

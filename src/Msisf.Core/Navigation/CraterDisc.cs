@@ -15,12 +15,12 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
     /// <param name="radius">m from the Moon's centre to the ground in the middle of the crater.</param>
     public static CraterDisc Of(Crater crater, double radius)
     {
-        (double sinLatitude, double cosLatitude) = Math.SinCos(double.DegreesToRadians(crater.LatitudeDegrees));
-        (double sinLongitude, double cosLongitude) = Math.SinCos(double.DegreesToRadians(crater.LongitudeDegrees));
+        (double sinLatitude, double cosLatitude) = Trigonometry.SinCos(double.DegreesToRadians(crater.LatitudeDegrees));
+        (double sinLongitude, double cosLongitude) = Trigonometry.SinCos(double.DegreesToRadians(crater.LongitudeDegrees));
         Vector3D up = new(cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude);
         Vector3D east = new(-sinLongitude, cosLongitude, 0.0);
         Vector3D north = new(-sinLatitude * cosLongitude, -sinLatitude * sinLongitude, cosLatitude);
-        (double sin, double cos) = Math.SinCos(double.DegreesToRadians(crater.AngleDegrees));
+        (double sin, double cos) = Trigonometry.SinCos(double.DegreesToRadians(crater.AngleDegrees));
         return new CraterDisc(
             radius * up,
             up,
@@ -32,7 +32,7 @@ public readonly record struct CraterDisc(Vector3D Centre, Vector3D Up, Vector3D 
     /// <param name="anomaly">rad from the major axis.</param>
     public Vector3D RimAt(double anomaly)
     {
-        (double sin, double cos) = Math.SinCos(anomaly);
+        (double sin, double cos) = Trigonometry.SinCos(anomaly);
         return Centre + ((cos * Major) + (sin * Minor));
     }
 

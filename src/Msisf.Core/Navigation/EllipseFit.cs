@@ -73,7 +73,7 @@ internal static class EllipseFit
     /// <summary>A step of Gauss and Newton: the shift of the centre, and the stretch along, between and across the axes; px.</summary>
     private static Vector<double> StepOf(IReadOnlyList<RenderingPoint> curve, ImageEllipse ellipse)
     {
-        (double sin, double cos) = Math.SinCos(ellipse.Angle);
+        (double sin, double cos) = Trigonometry.SinCos(ellipse.Angle);
         Matrix<double> squares = Matrix<double>.Build.Dense(Unknowns, Unknowns);
         Vector<double> products = Vector<double>.Build.Dense(Unknowns);
         Span<double> slopes = stackalloc double[Unknowns];
@@ -172,7 +172,7 @@ internal static class EllipseFit
 
     private static (double X, double Y) Way(ImageEllipse about, double x, double y)
     {
-        (double sin, double cos) = Math.SinCos(about.Angle);
+        (double sin, double cos) = Trigonometry.SinCos(about.Angle);
         (double along, double across) = (about.SemiMajor * x, about.SemiMinor * y);
         return ((cos * along) - (sin * across), (sin * along) + (cos * across));
     }

@@ -31,7 +31,7 @@ public static class EllipsePolygon
         ];
 
         // A point is at X + across cos(anomaly) - along sin(anomaly), a border of which is met twice or not.
-        (double sin, double cos) = Math.SinCos(ellipse.Angle);
+        (double sin, double cos) = Trigonometry.SinCos(ellipse.Angle);
         (double X, double Y) ofCosine = (ellipse.SemiMajor * cos, ellipse.SemiMajor * sin);
         (double X, double Y) ofSine = (-ellipse.SemiMinor * sin, ellipse.SemiMinor * cos);
         List<double> ends = [];
@@ -73,7 +73,7 @@ public static class EllipsePolygon
     private static void AddEnds(List<double> ends, double cosine, double sine, ReadOnlySpan<double> values)
     {
         double reach = double.Hypot(cosine, sine);
-        double farthest = Math.Atan2(sine, cosine);
+        double farthest = Trigonometry.Atan2(sine, cosine);
         Add(farthest);
         Add(farthest + Math.PI);
         foreach (double value in values)
@@ -81,7 +81,7 @@ public static class EllipsePolygon
             double rest = (reach - value) * (reach + value);
             if (rest > 0.0)
             {
-                double half = Math.Atan2(Math.Sqrt(rest), value);
+                double half = Trigonometry.Atan2(Math.Sqrt(rest), value);
                 Add(farthest - half);
                 Add(farthest + half);
             }
@@ -95,7 +95,7 @@ public static class EllipsePolygon
     {
         double x = corners.Average(corner => corner.X);
         double y = corners.Average(corner => corner.Y);
-        corners.Sort((one, other) => Math.Atan2(one.Y - y, one.X - x).CompareTo(Math.Atan2(other.Y - y, other.X - x)));
+        corners.Sort((one, other) => Trigonometry.Atan2(one.Y - y, one.X - x).CompareTo(Trigonometry.Atan2(other.Y - y, other.X - x)));
         List<RenderingPoint> kept = [];
         foreach (RenderingPoint corner in corners)
         {

@@ -24,7 +24,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     {
         get
         {
-            (double sin, double cos) = Math.SinCos(Angle);
+            (double sin, double cos) = Trigonometry.SinCos(Angle);
             return (double.Hypot(SemiMajor * cos, SemiMinor * sin), double.Hypot(SemiMajor * sin, SemiMinor * cos));
         }
     }
@@ -49,7 +49,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
         }
 
         double major = (0.5 * (xx + yy)) + double.Hypot(0.5 * (xx - yy), xy);
-        double angle = 0.5 * Math.Atan2(2.0 * xy, xx - yy);
+        double angle = 0.5 * Trigonometry.Atan2(2.0 * xy, xx - yy);
         return new ImageEllipse(
             x, y, Math.Sqrt(major), Math.Sqrt(determinant / major), angle <= -0.5 * Math.PI ? 0.5 * Math.PI : angle);
     }
@@ -58,14 +58,14 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     /// <param name="anomaly">rad from the major axis; not the angle at the centre.</param>
     public RenderingPoint PointAt(double anomaly)
     {
-        (double sinOf, double cosOf) = Math.SinCos(anomaly);
+        (double sinOf, double cosOf) = Trigonometry.SinCos(anomaly);
         return PointAt(sinOf, cosOf);
     }
 
     /// <summary>A point of the ellipse by the sine and cosine of its anomaly.</summary>
     internal RenderingPoint PointAt(double sinOf, double cosOf)
     {
-        (double sin, double cos) = Math.SinCos(Angle);
+        (double sin, double cos) = Trigonometry.SinCos(Angle);
         (double along, double across) = (SemiMajor * cosOf, SemiMinor * sinOf);
         return new RenderingPoint(X + (cos * along) - (sin * across), Y + (sin * along) + (cos * across));
     }
@@ -73,7 +73,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     /// <summary>A point in the coordinates in which the ellipse is the circle of radius 1 around (0, 0).</summary>
     public (double X, double Y) ToUnitCircle(double x, double y)
     {
-        (double sin, double cos) = Math.SinCos(Angle);
+        (double sin, double cos) = Trigonometry.SinCos(Angle);
         return ToUnitCircle(x, y, sin, cos);
     }
 
@@ -93,7 +93,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     /// </remarks>
     internal (double Sin, double Cos) AnomalyNearest(double x, double y)
     {
-        (double sin, double cos) = Math.SinCos(Angle);
+        (double sin, double cos) = Trigonometry.SinCos(Angle);
         (double right, double down) = (x - X, y - Y);
         (double along, double across) = ((cos * right) + (sin * down), (cos * down) - (sin * right));
 
@@ -134,7 +134,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     public (int First, int Last) ColumnsOf(int row, int width)
     {
         // On the row the ellipse's form is a x^2 + 2 b x + c = 1 with x from the centre.
-        (double sin, double cos) = Math.SinCos(Angle);
+        (double sin, double cos) = Trigonometry.SinCos(Angle);
         double down = row - Y;
         (double ax, double bx) = (cos / SemiMajor, -sin / SemiMinor);
         (double ay, double by) = (sin / SemiMajor * down, cos / SemiMinor * down);
@@ -155,7 +155,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
     /// <summary>px^2: area of the part of the ellipse inside an image.</summary>
     public double AreaInside(int width, int height)
     {
-        (double sin, double cos) = Math.SinCos(Angle);
+        (double sin, double cos) = Trigonometry.SinCos(Angle);
         ReadOnlySpan<(double X, double Y)> corners =
         [
             ToUnitCircle(0.5, 0.5, sin, cos), ToUnitCircle(width + 0.5, 0.5, sin, cos),
@@ -192,7 +192,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
         return (enter > 0.0 ? Wedge(from, first) : 0.0) + inside + (leave < 1.0 ? Wedge(last, to) : 0.0);
     }
 
-    private static double Wedge((double X, double Y) from, (double X, double Y) to) => 0.5 * Math.Atan2(
+    private static double Wedge((double X, double Y) from, (double X, double Y) to) => 0.5 * Trigonometry.Atan2(
         Stable.DifferenceOfProducts(from.X, to.Y, from.Y, to.X), (from.X * to.X) + (from.Y * to.Y));
 
     private (double X, double Y) ToUnitCircle(double x, double y, double sin, double cos)

@@ -23,7 +23,7 @@ public static class AngleReduction
         if (Math.Abs(turns) > MaxTurnsByParts)
         {
             // The library's sine and cosine are right for any argument, which costs about one unit in the last place here.
-            return ToHalfTurn(Math.Atan2(Math.Sin(angle), Math.Cos(angle)), ToHalfTurn(correction));
+            return ToHalfTurn(Trigonometry.Atan2(Trigonometry.Sin(angle), Trigonometry.Cos(angle)), ToHalfTurn(correction));
         }
 
         // Exact: the difference is a multiple of angle's or TurnHigh's last bit, and small enough for 53 of them.

@@ -35,21 +35,21 @@ public readonly record struct RotationMatrix(Vector3D Row0, Vector3D Row1, Vecto
     /// <summary>The frame rotation about the first axis by an angle in rad, SPICE's [angle]_1.</summary>
     public static RotationMatrix FrameAboutX(double angle)
     {
-        (double sin, double cos) = Math.SinCos(angle);
+        (double sin, double cos) = Trigonometry.SinCos(angle);
         return new RotationMatrix(Vector3D.UnitX, new Vector3D(0.0, cos, sin), new Vector3D(0.0, -sin, cos));
     }
 
     /// <summary>The frame rotation about the second axis by an angle in rad, SPICE's [angle]_2.</summary>
     public static RotationMatrix FrameAboutY(double angle)
     {
-        (double sin, double cos) = Math.SinCos(angle);
+        (double sin, double cos) = Trigonometry.SinCos(angle);
         return new RotationMatrix(new Vector3D(cos, 0.0, -sin), Vector3D.UnitY, new Vector3D(sin, 0.0, cos));
     }
 
     /// <summary>The frame rotation about the third axis by an angle in rad, SPICE's [angle]_3.</summary>
     public static RotationMatrix FrameAboutZ(double angle)
     {
-        (double sin, double cos) = Math.SinCos(angle);
+        (double sin, double cos) = Trigonometry.SinCos(angle);
         return new RotationMatrix(new Vector3D(cos, sin, 0.0), new Vector3D(-sin, cos, 0.0), Vector3D.UnitZ);
     }
 

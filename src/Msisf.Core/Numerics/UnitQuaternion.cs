@@ -70,7 +70,7 @@ public readonly record struct UnitQuaternion
     /// <param name="angle">rad.</param>
     public static UnitQuaternion FromAxisAngle(Vector3D axis, double angle)
     {
-        (double sin, double cos) = Math.SinCos(angle / 2.0);
+        (double sin, double cos) = Trigonometry.SinCos(angle / 2.0);
         Vector3D vector = sin * axis.Normalized();
         return new UnitQuaternion(vector.X, vector.Y, vector.Z, cos);
     }

@@ -68,7 +68,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     {
         Vector3D a = vLength * u;
         Vector3D b = uLength * v;
-        return 2.0 * Math.Atan2((a - b).Length, (a + b).Length);
+        return 2.0 * Trigonometry.Atan2((a - b).Length, (a + b).Length);
     }
 
     /// <summary>"(1.5, -2, 0)", to the last digit, whatever the culture.</summary>

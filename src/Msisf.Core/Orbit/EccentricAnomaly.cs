@@ -21,16 +21,16 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
     public double X => (1.0 - Eccentricity) - OneMinusCosine;
 
     /// <summary>Coordinate across, in the sense of the motion, over a: sqrt(1 - e^2) sin E.</summary>
-    public double Y => MinorAxis * Math.Sin(Angle);
+    public double Y => MinorAxis * Trigonometry.Sin(Angle);
 
     /// <summary>Velocity towards the periapsis over a n, n the mean motion (thesis eq. 6.7).</summary>
-    public double VelocityX => -Math.Sin(Angle) / Radius;
+    public double VelocityX => -Trigonometry.Sin(Angle) / Radius;
 
     /// <summary>Velocity across over a n (thesis eq. 6.7).</summary>
-    public double VelocityY => MinorAxis * Math.Cos(Angle) / Radius;
+    public double VelocityY => MinorAxis * Trigonometry.Cos(Angle) / Radius;
 
     /// <summary>True anomaly, rad, [-pi, pi].</summary>
-    public double TrueAnomaly => Math.Atan2(Y, X);
+    public double TrueAnomaly => Trigonometry.Atan2(Y, X);
 
     /// <summary>Mean anomaly M = E - e sin E, rad, [-pi, pi] (Kepler's equation).</summary>
     public double MeanAnomaly => MeanAnomalyMinus(0.0);
@@ -40,7 +40,7 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
     {
         get
         {
-            double sinHalf = Math.Sin(Angle / 2.0);
+            double sinHalf = Trigonometry.Sin(Angle / 2.0);
             return 2.0 * sinHalf * sinHalf;
         }
     }
@@ -56,7 +56,7 @@ public readonly record struct EccentricAnomaly(double Angle, double Eccentricity
         // e < 1/2: 1 - e would be rounded and E - e sin E does not cancel; e >= 1/2: 1 - e is exact.
         if (Eccentricity < 0.5 || Math.Abs(Angle) > SeriesLimit)
         {
-            return Math.FusedMultiplyAdd(-Eccentricity, Math.Sin(Angle), Angle - meanAnomaly);
+            return Math.FusedMultiplyAdd(-Eccentricity, Trigonometry.Sin(Angle), Angle - meanAnomaly);
         }
 
         // For e near 1 a unit in the last place of E is by itself up to 3 units of M, so the sum is computed without further rounding.

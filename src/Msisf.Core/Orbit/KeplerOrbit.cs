@@ -25,9 +25,9 @@ public sealed class KeplerOrbit
         Elements = elements;
         _meanMotion = new MeanMotion(elements.SemiMajorAxis);
 
-        (double sinPeriapsis, double cosPeriapsis) = Math.SinCos(elements.ArgumentOfPeriapsis);
-        (double sinNode, double cosNode) = Math.SinCos(elements.LongitudeOfAscendingNode);
-        (double sinInclination, double cosInclination) = Math.SinCos(elements.Inclination);
+        (double sinPeriapsis, double cosPeriapsis) = Trigonometry.SinCos(elements.ArgumentOfPeriapsis);
+        (double sinNode, double cosNode) = Trigonometry.SinCos(elements.LongitudeOfAscendingNode);
+        (double sinInclination, double cosInclination) = Trigonometry.SinCos(elements.Inclination);
         _towardsPeriapsis = new Vector3D(
             (cosPeriapsis * cosNode) - (sinPeriapsis * cosInclination * sinNode),
             (cosPeriapsis * sinNode) + (sinPeriapsis * cosInclination * cosNode),

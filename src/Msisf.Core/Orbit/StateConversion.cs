@@ -54,7 +54,7 @@ public static class StateConversion
                     + "not an ellipse; check position (m) and velocity (m/s).");
         }
 
-        EccentricAnomaly anomaly = new(Math.Atan2(radial, kineticRatio - 1.0), eccentricity);
+        EccentricAnomaly anomaly = new(Trigonometry.Atan2(radial, kineticRatio - 1.0), eccentricity);
         OrbitPlane plane = OrbitPlane.WithNormal(momentum);
         double fromNode = plane.AngleFromNode(state.Position);
         bool isCircle = eccentricity == 0.0;
@@ -88,12 +88,12 @@ internal readonly record struct OrbitPlane
     private OrbitPlane(Vector3D normal)
     {
         double horizontal = double.Hypot(normal.X, normal.Y);
-        Inclination = Math.Atan2(horizontal, normal.Z);
+        Inclination = Trigonometry.Atan2(horizontal, normal.Z);
 
         // An equatorial orbit, of either sense, has its node on the x axis by convention.
         _towardsNode = horizontal > 0.0 ? new Vector3D(-normal.Y / horizontal, normal.X / horizontal, 0.0) : Vector3D.UnitX;
         _acrossNode = Vector3D.Cross(normal.Normalized(), _towardsNode);
-        LongitudeOfAscendingNode = Math.Atan2(_towardsNode.Y, _towardsNode.X);
+        LongitudeOfAscendingNode = Trigonometry.Atan2(_towardsNode.Y, _towardsNode.X);
     }
 
     /// <summary>i, rad, [0, pi].</summary>
@@ -107,5 +107,5 @@ internal readonly record struct OrbitPlane
 
     /// <summary>The angle from the ascending node to a position in the plane, in the sense of the motion, rad, [-pi, pi].</summary>
     public double AngleFromNode(Vector3D position) =>
-        Math.Atan2(Vector3D.Dot(position, _acrossNode), Vector3D.Dot(position, _towardsNode));
+        Trigonometry.Atan2(Vector3D.Dot(position, _acrossNode), Vector3D.Dot(position, _towardsNode));
 }

@@ -40,7 +40,7 @@ public sealed class BodyDisc
         double phase = place.Phase;
         _whole = _flattening * (_isSun
             ? Math.PI / (1.0 + (0.5 * LimbExponent))
-            : 2.0 / 3.0 * (Math.Sin(phase) + ((Math.PI - phase) * Math.Cos(phase))));
+            : 2.0 / 3.0 * (Trigonometry.Sin(phase) + ((Math.PI - phase) * Trigonometry.Cos(phase))));
     }
 
     /// <summary>Part of the whole body's light that comes from a direction, per steradian; 0 beside the disc.</summary>

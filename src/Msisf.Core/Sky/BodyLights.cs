@@ -125,7 +125,7 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
         }
 
         double distance = Math.Max(0.0, Math.Abs(point.Y - (0.5 * (1.0 + band.Height))) - (0.5 * band.Height));
-        double radius = Math.Sin(place.AngularRadius) / Math.Sqrt(band.SolidAngle(centre));
+        double radius = Trigonometry.Sin(place.AngularRadius) / Math.Sqrt(band.SolidAngle(centre));
         BodyView view = new(place, point.X, point.Y + rows.First, radius, 0.0);
         (double before, double seen) = (0.0, 0.0);
         if (found.TryGetValue(place.Body.Name, out (BodyView View, double Distance, double Light, double Shown) other))
@@ -149,12 +149,13 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
         double cosine = Vector3D.Dot(centre, camera.ForwardBodyFixed);
         double reach = Math.Atan(camera.Model.BorderTangent()) + place.AngularRadius
             + ((margin + 1.0) * Math.Sqrt(2.0) / Math.Min(camera.Model.FocalX, camera.Model.FocalY));
-        if (cosine <= 0.0 || cosine < Math.Cos(Math.Min(reach, 0.5 * Math.PI)) || !camera.TryProject(centre, out RenderingPoint middle))
+        if (cosine <= 0.0 || cosine < Trigonometry.Cos(Math.Min(reach, 0.5 * Math.PI))
+            || !camera.TryProject(centre, out RenderingPoint middle))
         {
             return;
         }
 
-        double radius = Math.Sin(place.AngularRadius) / Math.Sqrt(camera.SolidAngle(centre));
+        double radius = Trigonometry.Sin(place.AngularRadius) / Math.Sqrt(camera.SolidAngle(centre));
         if (radius < SmallestDisc)
         {
             if (middle.X > 0.5 - margin && middle.X < camera.Width + 0.5 + margin
@@ -201,11 +202,11 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
             Vector3D along = Vector3D.Cross(centre, across);
             (double left, double top, double right, double bottom) =
                 (double.PositiveInfinity, double.PositiveInfinity, double.NegativeInfinity, double.NegativeInfinity);
-            (double sine, double cosine) = Math.SinCos(radius * 1.01); // the outline between its points
+            (double sine, double cosine) = Trigonometry.SinCos(radius * 1.01); // the outline between its points
             bool isWhole = true;
             for (int i = 0; i < Outline; i++)
             {
-                (double v, double u) = Math.SinCos(2.0 * Math.PI * i / Outline);
+                (double v, double u) = Trigonometry.SinCos(2.0 * Math.PI * i / Outline);
                 Vector3D edge = (cosine * centre) + (sine * ((u * across) + (v * along)));
                 if (!camera.TryProject(edge, out RenderingPoint point))
                 {

@@ -10,7 +10,7 @@ public sealed record BodyPlace(
     SkyBody Body, Vector3D ApparentJ2000, double Distance, Vector3D ToSunJ2000, double Phase, double Magnitude)
 {
     /// <summary>rad: angular radius of the equator.</summary>
-    public double AngularRadius => Math.Atan2(
+    public double AngularRadius => Trigonometry.Atan2(
         Body.EquatorialRadius, Math.Sqrt((Distance - Body.EquatorialRadius) * (Distance + Body.EquatorialRadius)));
 
     /// <summary>Light of the whole body over sunlight at 1 au.</summary>

@@ -13,7 +13,7 @@ public readonly record struct LambertSphere(double Light, double Offset)
     /// <param name="ratio">Its radius over the distance of its centre, below 1.</param>
     public static LambertSphere Of(double phase, double ratio)
     {
-        (double sunAside, double sunAlong) = Math.SinCos(phase);
+        (double sunAside, double sunAlong) = Trigonometry.SinCos(phase);
         double near = 0.0;
         double far = 0.0;
         double aside = 0.0;
@@ -23,7 +23,7 @@ public readonly record struct LambertSphere(double Light, double Offset)
             double width = Math.Sqrt(1.0 - (height * height));
             for (int point = 0; point < 2 * Rings; point++)
             {
-                (double y, double x) = Math.SinCos(Math.PI * (point + 0.5) / Rings);
+                (double y, double x) = Trigonometry.SinCos(Math.PI * (point + 0.5) / Rings);
                 (x, y) = (width * x, width * y); // towards the observer, and aside
                 double lit = (sunAlong * x) + (sunAside * y);
                 if (lit <= 0.0)

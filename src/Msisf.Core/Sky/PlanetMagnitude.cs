@@ -60,7 +60,7 @@ public static class PlanetMagnitude
     private static double Saturn(double phase, double sunLatitude, double observerLatitude)
     {
         double product = sunLatitude * observerLatitude;
-        double sine = product > 0.0 ? Math.Sin(double.DegreesToRadians(Math.Sqrt(product))) : 0.0; // else the rings are dark
+        double sine = product > 0.0 ? Trigonometry.Sin(double.DegreesToRadians(Math.Sqrt(product))) : 0.0; // else the rings are dark
         double near = Math.Min(phase, SaturnLimit);
         double withRings = -8.914 - (1.825 * sine) + (0.026 * near) - (0.378 * sine * Math.Exp(-2.25 * near));
         return phase <= SaturnLimit ? withRings : withRings + OfSaturnsGlobe(phase) - OfSaturnsGlobe(SaturnLimit);

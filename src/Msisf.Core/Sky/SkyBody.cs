@@ -34,8 +34,8 @@ public sealed record SkyBody(
     {
         get
         {
-            (double sinRa, double cosRa) = Math.SinCos(double.DegreesToRadians(PoleDegrees.RightAscension));
-            (double sinDec, double cosDec) = Math.SinCos(double.DegreesToRadians(PoleDegrees.Declination));
+            (double sinRa, double cosRa) = Trigonometry.SinCos(double.DegreesToRadians(PoleDegrees.RightAscension));
+            (double sinDec, double cosDec) = Trigonometry.SinCos(double.DegreesToRadians(PoleDegrees.Declination));
             return new Vector3D(cosDec * cosRa, cosDec * sinRa, sinDec);
         }
     }

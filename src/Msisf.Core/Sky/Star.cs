@@ -26,8 +26,8 @@ public readonly record struct Star(
         string identity, (double RightAscension, double Declination) degrees, (double East, double North) motionMas, double parallaxMas,
         double epochYears, double magnitude, double? colour)
     {
-        (double sinRa, double cosRa) = Math.SinCos(double.DegreesToRadians(degrees.RightAscension));
-        (double sinDec, double cosDec) = Math.SinCos(double.DegreesToRadians(degrees.Declination));
+        (double sinRa, double cosRa) = Trigonometry.SinCos(double.DegreesToRadians(degrees.RightAscension));
+        (double sinDec, double cosDec) = Trigonometry.SinCos(double.DegreesToRadians(degrees.Declination));
         Vector3D east = new(-sinRa, cosRa, 0.0);
         Vector3D north = new(-sinDec * cosRa, -sinDec * sinRa, cosDec);
         return new Star(

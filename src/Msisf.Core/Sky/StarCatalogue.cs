@@ -21,7 +21,7 @@ public sealed record StarCatalogue(IReadOnlyList<Star> Stars)
         {
             Star star = Stars[i];
             double angle = reach + (_fastest * Math.Abs(yearsPastJ2000 - star.EpochYears));
-            if (angle >= Math.PI || Vector3D.Dot(star.Direction, axis) >= Math.Cos(angle))
+            if (angle >= Math.PI || Vector3D.Dot(star.Direction, axis) >= Trigonometry.Cos(angle))
             {
                 yield return star;
             }

@@ -45,7 +45,7 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
         FrameCamera[] cameras = [.. times.Select(time => time == exposure.Middle ? middle : exposure.CameraAt(time))];
         double reach = Math.Atan(middle.Model.BorderTangent()) + (0.5 * speed * exposure.Span)
             + ((spread.Radius + 1.0) * Math.Sqrt(2.0) / Math.Min(middle.Model.FocalX, middle.Model.FocalY));
-        double cosine = reach < Math.PI ? Math.Cos(reach) : -1.0;
+        double cosine = reach < Math.PI ? Trigonometry.Cos(reach) : -1.0;
         PointTrack track = new(exposure, axes, tracer, times, cameras);
         for (int index = 0; index < sky.Stars.Count; index++)
         {
@@ -80,7 +80,7 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
         {
             SkyAxes axes = sky.AxesAt(band.State.Seconds);
             double reach = Math.Atan(band.Model.BorderTangent());
-            double cosine = Math.Cos(reach);
+            double cosine = Trigonometry.Cos(reach);
             WorkerTeam.Run(threads, sky.Stars.Count, (_, index) =>
             {
                 Vector3D apparent = axes.ApparentJ2000(sky.Stars[index]);

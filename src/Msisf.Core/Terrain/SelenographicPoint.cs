@@ -10,15 +10,15 @@ public readonly record struct SelenographicPoint(double Latitude, double Longitu
     /// <remarks>Thesis eq. 3.10, by atan2 (docs/deviations.md, row 6).</remarks>
     public static SelenographicPoint Below(Vector3D positionBodyFixed)
     {
-        double latitude = Math.Atan2(positionBodyFixed.Z, double.Hypot(positionBodyFixed.X, positionBodyFixed.Y));
-        return new SelenographicPoint(latitude, AngleReduction.ToFullTurn(Math.Atan2(positionBodyFixed.Y, positionBodyFixed.X)));
+        double latitude = Trigonometry.Atan2(positionBodyFixed.Z, double.Hypot(positionBodyFixed.X, positionBodyFixed.Y));
+        return new SelenographicPoint(latitude, AngleReduction.ToFullTurn(Trigonometry.Atan2(positionBodyFixed.Y, positionBodyFixed.X)));
     }
 
     /// <summary>The unit vector from the Moon's centre to this point, body-fixed (thesis eq. 3.9).</summary>
     public Vector3D ToDirectionBodyFixed()
     {
-        (double sinLatitude, double cosLatitude) = Math.SinCos(Latitude);
-        (double sinLongitude, double cosLongitude) = Math.SinCos(Longitude);
+        (double sinLatitude, double cosLatitude) = Trigonometry.SinCos(Latitude);
+        (double sinLongitude, double cosLongitude) = Trigonometry.SinCos(Longitude);
         return new Vector3D(cosLatitude * cosLongitude, cosLatitude * sinLongitude, sinLatitude);
     }
 }

@@ -174,8 +174,8 @@ public sealed class TimeScale
     private double Periodic(double ttSeconds)
     {
         double meanAnomaly = _constants.MeanAnomalyAtJ2000 + (_constants.MeanMotion * ttSeconds);
-        double eccentricAnomaly = meanAnomaly + (_constants.Eccentricity * Math.Sin(meanAnomaly));
-        return _constants.Amplitude * Math.Sin(eccentricAnomaly);
+        double eccentricAnomaly = meanAnomaly + (_constants.Eccentricity * Trigonometry.Sin(meanAnomaly));
+        return _constants.Amplitude * Trigonometry.Sin(eccentricAnomaly);
     }
 
     /// <param name="Utc">When it begins: since 2000-01-01T12:00:00 UTC, each day counted with 86 400 s.</param>

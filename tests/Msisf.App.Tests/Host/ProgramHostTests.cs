@@ -7,7 +7,7 @@ public sealed class ProgramHostTests
 {
     [Theory]
     [InlineData("XDG_CACHE_HOME=/x HOME=/h", "/x/msisf")]
-    [InlineData("LOCALAPPDATA=/l HOME=/h", "/l/msisf")]
+    [InlineData("LOCALAPPDATA=/l HOME=/h", "/l/msisf/cache")] // Windows has data there too
     [InlineData("HOME=/h", "/h/.cache/msisf")]
     [InlineData("XDG_CACHE_HOME= HOME=/h", "/h/.cache/msisf")] // set, but empty
     [InlineData("", null)]

@@ -4,7 +4,9 @@ chcp 65001 >nul
 rem @HEAD@
 rem The pieces of a run, one after another. Run again, it makes what is missing. The variable MSIS names another program to run.
 if not defined MSIS set "MSIS=@LAUNCHER@"
-pushd @WORKING_FOLDER@ || exit /b 2
+ver >nul
+pushd @WORKING_FOLDER@
+if errorlevel 1 exit /b 2
 set worst=0
 @PIECES@
 popd
