@@ -20,7 +20,7 @@ make_command() {
 # Messages name folders. Lines and letters of annotated pictures have other roundings, as have the checksums in the manifest.
 same_outputs() { diff -rq --exclude=stderr --exclude='*.annotated.png' --exclude='*.jsonl' "$1" "$2"; }
 
-same_numbers() { cmp "$1/exit-code" "$2/exit-code" && scripts/lib/same-numbers.py "$1/out" "$2/out"; }
+same_numbers() { cmp "$1/exit-code" "$2/exit-code" && /usr/bin/python3 scripts/lib/same-numbers.py "$1/out" "$2/out"; }
 
 try_arm() { # FOLDER VERSION
     local name=msisf-$2-linux-arm64 program
@@ -42,7 +42,7 @@ try_arm() { # FOLDER VERSION
 
 try_windows() { # FOLDER VERSION
     local name=msisf-$2-win-x64 program
-    install_parts wine unzip || die 'Wine is needed to try the package for Windows.'
+    install_parts wine unzip numpy || die 'Wine is needed to try the package for Windows.'
     make_reference "$@"
     mkdir "$1/windows"
     unzip -q "$1/$name.zip" -d "$1/windows"

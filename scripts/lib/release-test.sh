@@ -53,6 +53,10 @@ try_own_packages() {
     DOTNET_CLI_HOME=$1 dotnet tool install msisf --version "$2" --source "$1" --tool-path "$1/tool/opt" >"$1/tool/log" ||
         die "dotnet tool install fails: see $1/tool/log"
     try_package "$1/tool" /opt/msis "$1/trial" || die "the .NET tool does not draw: see $1"
+    # shellcheck disable=SC2046 # words
+    DOTNET_CLI_HOME=$1 dotnet dnx msisf --yes --source "$1" $(words_of_trial) --output-dir "$1/dnx" >"$1/tool/log" 2>&1 ||
+        die "dnx fails: see $1/tool/log"
+    cmp "$1/dnx/trial.png" "$1/trial/trial.png" || die "dnx draws another picture: see $1"
     say 'Archive, Debian package, package for pip and .NET tool draw and serve with the C library alone.'
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Compares two folders of outputs from different systems: bytes, or the numbers of texts, within one unit of the 16th digit.
+"""Compares two folders of outputs from different systems: bytes, or the numbers of texts, within one unit of the 16th digit, of arrays
+within some in the last place.
 
     same-numbers.py ONE OTHER
 
@@ -12,6 +13,9 @@ import re
 import sys
 from decimal import Decimal
 
+import numpy
+
+ARRAY_STEPS = 4  # units in the last place of angles in degrees: an arc tangent, 180 / pi, and a difference
 NUMBER = re.compile(r'[+-]?\d+\.\d+(?:[eE][+-]?\d+)?')
 LEFT_OUT = ('.jsonl', '.annotated.png')
 
@@ -33,10 +37,21 @@ def same_text(one, other):
     return None
 
 
+def same_array(one, other):
+    a, b = numpy.load(one), numpy.load(other)
+    if a.dtype != b.dtype or a.shape != b.shape or not numpy.array_equal(numpy.isnan(a), numpy.isnan(b)):
+        return 'another array'
+    known = ~numpy.isnan(a)
+    steps = numpy.max(numpy.abs(a[known] - b[known]) / numpy.spacing(numpy.abs(a[known])))
+    return None if steps <= ARRAY_STEPS else f'{steps} units in the last place'
+
+
 def difference(one, other):
     a, b = one.read_bytes(), other.read_bytes()
     if a == b:
         return None
+    if one.suffix == '.npy':
+        return same_array(one, other)
     try:
         return same_text(a.decode(), b.decode())
     except UnicodeDecodeError:
