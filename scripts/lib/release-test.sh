@@ -44,7 +44,7 @@ try_own_packages() {
 
     install_parts pip || die 'pip is needed to try its package.'
     add_python "$1/pip"
-    /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target "$1/pip/usr/lib/python3/dist-packages" \
+    /usr/bin/python3 -m pip install --quiet --root-user-action=ignore --no-index --no-deps --target "$1/pip/usr/lib/python3/dist-packages" \
         "$1/msisf-$2-py3-none-manylinux_2_34_x86_64.whl" || die "pip can't install: see $1"
     try_package "$1/pip" /usr/lib/python3/dist-packages/bin/msis "$1/trial" || die "the package for pip does not draw: see $1"
     within_root "$1/pip" python3 -c "$(python_trial)" || die "import msisf does not draw: see $1"
