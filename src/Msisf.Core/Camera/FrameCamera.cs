@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
 namespace Msisf.Core.Camera;
@@ -130,8 +131,26 @@ public abstract class FrameCamera : ICamera
     /// <inheritdoc/>
     public abstract Ray RayThrough(double x, double y);
 
+    /// <summary>The directions of the rays through eight points of the image, each with the bits of <see cref="RayThrough"/>.</summary>
+    /// <param name="x">Rendering coordinates.</param>
+    /// <param name="y">Rendering coordinate of all of them.</param>
+    internal abstract LaneVector DirectionsThrough(Vector512<double> x, double y);
+
     /// <summary>The directions of the rays through the centres of pixels, with the bits of <see cref="RayThrough"/>.</summary>
-    internal abstract void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions);
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    internal void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions)
+    {
+        Span<double> xs = stackalloc double[Vector512<double>.Count];
+        for (int i = 0; i < columns.Length; i += xs.Length)
+        {
+            for (int lane = 0; lane < xs.Length; lane++)
+            {
+                xs[lane] = columns[Math.Min(i + lane, columns.Length - 1)] + 1;
+            }
+
+            DirectionsThrough(Vector512.Create<double>(xs), row + 1.0).Store(directions, i);
+        }
+    }
 
     /// <summary>Where the line from the focal point along a direction meets the image plane.</summary>
     /// <param name="directionBodyFixed">From the focal point, body-fixed, any length.</param>
@@ -211,17 +230,6 @@ public abstract class FrameCamera : ICamera
     /// <param name="lineOfSightBodyFixed">The line of sight through the point, forward.</param>
     internal (double Right, double Down) DirectionInImage(Vector3D lineOfSightBodyFixed, double right, double down) =>
         Model.IsThesis ? (right, down) : Model.DirectionInImage(TangentsOf(lineOfSightBodyFixed), right, down);
-
-    /// <summary>Rendering coordinates of the centres of eight pixels of a row; after the last pixel its own.</summary>
-    private protected static Vector512<double> CentresOf(ReadOnlySpan<int> columns, int first, Span<double> xs)
-    {
-        for (int lane = 0; lane < xs.Length; lane++)
-        {
-            xs[lane] = columns[Math.Min(first + lane, columns.Length - 1)] + 1;
-        }
-
-        return Vector512.Create<double>(xs);
-    }
 
     private (double Right, double Down) TangentsOf(Vector3D directionBodyFixed)
     {

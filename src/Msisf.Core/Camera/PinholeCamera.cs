@@ -39,18 +39,12 @@ public sealed class PinholeCamera : FrameCamera
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
-    internal override void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions)
+    internal override LaneVector DirectionsThrough(Vector512<double> x, double y)
     {
-        double height = Height;
-        double width = Width;
-        LaneVector middle = LaneVector.All(Direction + ((1.0 + height - (2.0 * (row + 1))) / (2.0 * height) * Up));
-        Span<double> xs = stackalloc double[Vector512<double>.Count];
-        for (int i = 0; i < columns.Length; i += Vector512<double>.Count)
-        {
-            Vector512<double> right = ((Vector512.Create(2.0) * CentresOf(columns, i, xs)) - Vector512<double>.One
-                - Vector512.Create(width)) / Vector512.Create(2.0 * width);
-            (middle + (right * LaneVector.All(Right))).Store(directions, i);
-        }
+        double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);
+        Vector512<double> right = ((Vector512.Create(2.0) * x) - Vector512<double>.One - Vector512.Create((double)Width))
+            / Vector512.Create(2.0 * Width);
+        return LaneVector.All(Direction + (up * Up)) + (right * LaneVector.All(Right));
     }
 }
 
@@ -68,15 +62,11 @@ internal sealed class LensCamera(CameraState state, CameraModel model) : FrameCa
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
-    internal override void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions)
+    internal override LaneVector DirectionsThrough(Vector512<double> x, double y)
     {
         (Vector3D middle, Vector3D toRight, Vector3D toDown) = RayAxes;
-        Span<double> xs = stackalloc double[Vector512<double>.Count];
-        for (int i = 0; i < columns.Length; i += Vector512<double>.Count)
-        {
-            LanePoints ideal = Model.ToIdeal(CentresOf(columns, i, xs), Vector512.Create(row + 1.0));
-            LaneVector alongRow = LaneVector.All(middle) + (ideal.X * LaneVector.All(toRight));
-            (alongRow + (ideal.Y * LaneVector.All(toDown))).Store(directions, i);
-        }
+        LanePoints ideal = Model.ToIdeal(x, Vector512.Create(y));
+        LaneVector alongRow = LaneVector.All(middle) + (ideal.X * LaneVector.All(toRight));
+        return alongRow + (ideal.Y * LaneVector.All(toDown));
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
 
@@ -33,23 +34,41 @@ internal static class PixelThroughput
             (_, row) =>
             {
                 (PixelRows rows, FrameCamera band) = inOwnAxes.BandAt(row + 1);
-                for (int column = 0; column < band.Width; column++)
-                {
-                    throughput[(row * band.Width) + column] = At(band, column + 1, row + 1 - rows.First);
-                }
+                FindRow(band, row + 1 - rows.First, throughput.AsSpan(row * band.Width, band.Width));
             },
             CancellationToken.None);
         return throughput;
     }
 
-    private static double At(FrameCamera camera, double x, double y)
+    /// <summary>Computes a row, eight pixels at a time: a lens takes as long for one point as for eight.</summary>
+    private static void FindRow(FrameCamera camera, double y, Span<double> throughput)
     {
         const double HalfPixel = 0.5;
-        Vector3D across = camera.RayThrough(x + HalfPixel, y).Direction - camera.RayThrough(x - HalfPixel, y).Direction;
-        Vector3D down = camera.RayThrough(x, y + HalfPixel).Direction - camera.RayThrough(x, y - HalfPixel).Direction;
-        Vector3D ray = camera.RayThrough(x, y).Direction;
+        VectorRow across = VectorRow.OfLength(Vector512<double>.Count);
+        VectorRow down = VectorRow.OfLength(Vector512<double>.Count);
+        VectorRow rays = VectorRow.OfLength(Vector512<double>.Count);
+        Vector512<double> half = Vector512.Create(HalfPixel);
+        Vector512<double> columns = Vector512.Create(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0);
+        for (int first = 0; first < throughput.Length; first += Vector512<double>.Count)
+        {
+            // Behind the last pixel its own place is repeated: farther out a lens may show nothing.
+            Vector512<double> x = Vector512.Min(columns + Vector512.Create((double)first), Vector512.Create((double)throughput.Length));
+            (camera.DirectionsThrough(x + half, y) - camera.DirectionsThrough(x - half, y)).Store(across, 0);
+            (camera.DirectionsThrough(x, y + HalfPixel) - camera.DirectionsThrough(x, y - HalfPixel)).Store(down, 0);
+            camera.DirectionsThrough(x, y).Store(rays, 0);
+            for (int lane = 0; lane < Vector512<double>.Count && first + lane < throughput.Length; lane++)
+            {
+                throughput[first + lane] = Of(across[lane], down[lane], rays[lane], camera.ForwardBodyFixed);
+            }
+        }
+    }
+
+    /// <param name="across">Between the rays to the left and right of the pixel.</param>
+    /// <param name="down">Between those above and below it.</param>
+    private static double Of(Vector3D across, Vector3D down, Vector3D ray, Vector3D forward)
+    {
         double length = ray.Length;
         double solidAngle = Math.Abs(Vector3D.Dot(Vector3D.Cross(across, down), ray)) / (length * length * length);
-        return solidAngle * Vector3D.Dot(ray, camera.ForwardBodyFixed) / length;
+        return solidAngle * Vector3D.Dot(ray, forward) / length;
     }
 }

@@ -30,7 +30,8 @@ internal sealed record StressVerdict(StressFigure? Figure, string Word, string L
         return new StressVerdict(figure, word, $"{figure.Quantity}: {WorstOf(figure)}{limit}: {word} ({figure.WorstInput})");
     }
 
-    private static string WithUnit(double value, string unit) => $"{Text(value)} {unit}".TrimEnd();
+    /// <summary>A number alone has the unit "1", which nobody writes.</summary>
+    private static string WithUnit(double value, string unit) => unit is "" or "1" ? Text(value) : $"{Text(value)} {unit}";
 
     private static string Text(double value) =>
         value.ToString("G3", CultureInfo.InvariantCulture).Replace("E", "e", StringComparison.Ordinal);

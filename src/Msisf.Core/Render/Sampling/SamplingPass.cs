@@ -161,5 +161,5 @@ internal sealed record SampledFrame(
     public IPieces? Pieces { get; init; }
 
     /// <summary>All samples of the lens; null if they are not known.</summary>
-    public LensSamples? LensSamples { get; init; }
+    public LensSubsamples? LensSamples { get; init; }
 }

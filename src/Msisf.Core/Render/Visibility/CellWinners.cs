@@ -38,20 +38,20 @@ internal struct CellWinners
     public void Store(
         FacetRecords records, ProjectedBlock block, int index, Vector512<double> wins, Vector512<double> inSouthWest, ref int facets)
     {
-        uint bits = (uint)wins.ExtractMostSignificantBits();
-        uint southWestBits = (uint)inSouthWest.ExtractMostSignificantBits();
-        if ((bits & southWestBits) != 0 && _southWest == Band.NotRecorded)
-        {
-            _southWest = records.Add(block, index, 0);
-        }
-
-        if ((bits & ~southWestBits) != 0 && _northEast == Band.NotRecorded)
-        {
-            _northEast = records.Add(block, index, 1);
-        }
-
+        Record(records, block, index, (uint)wins.ExtractMostSignificantBits(), (uint)inSouthWest.ExtractMostSignificantBits());
         Store(
             Vector256.ConditionalSelect(Narrow(inSouthWest), Vector256.Create(_southWest), Vector256.Create(_northEast)), wins, ref facets);
+    }
+
+    /// <summary>Stores the facets of the samples that the cell wins, at least one of four; the parameters are those of eight.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Store(
+        FacetRecords records, ProjectedBlock block, int index, Vector256<double> wins, Vector256<double> inSouthWest, ref int facets)
+    {
+        Record(records, block, index, wins.ExtractMostSignificantBits(), inSouthWest.ExtractMostSignificantBits());
+        Vector128<int> numbers = Vector128.ConditionalSelect(
+            Narrow(inSouthWest), Vector128.Create(_southWest), Vector128.Create(_northEast));
+        Vector128.ConditionalSelect(Narrow(wins), numbers, Vector128.LoadUnsafe(ref facets)).StoreUnsafe(ref facets);
     }
 
     /// <summary>Stores facets where they win.</summary>
@@ -60,6 +60,24 @@ internal struct CellWinners
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector256<int> number, Vector512<double> wins, ref int facets) =>
         Vector256.ConditionalSelect(Narrow(wins), number, Vector256.LoadUnsafe(ref facets)).StoreUnsafe(ref facets);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Record(FacetRecords records, ProjectedBlock block, int index, uint wins, uint inSouthWest)
+    {
+        if ((wins & inSouthWest) != 0 && _southWest == Band.NotRecorded)
+        {
+            _southWest = records.Add(block, index, 0);
+        }
+
+        if ((wins & ~inSouthWest) != 0 && _northEast == Band.NotRecorded)
+        {
+            _northEast = records.Add(block, index, 1);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector128<int> Narrow(Vector256<double> mask) =>
+        Vector128.Narrow(mask.AsInt64().GetLower(), mask.AsInt64().GetUpper());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<int> Narrow(Vector512<double> mask) => Vector512.Narrow(mask.AsInt64(), mask.AsInt64()).GetLower();

@@ -7,8 +7,8 @@ using Msisf.Core.Parallel;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// Where the ideal image plane is sampled by the pixels of a camera with a lens: the points of each pixel, and the tiles in which pixels
-/// are drawn. One object serves many frames, several at a time.
+/// Where the ideal image plane is sampled by the pixels of a camera with a lens: the point of each pixel's centre, and the tiles in which
+/// pixels are drawn. One object serves many frames, several at a time.
 /// </summary>
 internal sealed class LensSamples
 {
@@ -25,33 +25,27 @@ internal sealed class LensSamples
     private const int Kinds = 8;
 
     private CameraModel? _model;
-    private SamplePattern _pattern = SamplePattern.Centre;
     private TangentBox[] _bands = [];
     private IReadOnlyList<LensTile>?[] _tiles = [];
 
-    /// <summary>Tangent to the right of each sample, row by row, those of a pixel beside each other.</summary>
+    /// <summary>Tangent to the right of each pixel's centre, row by row.</summary>
     public double[] Right { get; private set; } = [];
 
-    /// <summary>Tangent down of each sample.</summary>
+    /// <summary>Tangent down of each pixel's centre.</summary>
     public double[] Down { get; private set; } = [];
 
     /// <summary>The part of the ideal image plane in which all samples lie.</summary>
     public TangentBox Tangents { get; private set; }
-
-    /// <summary>Whether these are the samples of a camera with a pattern.</summary>
-    public bool IsOf(CameraModel model, SamplePattern pattern) => IsOf(model) && _pattern.Equals(pattern);
 
     /// <summary>Whether these are samples of a camera.</summary>
     public bool IsOf(CameraModel model) => ReferenceEquals(_model, model);
 
     /// <summary>Computes the samples of a camera.</summary>
     /// <param name="model">The camera, with a lens.</param>
-    /// <param name="pattern">Where the samples of a pixel lie.</param>
-    public void Prepare(CameraModel model, SamplePattern pattern, int threads, CancellationToken cancellation)
+    public void Prepare(CameraModel model, int threads, CancellationToken cancellation)
     {
         _model = null;
-        _pattern = pattern;
-        int size = model.Width * model.Height * pattern.Count;
+        int size = model.Width * model.Height;
         if (Right.Length < size)
         {
             Right = new double[size];
@@ -108,9 +102,8 @@ internal sealed class LensSamples
     {
         LaneRange right = LaneRange.Nothing;
         LaneRange down = LaneRange.Nothing;
-        int inRow = model.Width * _pattern.Count;
-        int last = ((pixels.LastRow + 1) * inRow) - 1;
-        for (int sample = pixels.FirstRow * inRow; sample <= last; sample += Vector512<double>.Count)
+        int last = ((pixels.LastRow + 1) * model.Width) - 1;
+        for (int sample = pixels.FirstRow * model.Width; sample <= last; sample += Vector512<double>.Count)
         {
             right.Widen(Read(Right, sample, last));
             down.Widen(Read(Down, sample, last));
@@ -119,32 +112,30 @@ internal sealed class LensSamples
         return new TangentBox(right.Min, down.Min, right.Max, down.Max);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void FillRow(CameraModel model, int row)
     {
-        int count = _pattern.Count;
-        Span<double> right = Right.AsSpan(row * model.Width * count, model.Width * count);
-        Span<double> down = Down.AsSpan(row * model.Width * count, model.Width * count);
-        Span<double> columns = stackalloc double[Vector512<double>.Count];
-        for (int column = 0; column < model.Width; column += columns.Length)
+        Span<double> right = Right.AsSpan(row * model.Width, model.Width);
+        Span<double> down = Down.AsSpan(row * model.Width, model.Width);
+        for (int column = 0; column < model.Width; column += Vector512<double>.Count)
         {
-            for (int lane = 0; lane < columns.Length; lane++)
+            LanePoints ideal = EightPixels(model, column, row, right: 0.0, down: 0.0);
+            for (int lane = 0; lane < Vector512<double>.Count && column + lane < model.Width; lane++)
             {
-                columns[lane] = Math.Min(column + lane, model.Width - 1) + 1;
-            }
-
-            Vector512<double> middles = Vector512.Create<double>(columns);
-            for (int sample = 0; sample < count; sample++)
-            {
-                LanePoints ideal = model.ToIdeal(
-                    middles + Vector512.Create(_pattern.Right[sample]), Vector512.Create(row + 1.0 + _pattern.Down[sample]));
-                for (int lane = 0; lane < columns.Length && column + lane < model.Width; lane++)
-                {
-                    int place = ((column + lane) * count) + sample;
-                    (right[place], down[place]) = (ideal.X[lane], ideal.Y[lane]);
-                }
+                (right[column + lane], down[column + lane]) = (ideal.X[lane], ideal.Y[lane]);
             }
         }
+    }
+
+    /// <summary>The ideal points of one sample of eight pixels of a row; behind the last pixel its own.</summary>
+    /// <param name="right">px: distance of the sample from the pixels' centres.</param>
+    /// <param name="down">As <paramref name="right"/>.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static LanePoints EightPixels(CameraModel model, int column, int row, double right, double down)
+    {
+        Vector512<double> centres = Vector512.Min(
+            Vector512.Create(column + 1.0) + Vector512.Create(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0),
+            Vector512.Create((double)model.Width));
+        return model.ToIdeal(centres + Vector512.Create(right), Vector512.Create(row + 1.0 + down));
     }
 
     /// <summary>Reads eight numbers; beyond the last one it is repeated.</summary>

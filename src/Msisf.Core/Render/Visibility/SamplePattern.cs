@@ -43,9 +43,6 @@ internal sealed class SamplePattern : IEquatable<SamplePattern>
             Offset(Reversed(sample % Lanes) ^ Shifts[sample / Lanes], Lanes), Offset(sample % Lanes, Lanes))),
     ]);
 
-    /// <summary>The pixel's centre alone.</summary>
-    public static SamplePattern Centre { get; } = Grid(1);
-
     /// <summary>Number of samples.</summary>
     public int Count { get; }
 

@@ -138,6 +138,22 @@ internal sealed class SubsampleBand
         }
     }
 
+    /// <summary>Where four samples of a pixel lie; the parameters are those of eight.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void ReadPlaces(int column, int row, int index, int first, out Vector256<double> x, out Vector256<double> y)
+    {
+        if (_hasLens)
+        {
+            int sample = Starts[index] + first;
+            (x, y) = (ArrayLanes.Load256(Columns, sample), ArrayLanes.Load256(Rows, sample));
+        }
+        else
+        {
+            x = ArrayLanes.Load256(Pattern.Right, first) + Vector256.Create((double)column);
+            y = ArrayLanes.Load256(Pattern.Down, first) + Vector256.Create((double)row);
+        }
+    }
+
     /// <summary>Notes where a facet lies in the plane that is drawn in, before it is drawn as the only one of a pixel.</summary>
     public void SetPlane(int facet, in FacetPlane plane)
     {
@@ -243,7 +259,7 @@ internal sealed class SubsampleBand
     /// <summary>Finds where a lens puts the samples in the ideal image plane.</summary>
     /// <param name="known">All samples of the image, with this pattern in every pixel; null to compute those that are needed.</param>
     /// <returns>The part of the plane in which they lie.</returns>
-    public TangentBox PlaceInLens(CameraModel model, LensSamples? known)
+    public TangentBox PlaceInLens(CameraModel model, LensSubsamples? known)
     {
         (LaneRange acrossRange, LaneRange alongRange) = (LaneRange.Nothing, LaneRange.Nothing);
         for (int row = FirstRow; row <= LastRow; row++)
@@ -254,7 +270,7 @@ internal sealed class SubsampleBand
                 int samples = VectorsOf(column, row) * SamplePattern.Lanes;
                 if (known is not null)
                 {
-                    Copy(known, ((row * Width) + column) * Pattern.Count, start, samples);
+                    Copy(known, column, row, start, samples);
                 }
 
                 for (int sample = 0; sample < samples; sample += SamplePattern.Lanes)
@@ -278,11 +294,10 @@ internal sealed class SubsampleBand
     }
 
     /// <summary>Copies the samples of a pixel; what fills up the last vector lies where the last one does.</summary>
-    private void Copy(LensSamples known, int first, int start, int samples)
+    private void Copy(LensSubsamples known, int column, int row, int start, int samples)
     {
         int count = Pattern.Count;
-        known.Right.AsSpan(first, count).CopyTo(Right.AsSpan(start));
-        known.Down.AsSpan(first, count).CopyTo(Down.AsSpan(start));
+        known.Read(column, row, Right, Down, start);
         Right.AsSpan((start + count)..(start + samples)).Fill(Right[start + count - 1]);
         Down.AsSpan((start + count)..(start + samples)).Fill(Down[start + count - 1]);
     }

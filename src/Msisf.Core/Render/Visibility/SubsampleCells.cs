@@ -7,7 +7,7 @@ namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
 /// Draws a block's cells into the further samples of a band. Pixels whose samples all lie in one facet are found first. In the others a
-/// cell is tested against eight samples at a time, with the edge functions of <see cref="CellRasterizer"/>; cells whose box holds no pixel
+/// cell is tested against four samples at a time, with the edge functions of <see cref="CellRasterizer"/>; cells whose box holds no pixel
 /// with samples are dropped.
 /// </summary>
 internal sealed class SubsampleCells
@@ -212,7 +212,7 @@ internal sealed class SubsampleCells
         }
     }
 
-    /// <summary>Draws a cell in the samples of a pixel.</summary>
+    /// <summary>Draws a cell in the samples of a pixel, four at a time.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static void DrawSamples(
         ProjectedBlock block, int index, uint halves, int column, int row, int pixel, SubsampleBand band, ref CellWinners winners)
@@ -221,46 +221,46 @@ internal sealed class SubsampleCells
         CellCorner northEast = new(block, index + FacetCorners.NorthEast);
         CellCorner southWest = new(block, index + FacetCorners.SouthWest);
         CellCorner southEast = new(block, index + FacetCorners.SouthEast);
-        Vector512<double> southWestMask = Vector512.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
-        Vector512<double> northEastMask = Vector512.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
-        int count = band.VectorsOf(column, row) * Lanes;
-        for (int first = 0; first < count; first += Lanes)
+        Vector256<double> southWestMask = Vector256.Create((halves & FacetCorners.SouthWestHalf) != 0 ? -1L : 0L).AsDouble();
+        Vector256<double> northEastMask = Vector256.Create((halves & FacetCorners.NorthEastHalf) != 0 ? -1L : 0L).AsDouble();
+        int count = band.SamplesIn(band.VectorsOf(column, row));
+        for (int first = 0; first < count; first += Vector256<double>.Count)
         {
-            band.ReadPlaces(column, row, pixel, first, out Vector512<double> x, out Vector512<double> y);
-            CellEdges edges = new(
-                Vector512.Create(northWest.X) - x,
-                Vector512.Create(northWest.Y) - y,
-                Vector512.Create(northEast.X) - x,
-                Vector512.Create(northEast.Y) - y,
-                Vector512.Create(southWest.X) - x,
-                Vector512.Create(southWest.Y) - y,
-                Vector512.Create(southEast.X) - x,
-                Vector512.Create(southEast.Y) - y);
-            Vector512<double> inSouthWest = southWestMask & Vector512.LessThanOrEqual(edges.MaxOfSouthWest, Vector512<double>.Zero);
-            Vector512<double> inNorthEast = northEastMask & Vector512.LessThanOrEqual(edges.MaxOfNorthEast, Vector512<double>.Zero);
-            if ((inSouthWest | inNorthEast) == Vector512<double>.Zero)
+            band.ReadPlaces(column, row, pixel, first, out Vector256<double> x, out Vector256<double> y);
+            FourCellEdges edges = new(
+                Vector256.Create(northWest.X) - x,
+                Vector256.Create(northWest.Y) - y,
+                Vector256.Create(northEast.X) - x,
+                Vector256.Create(northEast.Y) - y,
+                Vector256.Create(southWest.X) - x,
+                Vector256.Create(southWest.Y) - y,
+                Vector256.Create(southEast.X) - x,
+                Vector256.Create(southEast.Y) - y);
+            Vector256<double> inSouthWest = southWestMask & Vector256.LessThanOrEqual(edges.MaxOfSouthWest, Vector256<double>.Zero);
+            Vector256<double> inNorthEast = northEastMask & Vector256.LessThanOrEqual(edges.MaxOfNorthEast, Vector256<double>.Zero);
+            if ((inSouthWest | inNorthEast) == Vector256<double>.Zero)
             {
                 continue;
             }
 
             // As in CellRasterizer: a sample in both facets is on the diagonal, where both have the same depth.
-            Vector512<double> ofNorthWest = Vector512.ConditionalSelect(inSouthWest, edges.South, edges.East);
-            Vector512<double> ofSouthEast = Vector512.ConditionalSelect(inSouthWest, edges.West, edges.North);
-            Vector512<double> ofThird = Vector512.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
-            Vector512<double> atThird = Vector512.ConditionalSelect(
-                inSouthWest, Vector512.Create(southWest.InverseDepth), Vector512.Create(northEast.InverseDepth));
-            Vector512<double> inverseDepth = ((ofNorthWest * northWest.InverseDepth) + (ofSouthEast * southEast.InverseDepth)
+            Vector256<double> ofNorthWest = Vector256.ConditionalSelect(inSouthWest, edges.South, edges.East);
+            Vector256<double> ofSouthEast = Vector256.ConditionalSelect(inSouthWest, edges.West, edges.North);
+            Vector256<double> ofThird = Vector256.ConditionalSelect(inSouthWest, -edges.Diagonal, edges.Diagonal);
+            Vector256<double> atThird = Vector256.ConditionalSelect(
+                inSouthWest, Vector256.Create(southWest.InverseDepth), Vector256.Create(northEast.InverseDepth));
+            Vector256<double> inverseDepth = ((ofNorthWest * northWest.InverseDepth) + (ofSouthEast * southEast.InverseDepth)
                 + (ofThird * atThird)) / (ofNorthWest + ofSouthEast + ofThird);
             band.Part(column, row, pixel);
             int sample = band.Starts[pixel] + first;
-            Vector512<double> before = ArrayLanes.Load(band.InverseDepths, sample);
-            Vector512<double> wins = (inSouthWest | inNorthEast) & Vector512.GreaterThan(inverseDepth, before);
-            if (wins == Vector512<double>.Zero)
+            Vector256<double> before = ArrayLanes.Load256(band.InverseDepths, sample);
+            Vector256<double> wins = (inSouthWest | inNorthEast) & Vector256.GreaterThan(inverseDepth, before);
+            if (wins == Vector256<double>.Zero)
             {
                 continue;
             }
 
-            Vector512.ConditionalSelect(wins, inverseDepth, before).StoreTo(band.InverseDepths, sample);
+            Vector256.ConditionalSelect(wins, inverseDepth, before).StoreTo(band.InverseDepths, sample);
             winners.Store(band.Records, block, index, wins, inSouthWest, ref ArrayLanes.At(band.Facets, sample));
         }
     }

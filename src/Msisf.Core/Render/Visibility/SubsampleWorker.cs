@@ -21,7 +21,7 @@ internal sealed class SubsampleWorker
     /// <param name="samples">All samples of the frame's lens, if they are known.</param>
     public void Draw(
         SurfaceModel surface, VisibilityPass frame, SampledPixels pixels, SampledBand band, PixelParts parts, PixelParts? merged = null,
-        IPieces? pieces = null, LensSamples? samples = null)
+        IPieces? pieces = null, LensSubsamples? samples = null)
     {
         ImageView view = frame.View;
         _band.Begin(pixels, view.Camera.Model, band);
@@ -52,7 +52,8 @@ internal sealed class SubsampleWorker
         }
     }
 
-    private void DrawLens(SurfaceModel surface, ImageView view, LensSamples lens, LensSamples? samples, IReadOnlyList<VisibleBlock> blocks)
+    private void DrawLens(
+        SurfaceModel surface, ImageView view, LensSamples lens, LensSubsamples? samples, IReadOnlyList<VisibleBlock> blocks)
     {
         TangentBox tangents = _band.PlaceInLens(view.Camera.Model, samples);
         _touching.Clear();

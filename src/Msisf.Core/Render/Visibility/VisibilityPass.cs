@@ -85,8 +85,8 @@ internal sealed class VisibilityPass
     }
 
     /// <summary>Further samples of the last frame's lens; null for a pinhole, or if they would need too much memory.</summary>
-    public LensSamples? FindLens(SamplePattern pattern, int threads, CancellationToken cancellation) =>
-        Lens is null ? null : _lenses.Find(View.Camera.Model, pattern, threads, cancellation);
+    public LensSubsamples? FindLens(SamplePattern pattern, int threads, CancellationToken cancellation) =>
+        Lens is null ? null : _lenses.FindFurther(View.Camera.Model, Lens, pattern, threads, cancellation);
 
     private LensSamples? LensOf(FrameCamera camera, int threads, CancellationToken cancellation)
     {
@@ -95,14 +95,14 @@ internal sealed class VisibilityPass
             return null;
         }
 
-        if (_lenses.Find(camera.Model, SamplePattern.Centre, threads, cancellation) is { } shared)
+        if (_lenses.Find(camera.Model, threads, cancellation) is { } shared)
         {
             return shared;
         }
 
         if (!_unshared.IsOf(camera.Model))
         {
-            _unshared.Prepare(camera.Model, SamplePattern.Centre, threads, cancellation);
+            _unshared.Prepare(camera.Model, threads, cancellation);
         }
 
         return _unshared;
