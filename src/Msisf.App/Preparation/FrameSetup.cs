@@ -6,6 +6,7 @@ using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Sky;
 using Msisf.Core.Time;
@@ -127,7 +128,7 @@ internal sealed record Frame(
     public IReadOnlyList<SkyAxes> Sky { get; init; } = [];
 
     /// <summary>The Earth as a second light; null without earthshine.</summary>
-    public EarthLight? Earth { get; init; }
+    public SecondLight? Earth { get; init; }
 
     /// <summary>
     /// The image as it is exposed part by part: a scan, or the rows of a frame with a rolling shutter whose camera moves; null for others.

@@ -5,6 +5,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Metadata;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Sky;
 using Msisf.Core.Time;
@@ -59,17 +60,23 @@ internal sealed class SkyPositions(Func<IEphemeris> ephemeris, SkySettings setti
 
     /// <summary>The sky of each band of a camera; empty where none is drawn.</summary>
     /// <param name="observer">What finite light does to the camera's ground; null for nothing.</param>
-    /// <exception cref="MsisfException">A time is outside the kernels' cover.</exception>
+    /// <exception cref="MsisfException">A time is outside the kernels' cover, or they lack a body.</exception>
     public IReadOnlyList<SkyAxes> Of(ICamera camera, Instant time, SkyObserver? observer)
     {
         IEphemeris engine = ephemeris();
+        foreach (SkyBody body in _bodies)
+        {
+            SkyOptions.Of(body).Named(() => engine.StateOf(body.NaifNumber, time.Tdb)); // kernels may lack it
+        }
+
         return settings.IsDrawn
             ? [.. camera.Bands.Select(band => SkyAxes.At(time, band.Camera.State, observer, engine, groundRadius, _bodies))]
             : [];
     }
 
     /// <summary>The Earth as a light of a frame; null where it does not light the ground.</summary>
-    /// <exception cref="MsisfException">The time is outside the kernels' cover.</exception>
-    public EarthLight? EarthLightOf(ICamera camera, Instant time) =>
-        settings.HasEarthshine ? EarthLight.At(time, camera.State, ephemeris(), groundRadius) : null;
+    /// <exception cref="MsisfException">The time is outside the kernels' cover, or they lack the Earth.</exception>
+    public SecondLight? EarthLightOf(ICamera camera, Instant time) => settings.HasEarthshine
+        ? SkyOptions.Earthshine.Named(() => EarthLight.At(time, camera.State, ephemeris(), groundRadius))
+        : null;
 }

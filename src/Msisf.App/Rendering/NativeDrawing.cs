@@ -4,7 +4,6 @@ using Msisf.App.Preparation;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
-using Msisf.Core.Ephemeris;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
 using Msisf.Core.Render;
@@ -56,13 +55,13 @@ internal sealed class NativeDrawing(
         if (shot is not null && frame.Scan is not null)
         {
             PixelRows all = new(0, frame.Camera.Height);
-            return DrawExposures(frame, shot, RendererOf(frame), all, _options, threads, cancellation);
+            return DrawExposures(frame, shot, RendererOf(frame), all, OptionsOf(frame), threads, cancellation);
         }
 
         CameraDetector? detector = _detectors?.Of(frame.Camera, frame.ExposureFactor, threads);
         ICamera window = detector?.WindowOf(frame.Camera) ?? frame.Camera;
         NativeRenderer renderer = levels.For(window, Settings.Render.DetailSubsamplesPerAxis);
-        NativeRenderOptions options = _options with
+        NativeRenderOptions options = OptionsOf(frame) with
         {
             KeepGroundTruth = _options.KeepGroundTruth || frame.Motion is { IsRest: false },
             Progress = progress,
@@ -73,7 +72,7 @@ internal sealed class NativeDrawing(
             FrameLights? lights = SkyOf(frame, window, detector);
             DetectorImage? detected = detector is null ? null
                 : shot is null ? Expose(detector, renderer, frame, drawn, lights, threads, cancellation)
-                : ExposeRows(detector, renderer, shot with { NoiseCamera = drawn.Camera }, lights, threads, cancellation);
+                : ExposeRows(detector, renderer, frame, shot with { NoiseCamera = drawn.Camera }, lights, threads, cancellation);
             return new NativeImage(this, renderer, frame, drawn, detector, detected, Found(lights, frame, detector, threads, cancellation));
         }
         catch
@@ -123,24 +122,12 @@ internal sealed class NativeDrawing(
         }
     }
 
+    private NativeRenderOptions OptionsOf(Frame frame) => frame.Earth is { } earth ? _options with { Second = earth } : _options;
+
     private NativeFrame Draw(
         NativeRenderer renderer, ICamera camera, Frame frame, NativeRenderOptions options, int threads,
-        CancellationToken cancellation)
-    {
-        NativeFrame drawn = times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
-        if (frame.Earth is not { } earth)
-        {
-            return drawn;
-        }
-
-        // The factors of a frame count in its own light, sunlight at the Moon.
-        double sun = frame.Light.PositionBodyFixed.Length / AstronomicalConstants.AstronomicalUnit;
-        NativeRenderOptions ofEarth = options with { KeepGroundTruth = false, Indirect = null, Progress = null };
-        using NativeFrame earthlit = times.Measure(
-            Phase.Draw, () => renderer.Render(camera, earth.Light, ofEarth, threads, cancellation));
-        drawn.AddLight(earthlit, earth.OverSunlight * sun * sun);
-        return drawn;
-    }
+        CancellationToken cancellation) =>
+        times.Measure(Phase.Draw, () => renderer.Render(camera, frame.Light, options, threads, cancellation));
 
     /// <summary>The renderer of a frame's level of detail.</summary>
     public NativeRenderer RendererOf(Frame frame) => levels.For(frame.Camera, Settings.Render.DetailSubsamplesPerAxis);
@@ -151,7 +138,7 @@ internal sealed class NativeDrawing(
     public NativeImage DrawRows(
         Frame frame, NativeRenderer renderer, PixelRows rows, bool keepsTruth, int threads, CancellationToken cancellation)
     {
-        NativeRenderOptions options = _options with { KeepGroundTruth = keepsTruth };
+        NativeRenderOptions options = OptionsOf(frame) with { KeepGroundTruth = keepsTruth };
         if (ShotOf(frame) is { } shot)
         {
             return DrawExposures(frame, shot, renderer, rows, options, threads, cancellation);
@@ -181,10 +168,10 @@ internal sealed class NativeDrawing(
     /// <param name="renderer">Draws the rows.</param>
     /// <param name="lights">The lights of the sky; null for none.</param>
     private DetectorImage ExposeRows(
-        CameraDetector detector, NativeRenderer renderer, ScannedShot shot, FrameLights? lights, int threads,
+        CameraDetector detector, NativeRenderer renderer, Frame frame, ScannedShot shot, FrameLights? lights, int threads,
         CancellationToken cancellation)
     {
-        ScanReadout readout = new(detector, renderer, _options with { KeepGroundTruth = false }) { Points = lights };
+        ScanReadout readout = new(detector, renderer, OptionsOf(frame) with { KeepGroundTruth = false }) { Points = lights };
         return times.Measure(
             Phase.Detector, () => readout.Expose(shot, new PixelRows(0, shot.Scan.Count), threads, cancellation).Image);
     }
@@ -204,7 +191,7 @@ internal sealed class NativeDrawing(
         SubExposures exposures = times.Measure(
             Phase.Detector, () => detector.SubExposuresOf(middle, motion, threads, cancellation));
         DetectorImage image = detector.Begin(middle);
-        NativeRenderOptions options = _options with { KeepGroundTruth = false };
+        NativeRenderOptions options = OptionsOf(frame) with { KeepGroundTruth = false };
         for (int index = 0; index < exposures.Count; index++)
         {
             using NativeFrame? other = index == exposures.Middle

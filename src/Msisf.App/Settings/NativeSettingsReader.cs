@@ -97,7 +97,7 @@ internal static class NativeSettingsReader
             Detector = detector,
             Refine = refine,
             Navigation = navigation,
-            Sky = SkySettings.Read(values, scans, detector?.Settings.Shutter is not null),
+            Sky = SkySettings.Read(values),
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),

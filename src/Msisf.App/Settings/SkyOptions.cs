@@ -1,5 +1,6 @@
 using Msisf.Adapters.Catalogues;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Sky;
 
 namespace Msisf.App.Settings;
 
@@ -42,6 +43,9 @@ internal static class SkyOptions
 
     /// <summary>The options that draw something behind the ground.</summary>
     public static IReadOnlyList<OptionSpec> Drawn => [All, Stars, Planets, Earth, SunInView];
+
+    /// <summary>The option that draws a body.</summary>
+    public static OptionSpec Of(SkyBody body) => body == SkyBody.Sun ? SunInView : body == SkyBody.Earth ? Earth : Planets;
 
     public static OptionGroup Group { get; } = new("Sky", [All, Stars, StarLimit, Planets, Earth, SunInView, Earthshine])
     {

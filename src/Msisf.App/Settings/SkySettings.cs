@@ -34,10 +34,8 @@ internal sealed record SkySettings
     ];
 
     /// <returns>Null if no sky is wanted.</returns>
-    /// <param name="scans">Whether rows of the image have times of their own.</param>
-    /// <param name="hasShutter">Whether the camera's motion during the exposure is in the image.</param>
     /// <exception cref="UsageException">A value is wrong, or an option has no meaning here.</exception>
-    public static SkySettings? Read(OptionValues values, bool scans, bool hasShutter)
+    public static SkySettings? Read(OptionValues values)
     {
         bool isAll = SkyOptions.All.Read(values);
         string? catalogue = SkyOptions.Stars.ReadIfGiven(values) ?? (isAll ? StarCatalogueReader.BuiltIn : null);
@@ -64,14 +62,6 @@ internal sealed record SkySettings
             throw given.Wrong(
                 $"has no meaning with {LightOptions.IgnoreSun.Name}: the sky is as bright as it is beside sunlit ground. Leave one out.",
                 LightOptions.IgnoreSun);
-        }
-
-        if (settings.HasEarthshine && (scans || hasShutter))
-        {
-            throw SkyOptions.Earthshine.Wrong(
-                $"is not drawn by cameras that {(scans ? "scan" : "have a shutter")}. Leave it out, or "
-                    + $"'{(scans ? "scan" : "shutter")}' in the camera file.",
-                ImageOptions.Camera);
         }
 
         CelestialBody body = CelestialBody.Of(SurfaceOptions.Body.Read(values));

@@ -34,7 +34,7 @@ public sealed class NativeFrame : IGroundTruth, IDisposable
 
     /// <summary>Adds the light of another lamp, by which the same camera was drawn.</summary>
     /// <param name="factor">That lamp's light over this one's.</param>
-    public void AddLight(NativeFrame other, double factor)
+    internal void AddLight(NativeFrame other, double factor)
     {
         Span<double> sum = Drawn.RadianceFactors.Span;
         ReadOnlySpan<double> more = other.RadianceFactors;

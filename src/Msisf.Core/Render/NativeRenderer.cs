@@ -1,4 +1,5 @@
 using Msisf.Core.Camera;
+using Msisf.Core.Ephemeris;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
@@ -61,6 +62,31 @@ public sealed class NativeRenderer
 
     private NativeFrame Render(
         FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
+    {
+        NativeFrame frame = RenderIn(light, camera, options, threads, cancellation);
+        if (options.Second is not { } second)
+        {
+            return frame;
+        }
+
+        try
+        {
+            // The factors of a frame count in its own light, sunlight at the body.
+            double sun = light.PositionBodyFixed.Length / AstronomicalConstants.AstronomicalUnit;
+            NativeRenderOptions ofSecond = options with { KeepGroundTruth = false, Indirect = null, Progress = null };
+            using NativeFrame other = RenderIn(second.Light, camera, ofSecond, threads, cancellation);
+            frame.AddLight(other, second.OverSunlight * sun * sun);
+            return frame;
+        }
+        catch
+        {
+            frame.Dispose();
+            throw;
+        }
+    }
+
+    private NativeFrame RenderIn(
+        SceneLight light, FrameCamera camera, NativeRenderOptions options, int threads, CancellationToken cancellation)
     {
         FramePass pass = _memory.Take(_surface, (long)camera.Width * camera.Height);
         long before = pass.ReplacedBytes;

@@ -1,22 +1,21 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
 namespace Msisf.Core.Sky;
 
 /// <summary>The light of the Earth on the ground.</summary>
-/// <param name="Light">
-/// The Earth as a light: a disc of its size in the middle of its own light, which a phase moves off its centre. So facets that see all of
-/// it get just its light; what a horizon cuts off is taken from an even disc.
-/// </param>
-/// <param name="OverSunlight">Its light on the ground below the camera over sunlight at 1 au.</param>
-public sealed record EarthLight(SceneLight Light, double OverSunlight)
+public static class EarthLight
 {
-    /// <summary>The light at a time.</summary>
+    /// <summary>
+    /// The light at a time: a disc of the Earth's size in the middle of its own light, which a phase moves off its centre. So facets that
+    /// see all of it get just its light; what a horizon cuts off is taken from an even disc. Its strength is that below the camera.
+    /// </summary>
     /// <param name="camera">Its ground is where the camera is nearest to it.</param>
     /// <param name="radius">m: of the sphere that the ground is taken for.</param>
-    public static EarthLight At(Instant time, in CameraState camera, IEphemeris ephemeris, double radius)
+    public static SecondLight At(Instant time, in CameraState camera, IEphemeris ephemeris, double radius)
     {
         TdbTime tdb = time.Tdb;
         Vector3D ofGround = radius * camera.PositionBodyFixed.Normalized();
@@ -29,7 +28,7 @@ public sealed record EarthLight(SceneLight Light, double OverSunlight)
         double offset = place.Body.EquatorialRadius
             * LambertSphere.Of(place.Phase, place.Body.EquatorialRadius / place.Distance).Offset;
         Vector3D centre = ofGround + (place.Distance * toEarth) + (aside.Length > 0.0 ? offset * aside.Normalized() : default);
-        return new EarthLight(
+        return new SecondLight(
             new SceneLight(centre, IsSun: true) { Radius = place.Body.EquatorialRadius }, place.OverSunlight);
     }
 

@@ -142,6 +142,64 @@ public sealed class StarLightsTests
         Assert.InRange(hidden, Count / 5, Count * 4 / 5);
     }
 
+    /// <summary>Ten stars that set behind a rugged limb: the light tells when, against each facet of the Moon.</summary>
+    [Fact]
+    public void Collect_StarsThatSetAlongAnOrbit_TellWhenToAMillisecond()
+    {
+        const int Count = 10;
+        const double Orbit = 4e6; // m
+        const double Rate = 2.7678e-4; // rad/s: sqrt(4.9028e12 / Orbit^3)
+        const double Step = 1.0; // s
+        const double SameTime = 1e-3; // s: what navigation by occultations asks for
+        FunctionGrid grid = FunctionGrid.Rugged(4);
+        BruteForceMoon judge = new(grid);
+        TerrainTracer tracer = new(grid);
+        CameraModel model = CameraModel.FromFieldOfView(1.6, 1000, 1000);
+        Random random = new(1_049);
+        int found = 0;
+        for (int tries = 0; found < Count && tries < 20 * Count; tries++)
+        {
+            double aside = Math.Asin(1_737_400.0 / Orbit) + (0.002 * random.NextDouble());
+            (double sin, double cos) = Math.SinCos(aside);
+            (double up, double ahead) = Math.SinCos(random.NextDouble() - 0.5);
+            Vector3D direction = new(-cos, -sin * ahead, sin * up); // the Moon moves there as the camera flies on
+            bool IsHidden(double time) => judge.FirstHit(Place(time), direction) is not null;
+            double before = Enumerable.Range(0, 12).Select(index => index * Step).FirstOrDefault(
+                time => !IsHidden(time) && IsHidden(time + Step), double.NaN);
+            if (double.IsNaN(before))
+            {
+                continue;
+            }
+
+            (double seen, double hidden) = (before, before + Step);
+            while (hidden - seen > 1e-7)
+            {
+                double middle = 0.5 * (seen + hidden);
+                (seen, hidden) = IsHidden(middle) ? (seen, middle) : (middle, hidden);
+            }
+
+            FrameCamera camera = model.At(StateAt(before + (0.5 * Step)));
+            StarLights lights = new(
+                Sky([At($"{tries}", direction)], camera), tracer, new StarBrightness(_ => Electrons / Step));
+            PointExposure exposure = new(
+                new PixelRows(0, 1000), seconds => model.At(StateAt(before + (0.5 * Step) + seconds)), 0.0, Step);
+            DetectorImage image = new(1000, 1000);
+            CameraDetector detector = new(Settings with { ExposureTime = Step, IsFlatFielded = true }, camera, 1);
+            lights.Collect(exposure, detector, image, CancellationToken.None);
+
+            double share = image.Electrons.Sum() * SolidAngleOverCentre(camera, direction) / Electrons;
+            Assert.Equal(seen, before + (share * Step), SameTime);
+            found++;
+        }
+
+        Assert.Equal(Count, found);
+
+        static Vector3D Place(double time) =>
+            Orbit * new Vector3D(Math.Cos(Rate * time), Math.Sin(Rate * time), 0.0);
+
+        static CameraState StateAt(double time) => new(Place(time), UnitQuaternion.Identity);
+    }
+
     private static PointExposure Instant() => new(new PixelRows(0, Side), _ => Model.At(Outside), 0.0, 0.0);
 
     private static StarBrightness Brightness => new(_ => 1.0);

@@ -62,13 +62,19 @@ public sealed class SkyBodyRunTests : IDisposable
         Assert.InRange(Value("electrons"), 1e8, 1e10);
     }
 
-    /// <summary>Lambert's ground in the night: as bright as the Earth's light falls on it.</summary>
-    [RequiresFact(Part.Ldem4)]
-    public void Run_Earthshine_LightsTheNight()
+    /// <summary>Lambert's ground in the night: as bright as the Earth's light falls on it, in a frame and in a scan.</summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("height: 64\n")]
+    [InlineData("height: 1\nscan: {kind: line-scan, period: 0.05}\n", "--lines", "64", "--motion", "{0,1600,0,0,0,0}")]
+    public void Run_Earthshine_LightsTheNight(string camera, params string[] options)
     {
+        string file = _folder.Write("night.yaml", $"field-of-view: 20\nwidth: 64\n{camera}");
         Run(
-            "shine", "--position", "0,30,100000", "--earthshine", "--reflectance", "lambert", "--albedo", "0.2", "--fov", "20", "--width",
-            "64", "--height", "64", "--layers", "position,normal,radiance-factor", "--layers-format", "npy");
+            "shine",
+            [
+                "--position", "0,30,100000", "--earthshine", "--reflectance", "lambert", "--albedo", "0.2", "--camera", file, "--layers",
+                "position,normal,radiance-factor", "--layers-format", "npy", .. options,
+            ]);
         using OpenedEphemeris opened = Engines.BuiltIn();
         string stem = Path.Combine(_folder["shine"], "MoonSurfIllumSim_step_00001");
         XElement general = MetaFileXml.Parse(File.ReadAllText($"{stem}.xml")).Root!.Element("GeneralInformation")!;
@@ -124,25 +130,60 @@ public sealed class SkyBodyRunTests : IDisposable
         return sum / far * Math.Pow(10.0, -0.4 * (magnitude + 26.76)) * (sun.LengthSquared / (Au * Au));
     }
 
-    /// <summary>The exposures of a shutter have the Sun's light only; what the message advises works.</summary>
+    /// <summary>A camera that hardly moves while its shutter is open frees the electrons of one at rest.</summary>
     [RequiresTheory(Part.Ldem4)]
     [InlineData("global")]
     [InlineData("rolling, line-time: 1.0e-5")]
-    public void Run_EarthshineWithAShutter_IsRefused(string shutter)
+    public void Run_EarthshineWithAShutter_HasTheLightOfAStillCamera(string shutter)
     {
-        string[] view = ["--position", "0,30,100000", "--camera", _folder["shutter.yaml"]];
+        const double SameLight = 1e-3; // the camera flies 1.6 m in an exposure, 5 m until the last row; a pixel has 70 m
+        string[] night = ["--position", "0,30,100000", "--layers", "electrons", "--layers-format", "npy", "--camera"];
         string[] motion = ["--motion", "{0,1600,0,0,0,0}"];
-        _folder.Write("shutter.yaml", Camera.Replace("psf: gaussian", $"shutter: {shutter}, psf: gaussian", StringComparison.Ordinal));
-        CommandLineRun run = CommandLineRun.Of(
-            ["--renderer", "native", "--time", Time, "--output-dir", _folder["shutter"], "--earthshine", .. view, .. motion]);
+        string open = Camera.Replace("psf: gaussian", $"shutter: {shutter}, psf: gaussian", StringComparison.Ordinal);
+        Run("moving", [.. night, _folder.Write("shutter.yaml", open), .. motion, "--earthshine"]);
+        Run("still", [.. night, _folder.Write("camera.yaml", Camera), "--earthshine"]);
+        Run("dark", [.. night, _folder["shutter.yaml"], .. motion]);
 
-        Assert.Equal(1, run.ExitCode);
-        Assert.Contains(
-            "--earthshine is not drawn by cameras that have a shutter. Leave it out, or 'shutter' in the camera file.", run.Error,
-            StringComparison.Ordinal);
-        Run("without", [.. view, .. motion]);
-        _folder.Write("shutter.yaml", Camera);
-        Run("still", [.. view, "--earthshine"]);
+        double still = Electrons("still");
+
+        Assert.True(still > 0.0);
+        Assert.Equal(0.0, Electrons("dark"), SameLight * still);
+        Assert.Equal(1.0, Electrons("moving") / still, SameLight);
+        double Electrons(string folder) => Reals(Path.Combine(_folder[folder], "MoonSurfIllumSim_step_00001.electrons.npy")).Sum();
+    }
+
+    /// <summary>Kernels without a body: the option that wants it is named, with each engine.</summary>
+    [RequiresTheory(Part.Ldem4, Part.CSpice)]
+    [InlineData("builtin", 399, "--earth: ", "--earth")]
+    [InlineData("builtin", 399, "--earth: ", "--sky")]
+    [InlineData("builtin", 399, "--earthshine: ", "--earthshine")]
+    [InlineData("builtin", 4, "--planets: ", "--planets")]
+    [InlineData("cspice", 399, "--earth: ", "--earth")]
+    public void Run_KernelsWithoutTheBody_AreNamed(string engine, int number, string message, string option)
+    {
+        const int TargetsFrom = 2_088; // summaries of 40 bytes in the third record, after 24 bytes and two doubles of the first
+        const int Summary = 40;
+        byte[] kernel = File.ReadAllBytes(Path.Combine(TestParts.Kernels, "de421.bsp"));
+        int at = Enumerable.Range(0, 15).Select(index => TargetsFrom + (index * Summary))
+            .Single(offset => BitConverter.ToInt32(kernel, offset) == number);
+        BitConverter.GetBytes(number + 1_000_000).CopyTo(kernel, at);
+        _folder.Write("without.bsp", kernel);
+        string list = File.ReadAllText(Path.Combine(TestParts.Kernels, "msisf.tm"))
+            .Replace("de421.bsp'", "without.bsp'", StringComparison.Ordinal);
+        foreach (string name in (string[])["naif0012.tls", "moon_080317.tf", "moon_assoc_me.tf", "moon_pa_de421_1900-2050.bpc"])
+        {
+            File.CreateSymbolicLink(_folder[name], Path.Combine(TestParts.Kernels, name));
+        }
+
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            "--renderer", "native", "--time", Time, "--output-dir", _folder["without"], "--position", "5,125,400000", "--width", "32",
+            "--height", "24", "--kernels", _folder.Write("without.tm", list), "--ephemeris", engine, option,
+        ]);
+
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.Contains(number.ToString(CultureInfo.InvariantCulture), run.Error, StringComparison.Ordinal);
+        Assert.Equal(3, run.ExitCode);
     }
 
     private void Run(string output, params string[] options)

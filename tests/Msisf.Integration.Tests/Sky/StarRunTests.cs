@@ -11,6 +11,12 @@ public sealed class StarRunTests : IDisposable
     /// <summary>px: the meta file's numbers have 15 digits; real differences are a thousand times as large.</summary>
     private const double SamePixel = 1e-5;
 
+    /// <summary>px: CSPICE's aberration is without special relativity, 0.5 mas, which is 2e-6 px here.</summary>
+    private const double SamePixelAsStelab = 1e-4;
+
+    /// <summary>Part of the electrons of a star: trapezoids of 0.001 nm against the program's own rule.</summary>
+    private const double SameElectrons = 1e-5;
+
     private const string Lens = """
         width: 900
         height: 700
@@ -54,39 +60,68 @@ public sealed class StarRunTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    /// <summary>Some 2 000 stars through a pinhole and a lens off its centre, with each engine and each kind of aberration.</summary>
+    /// <summary>
+    /// Some 2 000 stars, in the long form 10 000, through a pinhole and a lens off its centre, with each engine and each kind of
+    /// aberration.
+    /// </summary>
     [RequiresFact(Part.Ldem4, Part.CSpice, Part.Astropy)]
-    public void Run_Stars_StandWhereErfaHasThem()
+    public void Run_Stars_StandWhereErfaAndCSpiceHaveThem()
     {
+        int times = TestLength.Of(1, 6);
         string[] pinhole = ["--fov", "60", "--width", "700", "--height", "600"];
         string[] place = ["--position", "10,20,1500000", "--look-at", "horizon:90"];
         string[] path = ["--oem", _folder["path.oem"], "--attitude", "{0.36,-0.2,0.54,0.74}", "--attitude-frame", "j2000", "--normalize"];
         double length = Math.Sqrt((0.36 * 0.36) + (0.2 * 0.2) + (0.54 * 0.54) + (0.74 * 0.74));
         string attitude = string.Join(',', new[] { 0.36, -0.2, 0.54, 0.74 }.Select(
             number => (number / length).ToString("R", CultureInfo.InvariantCulture)));
-        Run("pinhole", [.. place, .. pinhole, "--ephemeris", "builtin"]);
-        Run("lens", [.. place, "--camera", _folder["lens.yaml"], "--ephemeris", "cspice"], "2030-04-06T20:24:00Z");
-        Run("none", [.. path, .. pinhole]);
-        Run("lt", [.. path, .. pinhole, "--ground-aberration", "lt"]);
-        Run("lt+s", [.. path, .. pinhole, "--ground-aberration", "lt+s"]);
+        List<string> folders = [];
+        for (int index = 0; index < times; index++)
+        {
+            string clock = $"04-06T20:{24 + (6 * index)}:00Z";
+            Run($"pinhole{index}", [.. place, .. pinhole, "--ephemeris", "builtin"], $"2010-{clock}");
+            Run($"lens{index}", [.. place, "--camera", _folder["lens.yaml"], "--ephemeris", "cspice"], $"2030-{clock}");
+            Run($"none{index}", [.. path, .. pinhole], $"2010-{clock}");
+            Run($"lt{index}", [.. path, .. pinhole, "--ground-aberration", "lt"], $"2010-{clock}");
+            Run($"lt+s{index}", [.. path, .. pinhole, "--ground-aberration", "lt+s"], $"2010-{clock}");
+            folders.AddRange(
+                $"{_folder[$"pinhole{index}"]}=none", $"{_folder[$"lens{index}"]}=none", $"{_folder[$"none{index}"]}=none",
+                $"{_folder[$"lt{index}"]}=lt", $"{_folder[$"lt+s{index}"]}=lt+s:{attitude}:900,1100,400");
+        }
+
         string lists = Path.Combine(TestParts.RepositoryRoot, "lib", "stars", "bright.csv");
 
-        string[] lines = ChildRun.Of(
-            TestParts.Python!,
-            [
-                "-B", Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Sky", "star_pixels.py"),
-                TestParts.RepositoryRoot, lists, $"{_folder["pinhole"]}=none", $"{_folder["lens"]}=none", $"{_folder["none"]}=none",
-                $"{_folder["lt"]}=lt", $"{_folder["lt+s"]}=lt+s:{attitude}:900,1100,400",
-            ],
-            _folder.Path).Succeeded().Output.TrimEnd().Split('\n');
+        string[] lines = Python("star_pixels.py", [lists, TestParts.CSpiceLibrary!, .. folders]).Split('\n');
 
-        Assert.Equal(5, lines.Length);
+        Assert.Equal(5 * times, lines.Length);
         Assert.All(lines, line =>
         {
             string[] words = line.Split(' ');
             Assert.True(int.Parse(words[1], CultureInfo.InvariantCulture) > 250, line);
             Assert.True(double.Parse(words[2], CultureInfo.InvariantCulture) < SamePixel, line);
+            Assert.True(double.Parse(words[3], CultureInfo.InvariantCulture) < SamePixelAsStelab, line);
         });
+        Assert.True(!TestLength.IsLong || lines.Sum(line => int.Parse(line.Split(' ')[1], CultureInfo.InvariantCulture)) >= 10_000);
+    }
+
+    /// <summary>More than a hundred stars of all colours free the electrons that numpy's integration has.</summary>
+    [RequiresFact(Part.Ldem4, Part.Astropy)]
+    public void Run_WithDetector_FreesTheElectronsOfNumpy()
+    {
+        _folder.Write(
+            "wide.yaml",
+            "focal-length: 6\npixel-pitch: 0.011\nwidth: 500\nheight: 400"
+                + Detector.Replace(", psf: gaussian, psf-sigma: 0.7", "", StringComparison.Ordinal));
+        Run("wide", ["--position", "0,0,1500000", "--look-at", "horizon:90", "--camera", _folder["wide.yaml"]]);
+        double area = 0.25 * Math.PI * Math.Pow(0.006 / 1.4, 2.0);
+
+        string[] words = Python(
+            "star_electrons.py",
+            [
+                FileOf("wide", ""), area.ToString("R", CultureInfo.InvariantCulture), "0.2", "420", "700", "0.8", "0.5",
+            ]).Split(' ');
+
+        Assert.True(int.Parse(words[0], CultureInfo.InvariantCulture) > 100, words[0]);
+        Assert.InRange(double.Parse(words[1], CultureInfo.InvariantCulture), 0.0, SameElectrons);
     }
 
     /// <summary>The same stars in all files, with electrons that stand in the detector's numbers.</summary>
@@ -145,6 +180,15 @@ public sealed class StarRunTests : IDisposable
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
         Assert.Equal(exitCode, run.ExitCode);
     }
+
+    /// <summary>What a script beside this file prints.</summary>
+    private string Python(string script, string[] arguments) => ChildRun.Of(
+        TestParts.Python!,
+        [
+            "-B", Path.Combine(TestParts.RepositoryRoot, "tests", "Msisf.Integration.Tests", "Sky", script), TestParts.RepositoryRoot,
+            .. arguments,
+        ],
+        _folder.Path).Succeeded().Output.TrimEnd();
 
     private void Run(string output, string[] options, string time = "2010-04-06T20:24:00Z")
     {

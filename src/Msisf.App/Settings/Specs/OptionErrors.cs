@@ -83,7 +83,7 @@ internal static class OptionErrors
         }
     }
 
-    /// <summary>Makes a value, and puts the option's name before the message of any exception.</summary>
+    /// <summary>Makes a value, and puts the option's name before the message of a wrong value, or of kernels that can't make it.</summary>
     public static T Named<T>(this OptionSpec option, Func<T> make)
     {
         try
@@ -93,6 +93,10 @@ internal static class OptionErrors
         catch (BadInputException exception)
         {
             throw new UsageException($"{option.Name}: {exception.Message}", exception).About(option);
+        }
+        catch (SpiceException exception)
+        {
+            throw new SpiceException($"{option.Name}: {exception.Message}", exception).About(option);
         }
     }
 }

@@ -54,6 +54,9 @@ public sealed record NativeRenderOptions
     /// <summary>The light that ground throws on ground; null for the Sun's alone.</summary>
     public IndirectLight? Indirect { get; init; }
 
+    /// <summary>A light beside the Sun; null for none.</summary>
+    public SecondLight? Second { get; init; }
+
     /// <summary>
     /// Is told, from any thread, which part of a frame's light from the ground is done, from 0 to 1; null for nobody. The first samples
     /// show how many more are needed: until then the part is a guess.
