@@ -264,62 +264,41 @@ def attitude_frames():
     return drawing
 
 
-def levels_of_detail():
+def selection():
     size = constant("TileId", "SizeDegrees")
-    depth = constant("Skirt", "DepthBelowLowest")
-    cells = int(constant("SurfacePart", "DefaultCells"))
-    drawing = Drawing(960, 390, "Parts of a tile, their levels, and skirts")
-    left, top, edge = 30.0, 60.0, 280.0
-    drawing.text(20, 24, f"Parts of a tile of {size:g} x {size:g} degrees", bold=True)
-    camera_at = (1.06, 1.10)  # in tiles from the north-west corner
+    drawing = Drawing(960, 360, "Which ground an image needs")
+    x, y, radius, camera, sun = 420.0, 190.0, 120.0, (860.0, 190.0), math.radians(65.0)
 
-    def divide(x, y, width, level):
-        near = math.hypot(max(x - camera_at[0], camera_at[0] - x - width, 0.0), max(y - camera_at[1], camera_at[1] - y - width, 0.0))
-        if level > 0 and near < 1.4 * width:
-            for dy in (0, 1):
-                for dx in (0, 1):
-                    divide(x + dx * width / 2, y + dy * width / 2, width / 2, level - 1)
-            return
-        fill = ("#9dc3ec", "#c4dcf5", "#e3eefa", "#f4f8fd")[level]
-        drawing.rectangle(left + x * edge, top + y * edge, width * edge, width * edge, BLUE, fill, 1)
-        if width > 0.2:
-            drawing.text(left + (x + width / 2) * edge, top + (y + width / 2) * edge + 5, f"level {level}", BLUE, "middle", 12)
+    def at(degrees, reach=radius):
+        """A place on the Moon, degrees counter-clockwise from the direction of the camera."""
+        return x + reach * math.cos(math.radians(degrees)), y - reach * math.sin(math.radians(degrees))
 
-    divide(0.0, 0.0, 1.0, 3)
-    px, py = left + camera_at[0] * edge, top + camera_at[1] * edge
-    drawing.dot(px, py, 5, RED)
-    drawing.text(px + 10, py + 5, "below the camera", RED)
-    drawing.text(left + edge + 16, top + 16, f"Level k has 1 / 2^k of the\nmodel's samples a degree.\nA part has about {cells} x {cells}\ncells, whatever its level:\na tile is divided until the\nlevel that its nearest point\nneeds fits the part. Level 0\nis the model itself.", INK, size=12)
+    def arc(first, last, colour, width=7):
+        drawing.path([at(first + (last - first) * k / 24) for k in range(25)], colour, width)
 
-    # Right: a cut through the border of two parts.
-    drawing.text(540, 24, "Where two levels meet (cut, not to scale)", bold=True)
-    base, step = 190.0, 24.0
-    border = 740.0
-
-    def height(x):
-        return 22.0 * math.sin(x / 37.0) + 12.0 * math.sin(x / 13.0 + 1.0)
-
-    fine = [(border - step / 2 + k * step, base - height(border - step / 2 + k * step)) for k in range(-7, 2)]
-    wide = 2 * step
-    coarse = [(border - wide / 2 + k * wide, base - height(border - wide / 2 + k * wide)) for k in range(0, 5)]
-    foot = 330.0
-    drawing.path([(540, foot - 50), (940, foot - 50)], GREY, 1, "4 4")
-    drawing.text(544, foot - 56, "lowest ground of the model", GREY, size=12)
-    drawing.path([(coarse[0][0], coarse[0][1]), (coarse[0][0], foot)], ORANGE, 3)
-    drawing.path(fine, BLUE, 2)
-    drawing.path(coarse, ORANGE, 2)
-    for x, y in fine:
-        drawing.dot(x, y, 3.5, BLUE)
-    for x, y in coarse:
-        drawing.dot(x, y, 4, ORANGE)
-    drawing.path([(border, 110), (border, foot + 10)], INK, 1, "2 3")
-    drawing.text(border, 100, "border of the squares", INK, "middle", 12)
-    drawing.text(560, 130, "finer part:\nvertices at samples", BLUE, size=12)
-    drawing.text(836, 120, "coarser part:\nbegins half a cell\nof its own earlier", ORANGE, size=12)
-    drawing.text(coarse[0][0] - 10, foot - 16, "skirt", ORANGE, "end", bold=True)
-    drawing.arrow((border + 46, foot - 50), (border + 46, foot), colour=INK, width=1)
-    drawing.text(border + 54, foot - 20, f"{depth:g} m", INK, size=12)
-    drawing.text(540, 366, "Levels share no vertices: overlap and skirt leave no crack.", INK, size=12)
+    limb = math.degrees(math.acos(radius / (camera[0] - x)))
+    terminator = math.degrees(sun) - 90.0
+    drawing.circle(x, y, radius, GREY, 1, "#f4f8fd")
+    arc(limb, 180.0, GREY, 3)
+    arc(180.0, 360.0 - limb, GREY, 3)
+    arc(terminator, limb, BLUE)
+    arc(-limb, terminator, INK)
+    arc(limb, limb + 16.0, ORANGE)
+    arc(terminator - 7.0, terminator, GREEN)
+    for side in (-1, 1):
+        drawing.path([camera, at(side * limb)], GREY, 1, "4 4")
+    for k in (-1, 0, 1):
+        foot = (x + 150 * math.cos(sun) + 22 * k * math.sin(sun), y - 150 * math.sin(sun) + 22 * k * math.cos(sun))
+        drawing.arrow((foot[0] + 40 * math.cos(sun), foot[1] - 40 * math.sin(sun)), foot, colour=RED, width=1.5)
+    drawing.dot(*camera, 6, INK)
+    drawing.text(camera[0], camera[1] + 24, "camera", INK, "middle", bold=True)
+    drawing.text(560, 30, "from the Sun", RED, size=12)
+    drawing.text(560, 96, "seen and lit: taken", BLUE, bold=True)
+    drawing.text(300, 40, "not seen, may throw\nshadows on what is seen: taken", ORANGE, "end", bold=True)
+    drawing.text(560, 262, "dark, beside something lit: taken", GREEN, bold=True)
+    drawing.text(560, 300, "seen and dark: night, left out", INK, bold=True)
+    drawing.text(270, 200, "behind the limb: left out", GREY, "end", bold=True)
+    drawing.text(20, 346, f"Not to scale. Squares of cells are tested by the bounds of their facets. With --lod off all of a tile of {size:g} x {size:g} degrees is taken or left out.", GREY, size=12)
     return drawing
 
 
@@ -394,7 +373,7 @@ DRAWINGS = {
     "camera": camera,
     "attitude-frames": attitude_frames,
     "illumination-direction": illumination,
-    "levels-of-detail": levels_of_detail,
+    "selection": selection,
     "light-space": light_space,
 }
 

@@ -17,10 +17,10 @@ namespace Msisf.Architecture.Tests
             "Lod",
             "Tracing",
             "Illumination", // light over time, without an image
-            "Tiles", "Tiles.Selection", "Scene",
+            "Tiles", "Scene",
             "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Indirect",
             "Render.Sampling", "Render",
-            "Blocks", "Preview",
+            "Blocks", "Tiles.Selection", "Preview",
             "Detector.Noise", "Detector.Psf", "Detector",
             "Navigation", "Sky",
             "Maps",

@@ -97,7 +97,7 @@ test_docs_drawings_need_the_constants_of_the_code() {
     cp -R "$MSISF_TESTED_ROOT/src/Msisf.Core" clone/src
     sed -i 's/SizeDegrees = 5;/SizeDegrees = 6;/' "$(find clone/src -name TileId.cs)"
     python3 -B clone/docs/drawings/draw.py made
-    grep -q 'Parts of a tile of 6 x 6 degrees' made/levels-of-detail.svg || fail 'the drawing has not followed the code'
+    grep -q 'a tile of 6 x 6 degrees' made/selection.svg || fail 'the drawing has not followed the code'
     sed -i 's/SizeDegrees = 6;/Size = 6;/' "$(find clone/src -name TileId.cs)"
     run python3 -B clone/docs/drawings/draw.py made
     assert_code 1

@@ -26,23 +26,15 @@ internal static class PatternHeader
     /// <summary>The header up to the file's length, in ASCII: equal for equal content.</summary>
     /// <param name="layout">What the mesh joins.</param>
     /// <param name="radii">m, one a vertex.</param>
-    /// <param name="skirtFootRadius">m: the radius at which the mesh's skirt ends, if it has one.</param>
     /// <param name="productId">The elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
-    public static byte[] WithoutLength(
-        TileMeshLayout layout, double[] radii, double skirtFootRadius, string productId, PatternFormat format)
+    public static byte[] WithoutLength(TileMeshLayout layout, double[] radii, string productId, PatternFormat format)
     {
         string formatName = format == PatternFormat.Mesh2 ? "mesh2" : "mesh";
-        SurfacePart part = layout.Part;
-        string place = layout.Part == SurfacePart.Whole(part.Tile)
-            ? string.Empty
-            : Invariant($" level={part.Level} part={part.Row}_{part.Column}_of_{part.Subdivisions}");
-        string skirt = layout.HasSkirt ? Invariant($" wall-foot={skirtFootRadius:R}") : string.Empty;
-        (int vertices, int faces) = TileMesh.CountsOf(layout);
         return Encoding.ASCII.GetBytes(Invariant(
             $"{Mark}{FormatVersion} format={formatName} product={productId} res={layout.PixelsPerDegree} "
-                + $"tile={part.Tile.RangeText}{place} margin-samples={layout.MarginSamples}{skirt} samples-sha256={Hash(radii)} "
-                + $"vertices={vertices} faces={faces} bytes="));
+                + $"tile={layout.Tile.RangeText} margin-samples={layout.MarginSamples} samples-sha256={Hash(radii)} "
+                + $"vertices={layout.VertexCount} faces={layout.FaceCount} bytes="));
     }
 
     /// <summary>The same of a block of a surface; the hash is over all that the file holds.</summary>

@@ -42,13 +42,9 @@ public sealed class PatternRepository : IDisposable
     public string FolderOf(string name) => Path.Combine(_root, name);
 
     /// <summary>The file of a tile's pattern.</summary>
-    public string PathOf(TileId tile, int pixelsPerDegree) => PathOf(SurfacePart.Whole(tile), pixelsPerDegree);
-
-    /// <summary>The file of a part.</summary>
-    /// <param name="pixelsPerDegree">Samples a degree of the model itself, whatever the part's level.</param>
-    public string PathOf(SurfacePart part, int pixelsPerDegree) => Path.Combine(
+    public string PathOf(TileId tile, int pixelsPerDegree) => Path.Combine(
         FolderOf(pixelsPerDegree),
-        Invariant($"pattern_LDEM_{pixelsPerDegree}_{part.NameText}.inc"));
+        Invariant($"pattern_LDEM_{pixelsPerDegree}_{tile.RangeText}.inc"));
 
     /// <summary>Makes the patterns that are missing, damaged, or made of other samples.</summary>
     /// <param name="tiles">The tiles; double ones count once.</param>
@@ -78,24 +74,6 @@ public sealed class PatternRepository : IDisposable
         return Ensure([.. orders], FolderOf(resolution), maxParallelism, progress, cancellation);
     }
 
-    /// <summary>The same for parts of tiles at levels of detail, as mesh2 without margin.</summary>
-    /// <param name="parts">The parts; double ones count once.</param>
-    /// <param name="maxParallelism">How many parts to work on at once, at least 1.</param>
-    /// <param name="cancellation">Stops between two parts.</param>
-    /// <exception cref="BadInputException">A file that this program has not made has a pattern's name, or the model is damaged.</exception>
-    /// <exception cref="ExternalPartException">The repository can't be read or written.</exception>
-    public PatternSet EnsureParts(
-        IEnumerable<SurfacePart> parts, LevelMeshBuilders builders, int maxParallelism, CancellationToken cancellation)
-    {
-        IEnumerable<PatternOrder> orders = parts.Distinct().Order().Select(part => OrderOf(
-            PathOf(part, builders.PixelsPerDegree),
-            TileMeshLayout.For(part, builders.PixelsPerDegree),
-            builders.Of(part.Level),
-            builders.ProductId,
-            PatternFormat.Mesh2));
-        return Ensure([.. orders], FolderOf(builders.PixelsPerDegree), maxParallelism, progress: null, cancellation);
-    }
-
     /// <summary>Releases all claims.</summary>
     public void Dispose()
     {
@@ -122,14 +100,14 @@ public sealed class PatternRepository : IDisposable
         return new PatternSet([.. orders.Select(order => order.Path)], written);
     }
 
-    /// <summary>A pattern of a tile or part of one.</summary>
+    /// <summary>A pattern of a tile.</summary>
     /// <param name="layout">What its mesh joins.</param>
     /// <param name="builder">Makes the mesh.</param>
     private static PatternOrder OrderOf(
         string path, TileMeshLayout layout, TileMeshBuilder builder, string productId, PatternFormat format) => new(path, () =>
     {
         double[] radii = builder.ReadRadii(layout);
-        byte[] header = PatternHeader.WithoutLength(layout, radii, builder.SkirtFootRadius, productId, format);
+        byte[] header = PatternHeader.WithoutLength(layout, radii, productId, format);
         return new PatternContent(header, () =>
         {
             TileMesh mesh = builder.Build(layout, radii);

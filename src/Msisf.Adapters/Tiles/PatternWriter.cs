@@ -18,7 +18,7 @@ public static class PatternWriter
     private const int UnitExponent = 10;
 
     /// <summary>
-    /// Number of vertices of a mesh up to which the text of each number is made once and copied for each triangle: far more than a part
+    /// Number of vertices of a mesh up to which the text of each number is made once and copied for each triangle: far more than a block
     /// has, and no more memory than its text takes.
     /// </summary>
     private const int MaxTexts = 1 << 16;
@@ -31,7 +31,7 @@ public static class PatternWriter
     /// <param name="productId">PRODUCT_ID of the elevation model.</param>
     /// <param name="format">The form of the mesh.</param>
     public static void Write(Stream output, TileMesh mesh, string productId, PatternFormat format) =>
-        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, mesh.SkirtFootRadius, productId, format), format);
+        Write(output, mesh, PatternHeader.WithoutLength(mesh.Layout, mesh.Radii, productId, format), format);
 
     /// <summary>Writes a pattern of a block whose header is known.</summary>
     /// <param name="output">As above.</param>

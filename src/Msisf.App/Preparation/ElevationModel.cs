@@ -1,4 +1,3 @@
-using System.Collections.Concurrent;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Synthesis;
 using Msisf.App.Host;
@@ -10,7 +9,6 @@ using Msisf.Core.Metadata;
 using Msisf.Core.Surface;
 using Msisf.Core.Surface.Sources;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles;
 using Msisf.Core.Tiles.Selection;
 using Msisf.Core.Tracing;
 
@@ -19,37 +17,21 @@ namespace Msisf.App.Preparation;
 /// <summary>The elevation model of a run and the data derived from it, each computed once. Thread-safe.</summary>
 internal sealed class ElevationModel : IDisposable
 {
-    /// <summary>
-    /// Maximum resolution, px/deg, at which the whole summary is computed in every run, which takes less time than an image; that of a
-    /// finer model is read where a frame needs it, and kept in a file if that was much.
-    /// </summary>
-    private const int FinestSummarisedEachRun = 16;
-
-    private const string SummaryExtension = ".summary";
-
     private readonly IReadOnlyList<IDisposable> _files;
     private readonly IGlobalGrid? _moon;
-    private readonly ILog? _log;
-    private readonly Lazy<SummarySource>? _source;
-    private readonly Lazy<ElevationSummary> _summary;
+    private readonly Lazy<Dspsa> _selection;
     private readonly Lazy<TerrainTracer> _tracer;
     private readonly Lazy<ModelLevels> _levels;
     private readonly Func<double?, IFrameTerrain> _detailOf;
     private readonly IReadOnlyList<BorderMisfit?> _misfits = [];
     private readonly IReadOnlyList<PartMove?> _moves = [];
-    private readonly ConcurrentDictionary<double, PartSelector> _selectors = new();
 
     /// <summary>A model of the whole Moon.</summary>
-    internal ElevationModel(
-        IGlobalGrid moon, LdemSet set, IDisposable file, Func<SummarySource> source, ILog log, Func<ModelLevels> openLevels)
+    internal ElevationModel(IGlobalGrid moon, LdemSet set, IDisposable file, Func<ModelLevels> openLevels)
         : this(moon, [set], [file])
     {
         _moon = moon;
-        _log = log;
-        _source = new Lazy<SummarySource>(source);
-        _summary = new Lazy<ElevationSummary>(() => moon.PixelsPerDegree <= FinestSummarisedEachRun
-            ? ElevationSummary.Build(moon)
-            : ElevationSummaryFile.Open(set.FileBeside(SummaryExtension), _source.Value, moon));
+        _selection = new Lazy<Dspsa>(() => new Dspsa(moon));
         _levels = new Lazy<ModelLevels>(openLevels);
         _detailOf = error => error is double pixels ? new ModelDetail(Levels, pixels) : new FullDetail(moon);
     }
@@ -67,7 +49,7 @@ internal sealed class ElevationModel : IDisposable
         Sets = sets;
         _files = files;
         _tracer = new Lazy<TerrainTracer>(() => new TerrainTracer(grid));
-        _summary = new Lazy<ElevationSummary>(() => throw NotWholeMoon());
+        _selection = new Lazy<Dspsa>(() => throw NotWholeMoon());
         _levels = new Lazy<ModelLevels>(() => throw NotWholeMoon());
         _detailOf = _ => new FullDetail(grid);
     }
@@ -178,20 +160,9 @@ internal sealed class ElevationModel : IDisposable
         }
     }
 
-    /// <summary>The tiles that a frame needs, with reasons; the first call opens the summary of the model.</summary>
-    public TileSelection Select(Frame frame) =>
-        Dspsa.Select(frame.Camera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, WholeMoon, _summary.Value);
-
-    /// <param name="errorPixels">
-    /// px: how far levels of detail may shift a point in the image; null for the whole patterns of the tiles without levels of detail.
-    /// </param>
-    /// <param name="rows">The image rows to draw; null for all.</param>
-    public IReadOnlyList<SurfacePart> SelectParts(Frame frame, double? errorPixels, PixelRows? rows = null) => errorPixels is double error
-        ? _selectors.GetOrAdd(error, NewSelector)
-            .Select(frame.FrameCamera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, rows).Parts
-        : [.. Select(frame).Kept.Select(choice => SurfacePart.Whole(choice.Tile))];
-
-    private PartSelector NewSelector(double errorPixels) => new(Levels, _summary.Value, errorPixels);
+    /// <summary>The tiles that a frame needs, with reasons.</summary>
+    public TileSelection Select(Frame frame, int threads, CancellationToken cancellation) => _selection.Value.Select(
+        frame.Camera, frame.Light.IsSun ? frame.Light.PositionBodyFixed : null, threads, cancellation);
 
     /// <summary>Distance from the Moon's centre to the terrain in a direction, m; around a map that to the reference sphere.</summary>
     public double GroundRadius(Vector3D directionBodyFixed) => TerrainHeight.RadiusBelow(Grid, directionBodyFixed);
@@ -209,7 +180,6 @@ internal sealed class ElevationModel : IDisposable
 
     public void Dispose()
     {
-        StoreSummary();
         if (_levels.IsValueCreated)
         {
             _levels.Value.Dispose();
@@ -218,15 +188,6 @@ internal sealed class ElevationModel : IDisposable
         foreach (IDisposable file in _files)
         {
             file.Dispose();
-        }
-    }
-
-    private void StoreSummary()
-    {
-        if (_summary.IsValueCreated && _source is { IsValueCreated: true } source && ElevationSummaryFile.StoreIfWorthwhile(
-            Set.FileBeside(SummaryExtension), source.Value, _summary.Value) is { } warning)
-        {
-            _log?.Warning(warning);
         }
     }
 

@@ -62,7 +62,7 @@ internal static class ModelOpening
         Tell(set, host.Log);
         return image.HasGaps
             ? MapOf(LdemMapImage.Of(image), set, host)
-            : new ElevationModel(image, set, image, () => SummarySource.Of(set), host.Log, () => OpenLevels(image, isSparing, host));
+            : new ElevationModel(image, set, image, () => OpenLevels(image, isSparing, host));
     }
 
     private static ElevationModel MapOf(LdemMapImage map, LdemSet set, ProgramHost host)
@@ -170,7 +170,7 @@ internal static class ModelOpening
         }
 
         return grid.AsWholeMoon() is { } moon
-            ? new ElevationModel(moon, set, grid, grid.ToSummarySource, host.Log, () => ModelLevels.Of(moon))
+            ? new ElevationModel(moon, set, grid, () => ModelLevels.Of(moon))
             : new ElevationModel(grid, set, grid);
     });
 

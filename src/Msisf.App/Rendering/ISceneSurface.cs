@@ -61,8 +61,8 @@ internal static class SceneSurfaces
     public static ISceneSurface Of(ElevationModel model, RenderSettings settings)
     {
         PatternRepository repository = new(settings.PatternRepository);
-        return model.IsWholeMoon
-            ? new TileSurface(model, settings.LevelOfDetailError, repository)
+        return model.IsWholeMoon && settings.LevelOfDetailError is null
+            ? new TileSurface(model, repository)
             : new BlockSurface(model.Grid, model.DetailOf(settings.LevelOfDetailError), settings.DetailSubsamplesPerAxis, repository);
     }
 }

@@ -10,7 +10,7 @@ namespace Msisf.App.Rendering;
 /// <summary>Makes patterns before a run; patterns that exist and are complete are kept.</summary>
 internal static class PatternRun
 {
-    /// <summary>Makes the meshes that the POV-Ray frames of a run include, and the summary of the model.</summary>
+    /// <summary>Makes the meshes that the POV-Ray frames of a run include.</summary>
     /// <returns>Folder of the patterns.</returns>
     /// <exception cref="MsisfException">The run could not be made, or a pattern can't be written.</exception>
     public static async Task<string> MakeForFramesAsync(
@@ -68,7 +68,8 @@ internal static class PatternList
         foreach (Frame frame in run.Frames)
         {
             cancellation.ThrowIfCancellationRequested();
-            foreach (TileChoice choice in run.Model.Select(frame).WithRays(SphereRays.TilesOf(frame.Camera)).All)
+            TileSelection tiles = run.Model.Select(frame, Environment.ProcessorCount, cancellation);
+            foreach (TileChoice choice in tiles.WithRays(SphereRays.TilesOf(frame.Camera)).All)
             {
                 host.Results.WriteLine(Invariant(
                     $"{frame.Step}\t{choice.Tile.RangeText}\t{(choice.IsKept ? "taken" : "left out")}\t{choice.ReasonText}"));

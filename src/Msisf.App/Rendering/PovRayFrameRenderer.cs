@@ -24,8 +24,8 @@ internal sealed class PovRayFrameRenderer(
     FrameFiles files, RunTimes times) : IFrameRenderer
 {
     /// <summary>
-    /// Minimum number of triangles per strip. With fewer, a second process costs more (0.65 s of sleeping, and the parsing of shared parts)
-    /// than it saves: parsing a triangle takes about 2 microseconds.
+    /// Minimum number of triangles per strip. With fewer, a second process costs more than it saves (0.65 s of sleeping, and the parsing of
+    /// shared blocks): parsing a triangle takes about 2 microseconds.
     /// </summary>
     private const long MinFacesOfStrip = 250_000;
 
@@ -73,7 +73,7 @@ internal sealed class PovRayFrameRenderer(
 
     /// <summary>
     /// The number of strips in which an image is drawn. POV-Ray parses with one thread, so a large scene is drawn in up to one strip per
-    /// thread, each with only the parts that it needs.
+    /// thread, each with only the blocks that it needs.
     /// </summary>
     private static int StripsFor(long faces, int threads) => (int)Math.Clamp(faces / MinFacesOfStrip, 1, threads);
 

@@ -34,7 +34,7 @@ internal sealed record RefineSettings(ulong Seed, int FinestLevel)
         }
 
         // The command that a frame's meta file holds names the default.
-        if (SurfaceOptions.LevelOfDetailError.ReadIfGiven(values) is { } error && error != DetailRule.DefaultErrorOfImage)
+        if (SurfaceOptions.LevelOfDetailError.ReadIfGiven(values) is { } error && error != DetailRule.DefaultError)
         {
             throw SurfaceOptions.LevelOfDetailError.Wrong(
                 "is for levels of detail of one model; with --refine the ground is drawn from the model itself. Leave one of them out.",

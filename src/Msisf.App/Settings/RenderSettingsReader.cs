@@ -61,7 +61,7 @@ internal static class RenderSettingsReader
             Native = NativeSettingsReader.Read(
                 values, albedo, DetectorChoice.Of(camera, values), scans: scan is not null, needsTruth),
             Albedo = albedo,
-            LevelOfDetailError = LevelOfDetailError(values, renderer, resolution),
+            LevelOfDetailError = LevelOfDetailError(values),
             IgnoreSun = LightOptions.IgnoreSun.Read(values),
             CameraFormats = cameraFormats,
             Map = map,
@@ -93,8 +93,7 @@ internal static class RenderSettingsReader
         return settings;
     }
 
-    /// <summary>POV-Ray draws several models and polar maps as the native renderer does, each at one level; else parts of tiles.</summary>
-    private static double? LevelOfDetailError(OptionValues values, RendererKind renderer, GridResolution resolution)
+    private static double? LevelOfDetailError(OptionValues values)
     {
         bool isOff = SurfaceOptions.LevelOfDetail.Read(values);
         double? given = SurfaceOptions.LevelOfDetailError.ReadIfGiven(values);
@@ -107,8 +106,7 @@ internal static class RenderSettingsReader
                     SurfaceOptions.LevelOfDetail);
         }
 
-        bool hasTiles = SurfaceOptions.Ldem.ReadAll(values).Count < 2 && resolution.PixelsPerDegree is not null;
-        return given ?? (renderer == RendererKind.PovRay && hasTiles ? DetailRule.DefaultErrorOfParts : DetailRule.DefaultErrorOfImage);
+        return given ?? DetailRule.DefaultError;
     }
 
     private static Aberration Aberration(OptionValues values)

@@ -56,8 +56,7 @@ internal static class SurfaceOptions
         "PX", "How far coarser levels may move what is seen")
     {
         Limits = new NumberRange(0.0, MaxLevelOfDetailError),
-        DefaultNote = Invariant(
-            $"{DetailRule.DefaultErrorOfParts} with POV-Ray, {DetailRule.DefaultErrorOfImage} native, and of several models"),
+        DefaultNote = Invariant($"{DetailRule.DefaultError}"),
     };
 
     public static OptionGroup Group { get; } = new("Surface model", [Resolution, Ldem, Body, LevelOfDetail, LevelOfDetailError]);

@@ -1,9 +1,6 @@
 using Msisf.Core.Camera;
-using Msisf.Core.Render.Shadows;
-using Msisf.Core.Render.Visibility;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Core.Blocks;
 
@@ -11,7 +8,7 @@ namespace Msisf.Core.Blocks;
 /// The surface of any terrain as blocks of facets for a scene of POV-Ray: which of them an image needs, and their meshes
 /// (docs/pattern-format.md). Safe for several threads.
 /// </summary>
-public sealed class SceneBlocks
+public sealed class SceneBlocks : ISceneGroups<SceneBlock>
 {
     /// <summary>
     /// rad: maximum width of a square, so that its vertices are less than <see cref="BlockMesh.OffsetLimit"/> steps of 2^-7 m from its
@@ -21,12 +18,14 @@ public sealed class SceneBlocks
 
     private readonly SurfaceModel _surface;
     private readonly int[] _sides;
+    private readonly int[] _levels;
 
     /// <summary>Takes a terrain; of several models the seams are made if they were not yet.</summary>
     public SceneBlocks(ITerrain terrain)
     {
         _surface = SurfaceModel.Of(terrain);
         _sides = [.. _surface.Patches.Select(patch => SideOf(patch.CellAngle))];
+        _levels = [.. _surface.Patches.Select(SceneSelection.LevelOf)];
     }
 
     /// <summary>Whether the surface goes around the whole Moon, so that no ray can meet it from below.</summary>
@@ -36,8 +35,9 @@ public sealed class SceneBlocks
     public string? ProductIdOf(SceneBlock block) => _surface.Patches[block.Part].ProductId;
 
     /// <summary>
-    /// Selects the blocks that an image needs: all that may be seen, and all that may throw a shadow on these. A ray of the image, one
-    /// pixel wider all around, first meets the same facet from outside as with the whole surface, and so does a ray from there to the Sun.
+    /// Selects the blocks that an image needs: all that may be seen in sunlight, all that may throw a shadow on these, and dark ones behind
+    /// which something lit would show. A ray of the image, one pixel wider all around, first meets the same facet from outside as with the
+    /// whole surface, and so does a ray from there to the Sun; dark ground may be missing where nothing but the sky is behind it.
     /// </summary>
     /// <param name="camera">The camera, without a lens.</param>
     /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
@@ -47,20 +47,37 @@ public sealed class SceneBlocks
     public IReadOnlyList<SceneBlock> Select(
         ICamera camera, Vector3D? sunPositionBodyFixed, PixelRows? rows, int threads, CancellationToken cancellation)
     {
-        HashSet<CellBlock> needed = [.. camera.Bounds(Dspsa.AntialiasingPixels, rows).SelectMany(
-            bounds => new BlockCuller(_surface).Find(bounds, threads, cancellation).Select(visible => Whole(visible.Block)))];
-        if (sunPositionBodyFixed is Vector3D sun)
-        {
-            CasterSearch search = new(_surface);
-            search.Check(sun);
-            BlockTargets targets = new(_surface, needed, sun);
-            if (!targets.Box.IsEmpty)
-            {
-                needed.UnionWith(search.Find(targets, slope: 0.0, threads, cancellation).Select(Whole));
-            }
-        }
+        IReadOnlyDictionary<SceneBlock, SceneReason> reasons = SceneSelection<SceneBlock>.Select(
+            _surface, this, camera, sunPositionBodyFixed, rows, threads, cancellation);
+        return [.. reasons.Where(block => block.Value != SceneReason.Night).Select(block => block.Key).Order()];
+    }
 
-        return [.. needed.SelectMany(SquaresOf).Order()];
+    int ISceneGroups<SceneBlock>.LevelOf(int part) => _levels[part];
+
+    IEnumerable<SceneBlock> ISceneGroups<SceneBlock>.GroupsOf(SurfaceNode node)
+    {
+        Patch patch = _surface.Patches[node.Part];
+        int side = _sides[node.Part];
+        CellRange all = patch.Layout.AllCells;
+        CellRange cells = patch.Layout.Cells(node.Place.Level, node.Place.Row, node.Place.Column);
+        return
+            from row in NumbersOf(cells.FirstLine - all.FirstLine, cells.EndLine - all.FirstLine, side)
+            from column in NumbersOf(cells.FirstSample - all.FirstSample, cells.EndSample - all.FirstSample, side)
+            let block = new SceneBlock(node.Part, row, column)
+            where patch.Kept?.HasAny(CellsOf(block)) != false
+            select block;
+    }
+
+    IEnumerable<SurfaceNode> ISceneGroups<SceneBlock>.NodesOf(SceneBlock block)
+    {
+        int level = _levels[block.Part];
+        int side = SquareLayout.Side(level);
+        CellRange all = _surface.Patches[block.Part].Layout.AllCells;
+        CellRange cells = CellsOf(block);
+        return
+            from row in NumbersOf(cells.FirstLine - all.FirstLine, cells.EndLine - all.FirstLine, side)
+            from column in NumbersOf(cells.FirstSample - all.FirstSample, cells.EndSample - all.FirstSample, side)
+            select new SurfaceNode(block.Part, new NodePlace(level, row, column));
     }
 
     /// <summary>Number of facets of blocks; at poles, and beside finer models, an upper bound.</summary>
@@ -84,7 +101,9 @@ public sealed class SceneBlocks
         return side;
     }
 
-    private static CellBlock Whole(CellBlock block) => block with { Piece = 0 };
+    /// <summary>The numbers of the intervals of a length that have a part of a range.</summary>
+    private static IEnumerable<int> NumbersOf(int first, int end, int length) =>
+        Enumerable.Range(first / length, ((end - 1) / length) - (first / length) + 1);
 
     private CellRange CellsOf(SceneBlock block)
     {
@@ -95,23 +114,6 @@ public sealed class SceneBlocks
             Math.Min(all.FirstLine + ((block.Row + 1) * side), all.EndLine),
             all.FirstSample + (block.Column * side),
             Math.Min(all.FirstSample + ((block.Column + 1) * side), all.EndSample));
-    }
-
-    /// <summary>The squares of a block that have facets; a block of seams is one.</summary>
-    private IEnumerable<SceneBlock> SquaresOf(CellBlock block)
-    {
-        CellMask? kept = _surface.Patches[block.Part].Kept;
-        int squares = CellBlock.Size / _sides[block.Part];
-        for (int square = 0; square < squares * squares; square++)
-        {
-            SceneBlock found = new(
-                block.Part, (block.Row * squares) + (square / squares), (block.Column * squares) + (square % squares));
-            CellRange cells = CellsOf(found);
-            if (cells.Lines > 0 && cells.Samples > 0 && kept?.HasAny(cells) != false)
-            {
-                yield return found;
-            }
-        }
     }
 
     private static BlockMesh MeshOfCells(GridPatch part, CellRange cells)

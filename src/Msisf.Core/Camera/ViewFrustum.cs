@@ -11,7 +11,6 @@ internal sealed class ViewFrustum
     private readonly Vector3D _unitUp;
     private readonly Vector3D _down;
     private readonly Vector3D[] _inward;
-    private readonly Vector3D[] _edges;
     private readonly PixelRows _rows;
     private readonly double _forwardRow;
     private readonly double _margin;
@@ -42,6 +41,7 @@ internal sealed class ViewFrustum
         _forward = camera.ForwardBodyFixed;
         _rows = new PixelRows(0, camera.Height);
         (double left, double right, double top, double bottom) = border;
+        Tangents = new TangentBox(-left, -top, right, -bottom);
         _unitRight = UnitRight(camera);
         _unitUp = UnitUp(camera);
         _inward =
@@ -51,14 +51,6 @@ internal sealed class ViewFrustum
             (_unitUp - (bottom * _forward)).Normalized(),
             ((top * _forward) - _unitUp).Normalized(),
         ];
-        _edges =
-        [
-            _forward + (right * _unitRight) + (top * _unitUp),
-            _forward + (right * _unitRight) + (bottom * _unitUp),
-            _forward - (left * _unitRight) + (top * _unitUp),
-            _forward - (left * _unitRight) + (bottom * _unitUp),
-        ];
-        Middle = (_forward + (0.5 * (right - left) * _unitRight) + (0.5 * (top + bottom) * _unitUp)).Normalized();
     }
 
     /// <summary>The frustum around the samples of a camera with a lens.</summary>
@@ -79,48 +71,8 @@ internal sealed class ViewFrustum
     /// <summary>Where the rays come from, m, body-fixed.</summary>
     public Vector3D CameraBodyFixed { get; }
 
-    /// <summary>Direction of the middle of the rows, body-fixed, length 1.</summary>
-    public Vector3D Middle { get; }
-
-    /// <summary>Directions of the four edges, body-fixed.</summary>
-    public ReadOnlySpan<Vector3D> Edges => _edges;
-
-    /// <summary>Whether a direction from the camera, body-fixed, lies inside.</summary>
-    public bool Contains(Vector3D direction)
-    {
-        foreach (Vector3D inward in _inward)
-        {
-            if (Vector3D.Dot(inward, direction) < 0.0)
-            {
-                return false;
-            }
-        }
-
-        return true;
-    }
-
-    /// <summary>Where a ball lies.</summary>
-    /// <param name="ball">Centre (m, MOON_ME) and radius (m).</param>
-    public FrustumSide Classify((Vector3D Centre, double Radius) ball)
-    {
-        Vector3D fromCamera = ball.Centre - CameraBodyFixed;
-        FrustumSide side = FrustumSide.Inside;
-        foreach (Vector3D inward in _inward)
-        {
-            double distance = Vector3D.Dot(inward, fromCamera);
-            if (distance < -ball.Radius)
-            {
-                return FrustumSide.Outside;
-            }
-
-            if (distance < ball.Radius)
-            {
-                side = FrustumSide.Straddling;
-            }
-        }
-
-        return side;
-    }
+    /// <summary>The part of the ideal image plane that it shows.</summary>
+    public TangentBox Tangents { get; }
 
     /// <summary>Finds the rows of the image in which a box may be seen.</summary>
     /// <param name="rows">All rows of the frustum for a box that meets the plane through the camera parallel to the image.</param>
@@ -263,17 +215,4 @@ internal sealed class ViewFrustum
 
         return (-box.Left, box.Right, -box.Top, -box.Bottom);
     }
-}
-
-/// <summary>Where something lies relative to a <see cref="ViewFrustum"/>.</summary>
-internal enum FrustumSide
-{
-    /// <summary>Certainly outside.</summary>
-    Outside,
-
-    /// <summary>Perhaps partly inside.</summary>
-    Straddling,
-
-    /// <summary>Wholly inside.</summary>
-    Inside,
 }

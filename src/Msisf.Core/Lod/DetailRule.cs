@@ -13,18 +13,9 @@ public sealed class DetailRule
     /// Measured (docs/native-renderer.md): the image is as close to the mean of many samples of the full model as an image of the full
     /// model with the same number of samples.
     /// </summary>
-    public const double DefaultErrorOfImage = 0.35;
-
-    /// <summary>px: the default error where each part of the surface has a level of its own. Measured (docs/surface.md).</summary>
-    public const double DefaultErrorOfParts = 0.33;
+    public const double DefaultError = 0.35;
 
     private const double ErrorsPerCell = 2.0;
-
-    /// <summary>
-    /// Allowed errors: in a coarser level a ridge may be lower and the ground behind it higher, so hidden ground may come into view.
-    /// Differences in height are mostly below half a cell, which is one error; the rest is reserve.
-    /// </summary>
-    private const double ErrorsOfSlack = 8.0;
 
     private readonly int _levels;
     private readonly double _finestCell;
@@ -40,12 +31,6 @@ public sealed class DetailRule
         _finestCell = levels.Grid(0).Projection.Resolution.OnSphere(_referenceRadius).MetresPerPixel;
         _errorPixels = errorPixels;
     }
-
-    /// <summary>px: ground this far beside the image may be drawn inside it by a coarser level.</summary>
-    public double MarginPixels => ErrorsPerCell * _errorPixels;
-
-    /// <summary>px: ground that is hidden by less than this may be seen with a coarser level.</summary>
-    public double SlackPixels => ErrorsOfSlack * _errorPixels;
 
     /// <summary>The level of a whole image, from the camera's height over the reference sphere; only mountains can be nearer.</summary>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
@@ -67,10 +52,6 @@ public sealed class DetailRule
     /// <summary>m: width of the cells of a level, on the reference sphere, where they are widest.</summary>
     /// <param name="level">0 for the model itself.</param>
     public double CellOf(int level) => Math.ScaleB(_finestCell, level);
-
-    /// <summary>m: how far the edge of a shadow may move for a pixel of this size.</summary>
-    /// <param name="metresPerPixel">Width that a pixel covers, m.</param>
-    public double MaxShift(double metresPerPixel) => _errorPixels * metresPerPixel;
 
     /// <summary>The coarsest level with cells no wider than a limit; the model itself, 0, if even its cells are wider.</summary>
     /// <param name="widestCell">m, on the reference sphere, where the model's cells are widest.</param>

@@ -93,12 +93,6 @@ public static class Tolerances
     public const double CapRadius = 2e-8;
 
     /// <summary>
-    /// rad: widens the range of azimuths of an image, so that points within <see cref="VertexLattice"/> of its border are included at 20
-    /// m or more from the axis.
-    /// </summary>
-    public const double WindowMargin = 1e-3;
-
-    /// <summary>
     /// m: limits the rounding error of a surface point in light space, of a sum of two of its components, and of a line through two such
     /// points.
     /// </summary>

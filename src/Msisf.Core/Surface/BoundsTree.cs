@@ -55,9 +55,6 @@ internal sealed class BoundsTree
     /// <summary>How the mesh is divided.</summary>
     public BoundsLayout Layout { get; }
 
-    /// <summary>Number of samples that were read for bounds so far.</summary>
-    public long SamplesRead => Interlocked.Read(ref _samplesRead);
-
     /// <summary>The bounds of a node; parts that are not known yet are read.</summary>
     /// <exception cref="BadInputException">
     /// The model cannot be read there, or has a radius outside the range of the Moon's surface.
@@ -103,43 +100,6 @@ internal sealed class BoundsTree
     /// <summary>Stores the bounds of a node that were computed before.</summary>
     public void Set(int level, int row, int column, NodeBounds bounds) => _stores[level].Set(row, column, bounds);
 
-    /// <summary>Computes the bounds of all nodes of the finest level, in one pass over the model from the north.</summary>
-    public void ReadAll()
-    {
-        long released = 0;
-        for (int row = 0; row < Layout.Rows(0); row++)
-        {
-            ReadRow(row, 0, Layout.Columns(0));
-            if (SamplesRead - released >= SamplesBetweenReleases)
-            {
-                _mesh!.Grid.ReleasePages(); // the lines above are not read again, and are much
-                released = SamplesRead;
-            }
-        }
-    }
-
-    /// <summary>Computes the bounds of neighbouring nodes of one row of the finest level; each line of the model is read once.</summary>
-    /// <param name="firstColumn">Column of the westernmost node.</param>
-    public void ReadRow(int row, int firstColumn, int count)
-    {
-        CellRange[] cells = new CellRange[count];
-        NodeBounds[] bounds = new NodeBounds[count];
-        for (int node = 0; node < count; node++)
-        {
-            cells[node] = Layout.Cells(0, row, firstColumn + node);
-        }
-
-        CellRange all = cells[0] with { EndSample = cells[^1].EndSample };
-        Prefetch(all);
-        _reader!.ReadRow(cells, bounds);
-        for (int node = 0; node < count; node++)
-        {
-            Set(0, row, firstColumn + node, bounds[node]);
-        }
-
-        Interlocked.Add(ref _samplesRead, (long)all.Lines * all.Samples);
-    }
-
     /// <summary>The cap that holds the directions of all facets of a node.</summary>
     public SphericalCap CapOf(int level, int row, int column) =>
         _plane is null ? GeometryOf(level).CapOf(row, column) : _plane.CapOf(Layout.Cells(level, row, column));
@@ -151,51 +111,6 @@ internal sealed class BoundsTree
     public NodeBox BoxOf(int level, int row, int column, double minRadius, double maxRadius) => _plane is null
         ? GeometryOf(level).BoxOf(row, column, minRadius, maxRadius)
         : _plane.BoxOf(Layout.Cells(level, row, column), minRadius, maxRadius);
-
-    /// <summary>A node with its place and bounds.</summary>
-    public TerrainNode Node(int level, int row, int column) => NodeOf(CapOf(level, row, column), Of(level, row, column));
-
-    /// <summary>Joins several neighbouring nodes of one row of a mesh of latitude and longitude into one node.</summary>
-    /// <param name="column">Column of the westernmost node.</param>
-    public TerrainNode Node(int level, int row, int column, int count)
-    {
-        if (count == 1)
-        {
-            return Node(level, row, column);
-        }
-
-        NodeBounds bounds = NodeBounds.Empty;
-        for (int next = column; next < column + count; next++)
-        {
-            bounds = NodeBounds.Union(bounds, Of(level, row, next));
-        }
-
-        CellRange cells = Layout.Cells(level, row, column) with { EndSample = Layout.Cells(level, row, column + count - 1).EndSample };
-        return NodeOf(MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples), bounds);
-    }
-
-    /// <summary>The same without reading: where parts of the node are not known, it has the limits of the model.</summary>
-    /// <param name="column">Column of the westernmost node.</param>
-    /// <param name="limits">Bounds of all radii of the model.</param>
-    public TerrainNode NodeWithin(int level, int row, int column, int count, NodeBounds limits)
-    {
-        for (int next = column; next < column + count; next++)
-        {
-            if (!TryGetKnown(level, row, next, out _))
-            {
-                CellRange cells = Layout.Cells(level, row, column) with
-                {
-                    EndSample = Layout.Cells(level, row, column + count - 1).EndSample,
-                };
-                SphericalCap cap = count == 1
-                    ? CapOf(level, row, column)
-                    : MeshBounds.CapOf(cells, Layout.Lines, Layout.Samples);
-                return NodeOf(cap, limits) with { IsUnread = true };
-            }
-        }
-
-        return Node(level, row, column, count);
-    }
 
     /// <summary>
     /// Makes a node from known bounds and a cap. The bounds are widened because facets sag below their vertices and the lattice moves the

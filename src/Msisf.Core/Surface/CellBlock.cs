@@ -17,6 +17,9 @@ internal readonly record struct CellBlock(int Row, int Column)
     /// <summary>The block as a node of bounds.</summary>
     public NodePlace Node => new(SquareLayout.CellBlockLevel, Row, Column);
 
+    /// <summary>The block as a node of the surface.</summary>
+    public SurfaceNode SurfaceNode => new(Part, Node);
+
     /// <summary>
     /// 0 for all cells of the block; else a rectangle of those that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).
     /// </summary>

@@ -53,7 +53,7 @@ internal sealed class NodeReader
     public NodeBounds Read(CellRange cells)
     {
         Extremes found = Extremes.None;
-        Read(new ReadOnlySpan<CellRange>(in cells), new Span<Extremes>(ref found));
+        Read(cells, ref found);
         double reference = _mesh.Grid.ReferenceRadius;
         if (!(Math.Max(reference - found.Min, found.Max - reference) <= MoonConstants.MaxReliefOver(reference)))
         {
@@ -95,56 +95,33 @@ internal sealed class NodeReader
             MathF.BitIncrement((float)(SlopeMargin * double.Hypot(step * east, step * north))));
     }
 
-    /// <summary>
-    /// Reads the bounds of neighbouring nodes of one row; each vertex line is read once for all of them. Any radius is accepted.
-    /// </summary>
-    /// <param name="nodes">The cells of each node, from west to east.</param>
-    /// <param name="bounds">Receives the bounds of each node.</param>
-    public void ReadRow(ReadOnlySpan<CellRange> nodes, Span<NodeBounds> bounds)
+    private void Read(CellRange cells, ref Extremes found)
     {
-        Extremes[] found = new Extremes[nodes.Length];
-        Array.Fill(found, Extremes.None);
-        Read(nodes, found);
-        for (int node = 0; node < nodes.Length; node++)
-        {
-            bounds[node] = found[node].ToBounds();
-        }
-    }
-
-    private void Read(ReadOnlySpan<CellRange> nodes, Span<Extremes> found)
-    {
-        CellRange first = nodes[0];
-        int samples = nodes[^1].EndSample - first.FirstSample + 1;
+        int samples = cells.Samples + 1;
         Span<double> radii = samples <= StackSamples ? stackalloc double[2 * StackSamples] : new double[2 * samples];
         Span<double> north = radii[..samples];
         Span<double> south = radii.Slice(samples, samples);
-        _mesh.ReadRadii(first.FirstLine, first.FirstSample, north);
-        AddLine(first.FirstLine, nodes, found, north, north);
-        for (int line = first.FirstLine + 1; line <= first.EndLine; line++)
+        _mesh.ReadRadii(cells.FirstLine, cells.FirstSample, north);
+        AddLine(cells, cells.FirstLine, ref found, north, north);
+        for (int line = cells.FirstLine + 1; line <= cells.EndLine; line++)
         {
-            _mesh.ReadRadii(line, first.FirstSample, south);
-            AddLine(line, nodes, found, north, south);
+            _mesh.ReadRadii(line, cells.FirstSample, south);
+            AddLine(cells, line, ref found, north, south);
             Span<double> read = south;
             south = north;
             north = read;
         }
     }
 
-    private void AddLine(
-        int line, ReadOnlySpan<CellRange> nodes, Span<Extremes> found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
+    private void AddLine(CellRange cells, int line, ref Extremes found, ReadOnlySpan<double> north, ReadOnlySpan<double> south)
     {
         (double perRadianEast, double perRadianNorth) = _plane is null ? _perRadian[line - _firstLine] : default;
-        for (int node = 0; node < nodes.Length; node++)
+        if (_plane is not null)
         {
-            int start = nodes[node].FirstSample - nodes[0].FirstSample;
-            int count = nodes[node].EndSample - nodes[node].FirstSample + 1;
-            if (_plane is not null)
-            {
-                perRadianEast = perRadianNorth = _plane.PerRadian(line, nodes[node].FirstSample, nodes[node].EndSample);
-            }
-
-            found[node].Add(north.Slice(start, count), south.Slice(start, count), perRadianEast, perRadianNorth);
+            perRadianEast = perRadianNorth = _plane.PerRadian(line, cells.FirstSample, cells.EndSample);
         }
+
+        found.Add(north, south, perRadianEast, perRadianNorth);
     }
 
     /// <summary>The bounds of a node over the lines that have been read so far.</summary>

@@ -6,6 +6,11 @@ namespace Msisf.Core.Surface;
 /// <param name="Column">Its column in the level, from the left.</param>
 internal readonly record struct NodePlace(int Level, int Row, int Column);
 
+/// <summary>A node of the tree of bounds of one of a surface's patches.</summary>
+/// <param name="Part">Number of the patch in <see cref="SurfaceModel.Patches"/>.</param>
+/// <param name="Place">The node.</param>
+internal readonly record struct SurfaceNode(int Part, NodePlace Place);
+
 /// <summary>How a walk goes on after a node.</summary>
 internal enum Visit
 {

@@ -23,9 +23,6 @@ public readonly record struct TileId(int SouthDegrees, int WestDegrees) : ICompa
     /// <summary>All 2,592 tiles, by latitude, then longitude.</summary>
     public static IEnumerable<TileId> All => Enumerable.Range(0, Count).Select(FromNumber);
 
-    /// <summary>All tiles, row by row from the north, as the lines of an elevation model run.</summary>
-    internal static IEnumerable<TileId> FromNorth => All.Chunk(Columns).Reverse().SelectMany(row => row);
-
     /// <summary>Index in <see cref="All"/>.</summary>
     public int Number => ((SouthDegrees + 90) / SizeDegrees * Columns) + (WestDegrees / SizeDegrees);
 

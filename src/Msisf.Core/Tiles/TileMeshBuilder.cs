@@ -21,10 +21,7 @@ public sealed class TileMeshBuilder
         _directions = new GridDirections(grid.PixelsPerDegree);
     }
 
-    /// <summary>m: where the skirts of parts end (<see cref="TileMeshLayout.HasSkirt"/>), below all ground.</summary>
-    public double SkirtFootRadius => _mesh.Grid.RadiusLimits.Min - Skirt.DepthBelowLowest;
-
-    /// <summary>The radius of each vertex, in vertex order, without those of the skirt's foot.</summary>
+    /// <summary>The radius of each vertex, in vertex order.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <returns>m.</returns>
     /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
@@ -53,7 +50,7 @@ public sealed class TileMeshBuilder
         return radii;
     }
 
-    /// <summary>The mesh of a tile or part.</summary>
+    /// <summary>The mesh of a tile.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <param name="radii">The radii from <see cref="ReadRadii"/> for this layout.</param>
     /// <exception cref="BadInputException">
@@ -61,9 +58,8 @@ public sealed class TileMeshBuilder
     /// </exception>
     public TileMesh Build(TileMeshLayout layout, double[] radii)
     {
-        int[] border = layout.HasSkirt ? Skirt.Border(layout) : [];
-        int[] offsets = new int[3 * (radii.Length + border.Length)];
-        LatticePoint origin = TileMesh.OriginOf(layout.Part);
+        int[] offsets = new int[3 * radii.Length];
+        LatticePoint origin = TileMesh.OriginOf(layout.Tile);
         SineCosine[] longitudes = new SineCosine[layout.Samples];
         for (int column = 0; column < layout.Samples; column++)
         {
@@ -75,12 +71,7 @@ public sealed class TileMeshBuilder
             Place(offsets, vertex, layout, radii[vertex], origin, DirectionOf(layout, vertex, longitudes));
         }
 
-        for (int foot = 0; foot < border.Length; foot++)
-        {
-            Place(offsets, radii.Length + foot, layout, SkirtFootRadius, origin, DirectionOf(layout, border[foot], longitudes));
-        }
-
-        return new TileMesh(layout, radii, offsets, [.. layout.CreateFaces(), .. Skirt.Faces(border, radii.Length)], SkirtFootRadius);
+        return new TileMesh(layout, radii, offsets, layout.CreateFaces());
     }
 
     private (SineCosine Latitude, SineCosine Longitude) DirectionOf(TileMeshLayout layout, int vertex, SineCosine[] longitudes)

@@ -22,7 +22,7 @@ public class PatternWriterTests
         TileMeshLayout layout = TileMeshLayout.For(new TileId(south, west), 4);
         TileMeshBuilder builder = new(image);
         string golden = Path.Combine(
-            TestParts.RepositoryRoot, "tests", "golden", "patterns", $"pattern_LDEM_4_{layout.Part.Tile.RangeText}.inc");
+            TestParts.RepositoryRoot, "tests", "golden", "patterns", $"pattern_LDEM_4_{layout.Tile.RangeText}.inc");
 
         string written = Write(builder.Build(layout, builder.ReadRadii(layout)), PatternFormat.Mesh2);
 

@@ -9,7 +9,7 @@ namespace Msisf.App.Tests.Settings;
 public sealed class FrameArgumentsTests
 {
     [Theory]
-    [InlineData("", "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.33 "
+    [InlineData("", "--fov 40 --width 1024 --height 1024 --gridH 50 --gridV 50 --surface sphere --res 4 --lod-error 0.35 "
         + "--ephemeris cspice --aberration none --renderer povray")]
     [InlineData("--lod off --ignore-sun --grid 10 --gridV 20 --rendering-annotation",
         "--fov 40 --width 1024 --height 1024 --gridH 10 --gridV 20 --surface sphere --res 4 --lod off --ignore-sun "

@@ -126,7 +126,7 @@ internal sealed class FrontMeasure
                 levels.Level(
                     setting.IsFull
                         ? 0
-                        : new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(
+                        : new DetailRule(levels, DetailRule.DefaultError).LevelOfImage(
                             scene.Camera.Footprint, setting.SubsamplesPerAxis)))
             : PovRayHits.Trace(Single(output, "*.pov"), _bench.PatternsOf(scene, setting), pixels.Rays, output);
         return HitDistance.Of(pixels.Truth, points);

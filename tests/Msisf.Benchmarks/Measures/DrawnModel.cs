@@ -30,7 +30,7 @@ internal sealed class DrawnModel : IDisposable
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     public ITerrainGrid LevelFor(Scene scene, int subsamplesPerAxis = 1) => _levels.Grid(scene.IsExact
         ? 0
-        : new DetailRule(_levels, DetailRule.DefaultErrorOfImage).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis));
+        : new DetailRule(_levels, DetailRule.DefaultError).LevelOfImage(scene.Camera.Footprint, subsamplesPerAxis));
 
     public void Dispose() => _opened.Dispose();
 }

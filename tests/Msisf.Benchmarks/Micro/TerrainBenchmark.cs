@@ -21,7 +21,7 @@ public class TerrainBenchmark
     private readonly Scene _scene = Scenes.Named("far-4");
     private readonly BlockVertices _vertices = new();
     private LdemImage _model = null!;
-    private ElevationSummary _summary = null!;
+    private Dspsa _selection = null!;
     private SurfaceModel _surface = null!;
     private TerrainTracer _tracer = null!;
     private TileMesh _mesh = null!;
@@ -32,7 +32,7 @@ public class TerrainBenchmark
     public void Open()
     {
         _model = LdemImage.Open(LdemCatalog.Read(Path.Combine("input", "ldem", "LDEM_4.LBL")));
-        _summary = ElevationSummary.Build(_model);
+        _selection = new Dspsa(_model);
         _surface = new SurfaceModel(_model);
         _tracer = new TerrainTracer(_model);
         TileMeshBuilder builder = new(_model);
@@ -47,7 +47,7 @@ public class TerrainBenchmark
 
     /// <summary>The tiles of an image.</summary>
     [Benchmark]
-    public TileSelection Selection() => Dspsa.Select(_scene.Camera, _sun, _model, _summary);
+    public TileSelection Selection() => _selection.Select(_scene.Camera, _sun);
 
     /// <summary>The text of a tile's pattern.</summary>
     [Benchmark]

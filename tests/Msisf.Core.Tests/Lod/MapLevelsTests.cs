@@ -166,7 +166,7 @@ public sealed class MapLevelsTests
         Vector3D position = -(MoonConstants.ReferenceRadius + height) * Vector3D.UnitZ;
         PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(40.0), 1024, 1024);
         Assert.Equal(
-            level, new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(camera.Footprint, subsamplesPerAxis));
+            level, new DetailRule(levels, DetailRule.DefaultError).LevelOfImage(camera.Footprint, subsamplesPerAxis));
     }
 
     private static PolarFunctionGrid Rough(int lines, int samples) => new(

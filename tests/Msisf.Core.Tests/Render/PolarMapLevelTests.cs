@@ -34,7 +34,7 @@ public sealed class PolarMapLevelTests
         PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(40.0), Side, Side);
         (double sine, double cosine) = Math.SinCos(double.DegreesToRadians(sunElevation));
         SceneLight sun = new(1.5e11 * new Vector3D(cosine, 0.0, -sine), IsSun: true);
-        int level = new DetailRule(levels, DetailRule.DefaultErrorOfImage).LevelOfImage(camera.Footprint, subsamplesPerAxis: 1);
+        int level = new DetailRule(levels, DetailRule.DefaultError).LevelOfImage(camera.Footprint, subsamplesPerAxis: 1);
         Assert.Equal(1, level);
 
         double[] truth = Draw(map, 8);

@@ -1,5 +1,5 @@
 using Msisf.Core.Terrain;
-using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Core.Tests.Support;
 
@@ -18,15 +18,15 @@ public sealed class RuggedMoon
             peaks[peak] = random.NextDouble() * random.NextDouble();
         }
 
-        MemoryElevationGrid grid = new("RUGGED", 2, (line, sample) => 1_730_000.0 + (40_000.0 * Between(peaks, line / 3.0, sample / 3.0)));
+        MemoryElevationGrid grid = new("RUGGED", 2, (line, sample) => 1_717_500.0 + (39_800.0 * Between(peaks, line / 3.0, sample / 3.0)));
         Grid = grid;
-        Summary = ElevationSummary.Build(grid);
+        Selection = new Dspsa(grid);
         Moon = new BruteForceMoon(grid);
     }
 
     public IGlobalGrid Grid { get; }
 
-    public ElevationSummary Summary { get; }
+    public Dspsa Selection { get; }
 
     internal BruteForceMoon Moon { get; }
 
@@ -35,7 +35,7 @@ public sealed class RuggedMoon
         int row0 = Math.Min((int)row, Rows - 2);
         int column0 = (int)column;
         int column1 = (column0 + 1) % Columns;
-        double south = row - row0;
+        double south = Math.Min(row - row0, 1.0);
         double east = column - column0;
         double North(int r) => ((1.0 - east) * peaks[(r * Columns) + column0]) + (east * peaks[(r * Columns) + column1]);
         return ((1.0 - south) * North(row0)) + (south * North(row0 + 1));

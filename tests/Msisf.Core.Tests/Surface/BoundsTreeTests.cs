@@ -48,31 +48,18 @@ public sealed class BoundsTreeTests
         }
     }
 
-    /// <summary>Squares of 1.25 degrees and tiles; at the prime meridian the vertices go on with sample 0.</summary>
+    /// <summary>Groups of 4 x 4 blocks, 129 x 129 vertices; at the prime meridian the vertices go on with sample 0.</summary>
     [Theory]
-    [InlineData(1, 40, 12)]
-    [InlineData(1, 40, 287)]
-    [InlineData(2, 17, 71)]
-    public void Of_SquareOfManyCells_FetchesExactlyWhatItReads(int level, int row, int column)
+    [InlineData(40, 12)]
+    [InlineData(40, 179)]
+    public void Of_GroupOfBlocks_FetchesExactlyWhatItReads(int row, int column)
     {
         FetchedGrid grid = new(FunctionGrid.Hilly(64));
-        BoundsTree tree = new(new TileLayout(64), new FacetMesh(grid));
+        BoundsTree tree = new GridPatch(grid).Bounds;
 
-        tree.Of(level, row, column);
+        tree.Of(SquareLayout.GroupLevel, row, column);
 
-        int edge = level == 1 ? 81 : 321;
-        Assert.Equal((edge * edge, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
-    }
-
-    [Fact]
-    public void ReadRow_NodesBesideEachOther_FetchesExactlyWhatItReads()
-    {
-        FetchedGrid grid = new(FunctionGrid.Hilly(64));
-        BoundsTree tree = new(new TileLayout(64), new FacetMesh(grid));
-
-        tree.ReadRow(360, 1420, 20);
-
-        Assert.Equal((17 * 321, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
+        Assert.Equal((129 * 129, 0, 0), (grid.Read, grid.ReadUnfetched, grid.FetchedInVain));
     }
 
     /// <summary>Tangent of the angle between a facet's normal and the zenith of its middle; 0 for a fan's facet without area.</summary>
@@ -109,25 +96,5 @@ public sealed class BoundsTreeTests
 
         Assert.True(tree.TryGetKnown(SquareLayout.GroupLevel, 1, 2, out NodeBounds known));
         Assert.Equal(union, known);
-    }
-
-    [Theory]
-    [InlineData(4)]
-    [InlineData(16)]
-    public void Of_TreeThatReadAll_IsThatOfOneThatReadsWhatIsAskedFor(int pixelsPerDegree)
-    {
-        FacetMesh mesh = new(FunctionGrid.Hilly(pixelsPerDegree));
-        TileLayout layout = new(pixelsPerDegree);
-        BoundsTree eager = new(layout, mesh);
-        BoundsTree lazy = new(layout, mesh);
-        eager.ReadAll();
-        for (int row = 0; row < layout.Rows(0); row += 13)
-        {
-            for (int column = 0; column < layout.Columns(0); column += 17)
-            {
-                Assert.True(eager.TryGetKnown(0, row, column, out NodeBounds known));
-                Assert.Equal(known, lazy.Of(0, row, column));
-            }
-        }
     }
 }

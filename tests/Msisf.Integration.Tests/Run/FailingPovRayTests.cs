@@ -117,7 +117,10 @@ public sealed class FailingPovRayTests : IDisposable
             55289 2E6 2E6 1 0 0 3.826834323650898E-1 9.238795325112867E-1
             """;
         CommandLineRun run = CommandLineRun.Of(
-            ["--batch-file", "-", "--width", "16", "--height", "16", "--pov-path", StandIn(script), .. RealMoon.Arguments(_folder["out"])],
+            [
+                "--batch-file", "-", "--width", "16", "--height", "16", "--lod", "off", "--pov-path", StandIn(script),
+                .. RealMoon.Arguments(_folder["out"]),
+            ],
             states);
 
         Assert.Equal(3, run.ExitCode);

@@ -1,6 +1,7 @@
 using System.Globalization;
 using Msisf.Adapters.Tiles;
 using Msisf.Core.Attitude;
+using Msisf.Core.Blocks;
 using Msisf.Core.Camera;
 using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
@@ -35,7 +36,7 @@ public static class WorkCounts
     public static IEnumerable<string> OfLdem4() => Of("LDEM_4", MemoryElevationGrid.Ldem4(), Views, side: 512);
 
     /// <summary>
-    /// Counts of images of a made-up model, fine enough for parts of tiles, and with few enough pixels for levels of detail.
+    /// Counts of images of a made-up model, with few enough pixels for levels of detail.
     /// </summary>
     public static IEnumerable<string> OfRuggedMoon() => Of("RUGGED_16", FunctionGrid.Rugged(16), Views[..2], side: 96);
 
@@ -43,13 +44,12 @@ public static class WorkCounts
         string model, IGlobalGrid grid, (string Name, Vector3D Position, double Degrees)[] views, int side)
     {
         LodLevels levels = LodLevels.Open(grid);
-        ElevationSummary summary = ElevationSummary.Build(grid);
         string Line(string name, string count, long value) =>
             string.Create(CultureInfo.InvariantCulture, $"{model}\t{name}\t{count}\t{value}");
         foreach ((string name, Vector3D position, double degrees) in views)
         {
             PinholeCamera camera = new(position, NadirPointing.MoonFromCamera(position), double.DegreesToRadians(degrees), side, side);
-            foreach ((string count, long value) in Of(camera, levels, summary))
+            foreach ((string count, long value) in Of(camera, levels))
             {
                 yield return Line(name, count, value);
             }
@@ -58,18 +58,17 @@ public static class WorkCounts
         yield return Line("tile 10 N 20 E", "bytes of its pattern", BytesOfAPattern(grid));
     }
 
-    private static IEnumerable<(string Count, long Value)> Of(PinholeCamera camera, LodLevels levels, ElevationSummary summary)
+    private static IEnumerable<(string Count, long Value)> Of(PinholeCamera camera, LodLevels levels)
     {
         IGlobalGrid grid = levels.Level(0);
-        DspsaRun run = new(new ViewFrustum(camera, Dspsa.AntialiasingPixels), Sun, grid, summary);
-        yield return ("tiles", run.Select().Kept.Count);
-        yield return ("nodes visited", run.NodesVisited);
-        foreach ((string name, double error) in new[] { ("exact parts", 0.0), ("parts", DetailRule.DefaultErrorOfParts) })
+        yield return ("tiles", new Dspsa(grid).Select(camera, Sun).Kept.Count);
+        foreach ((string name, IFrameTerrain detail) in new (string, IFrameTerrain)[]
+            { ("blocks of the model", new FullDetail(grid)), ("blocks", new ModelDetail(levels, DetailRule.DefaultError)) })
         {
-            IReadOnlyList<SurfacePart> parts = new PartSelector(levels, summary, error).Select(camera, Sun).Parts;
-            yield return (name, parts.Count);
-            yield return ($"triangles of {name}", parts.Sum(
-                part => (long)TileMesh.CountsOf(TileMeshLayout.For(part, grid.PixelsPerDegree)).Faces));
+            SceneBlocks scene = new(detail.For(camera, 1));
+            IReadOnlyList<SceneBlock> blocks = scene.Select(camera, Sun, rows: null, threads: 1, CancellationToken.None);
+            yield return (name, blocks.Count);
+            yield return ($"triangles of {name}", scene.CountFaces(blocks));
         }
 
         VisibilityCounts counts = new VisibilityPass(new SurfaceModel(grid)).Run(camera, 1, CancellationToken.None).Counts;

@@ -8,9 +8,6 @@ public sealed class FuzzStress : IStressTest
     /// <summary>Cases block a thread each while their run needs some; the pool adds new ones too slowly.</summary>
     private const int PoolThreads = 32;
 
-    /// <summary>The others' turns for one of the summaries: where one is refused, a model of 19 million samples is read.</summary>
-    private const int TurnsOfOthers = 10;
-
     /// <inheritdoc/>
     public string Name => "fuzz";
 
@@ -50,17 +47,16 @@ public sealed class FuzzStress : IStressTest
         }
     }
 
-    /// <summary>What is damaged, in turns; the rare one last.</summary>
+    /// <summary>What is damaged, in turns.</summary>
     private static IFuzzTarget[] TurnsOf(FuzzWorld world)
     {
         TextInputs texts = new(world);
         ModelInputs models = new(world);
-        IFuzzTarget[] others =
+        return
         [
             new ArgumentTarget(world), texts.ResponseFiles, texts.BatchFiles, texts.ConfigFiles, texts.Manifests, texts.Kernels,
             models.Labels, models.Images, ModelInputs.GeoTiffs, models.Pyramids,
         ];
-        return [.. Enumerable.Repeat(others, TurnsOfOthers).SelectMany(target => target), models.Summaries];
     }
 
     private static StressFigure[] FiguresOf(FuzzMeasure found, int cases) =>

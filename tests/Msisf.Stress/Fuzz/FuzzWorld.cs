@@ -16,9 +16,6 @@ internal sealed class FuzzWorld : IDisposable
     /// <summary>A state above the ground, looking down; the kernels cover it.</summary>
     public const string State = "{51544.5,1.9E6,0,0,0,0,0,1}";
 
-    /// <summary>px/deg: the minimum at which a model's summary is read from a file.</summary>
-    public const int FlatResolution = 17;
-
     private const double Day = 86400.0;
 
     private readonly DirectoryInfo _folder;
@@ -36,10 +33,8 @@ internal sealed class FuzzWorld : IDisposable
             new SyntheticMapOptions(true, 10_000.0, 80.0, 1, Path.Combine(_folder.FullName, "polar")),
             progress: null,
             CancellationToken.None);
-        FlatModel = WriteFlatModel();
         Kernels = WriteKernels();
         Succeed("ldem", "pyramid", FineModel);
-        WriteSummary(FlatModel);
         OutputFolder = Path.Combine(_folder.FullName, "output");
         Succeed([.. Render, "--times", "{51544.5,51544.51,51544.52}", "--output-dir", OutputFolder]);
     }
@@ -49,9 +44,6 @@ internal sealed class FuzzWorld : IDisposable
 
     /// <summary>Label of a model at 4 px/deg, with a pyramid beside it.</summary>
     public string FineModel { get; }
-
-    /// <summary>Label of a model at <see cref="FlatResolution"/> without a hill, with a summary beside it.</summary>
-    public string FlatModel { get; }
 
     /// <summary>Label of the northern half of a model at 1 px/deg, the southern beside it.</summary>
     public string SplitModel { get; }
@@ -84,31 +76,6 @@ internal sealed class FuzzWorld : IDisposable
             },
             progress: null,
             CancellationToken.None);
-
-    /// <summary>All samples are 0, and take no room on most file systems.</summary>
-    private string WriteFlatModel()
-    {
-        string folder = Directory.CreateDirectory(Path.Combine(_folder.FullName, "flat")).FullName;
-        SyntheticLdemOptions product = new(FlatResolution, 1, folder) { Format = SyntheticSampleFormat.Integers };
-        using (FileStream image = File.Create(Path.Combine(folder, product.ProductId + ".IMG")))
-        {
-            image.SetLength(product.Bytes);
-        }
-
-        string label = Path.Combine(folder, product.ProductId + ".LBL");
-        using StreamWriter writer = File.CreateText(label);
-        SyntheticLdemLabel.Of(product).Write(writer, minimum: 0, maximum: 0);
-        return label;
-    }
-
-    /// <summary>The whole summary; the program itself keeps that of large models alone.</summary>
-    private static void WriteSummary(string label)
-    {
-        LdemSet set = LdemCatalog.Find(FlatResolution, label, []);
-        using LdemImage image = LdemImage.Open(set);
-        using FileStream file = File.Create(Path.ChangeExtension(label, ".summary"));
-        ElevationSummaryFile.Write(file, SummarySource.Of(set), ElevationSummary.Build(image));
-    }
 
     private string WriteKernels()
     {

@@ -7,8 +7,6 @@ namespace Msisf.Stress.Fuzz;
 /// <param name="world">The right ones.</param>
 internal sealed class ModelInputs(FuzzWorld world)
 {
-    private const int SummaryHead = 8; // the magic number; the source's fingerprint follows
-
     public IFuzzTarget Labels => new FileTarget(
         "labels",
         [
@@ -35,19 +33,6 @@ internal sealed class ModelInputs(FuzzWorld world)
             FuzzInput.Among(
                 Path.ChangeExtension(world.FineModel, ".pyramid"),
                 path => [.. Calls(LabelBeside(path), 4), ["ldem", "pyramid", "--verify", LabelBeside(path)]]),
-        ]);
-
-    public IFuzzTarget Summaries => new FileTarget(
-        "summaries",
-        [
-            new FuzzInput(
-                Path.GetFileName(Path.ChangeExtension(world.FlatModel, ".summary")),
-                folder =>
-                {
-                    FuzzInput.Among(Path.ChangeExtension(world.FlatModel, ".summary"), _ => []).Prepare(folder);
-                    return SummaryIn(folder);
-                },
-                path => [ListPatterns(LabelBeside(path), FuzzWorld.FlatResolution)]),
         ]);
 
     private static IEnumerable<IReadOnlyList<string>> Calls(string model, int resolution)
@@ -86,14 +71,5 @@ internal sealed class ModelInputs(FuzzWorld world)
         label = label.Replace(
             "FILE_RECORDS              = 180", FormattableString.Invariant($"FILE_RECORDS = {180 + Records}"), StringComparison.Ordinal);
         return [.. Encoding.ASCII.GetBytes(label.PadRight(Records * 720)), .. image];
-    }
-
-    /// <summary>The summary, as if it were made of the model as it lies here.</summary>
-    private byte[] SummaryIn(string folder)
-    {
-        byte[] summary = File.ReadAllBytes(Path.ChangeExtension(world.FlatModel, ".summary"));
-        LdemLabel label = LdemLabelReader.ReadFile(Path.Combine(folder, Path.GetFileName(world.FlatModel)));
-        SummarySource.Of(label).Fingerprint().CopyTo(summary, SummaryHead);
-        return summary;
     }
 }

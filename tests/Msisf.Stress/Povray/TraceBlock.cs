@@ -65,7 +65,7 @@ internal sealed class TraceBlock
 
     /// <summary>Where it is, for the report.</summary>
     public string Place =>
-        $"{_mesh.Layout.PixelsPerDegree} px/deg, {_mesh.Layout.Part.Tile.RangeText}, cells from line {_mesh.Layout.FirstLine}, "
+        $"{_mesh.Layout.PixelsPerDegree} px/deg, {_mesh.Layout.Tile.RangeText}, cells from line {_mesh.Layout.FirstLine}, "
             + $"sample {_mesh.Layout.FirstSample} on";
 
     /// <summary>Writes it as a pattern.</summary>

@@ -8,9 +8,9 @@ namespace Msisf.Stress.Selection;
 
 /// <summary>The tiles that the selection keeps, against images by rays through every facet.</summary>
 /// <param name="moon">The Moon.</param>
-/// <param name="summary">What the selection goes by.</param>
+/// <param name="selection">Selects its tiles.</param>
 /// <param name="firstCamera">Number of the first of its <see cref="CameraCases"/>.</param>
-internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary, int firstCamera) : IMeasure<SelectionMeasure>
+internal sealed class SelectionMeasure(JudgedMoon moon, Dspsa selection, int firstCamera) : IMeasure<SelectionMeasure>
 {
     /// <summary>Of each image, about.</summary>
     private const int Pixels = 600;
@@ -34,18 +34,18 @@ internal sealed class SelectionMeasure(JudgedMoon moon, ElevationSummary summary
     public void Try(int number, CaseRandom random)
     {
         (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(firstCamera + number, moon.Grid, Pixels);
-        TileSelection selection = Dspsa.Select(camera, sun, moon.Grid, summary);
+        TileSelection tiles = selection.Select(camera, sun);
         BruteForceImage whole = new(moon.Facets, camera, sun, isThere: null);
-        BruteForceImage selected = new(moon.Facets, camera, sun, TilesThere.In(selection));
+        BruteForceImage selected = new(moon.Facets, camera, sun, TilesThere.In(tiles));
         string Text() => $"CameraCases {firstCamera + number} ({kind})";
         _differences.Note(whole.DifferencesFrom(selected), camera.Width * camera.Height, Text);
 
-        bool[] isKept = TilesThere.In(Dspsa.Select(camera, null, moon.Grid, summary));
+        bool[] isKept = TilesThere.In(selection.Select(camera, null));
         _missed.Note(isKept.Zip(whole.HitTiles).Count(tile => tile.Second && !tile.First), whole.HitTiles.Count(isHit => isHit), Text);
 
         _pixels += camera.Width * camera.Height;
         _lit += whole.Lit;
-        _kept += selection.Kept.Count;
+        _kept += tiles.Kept.Count;
     }
 
     /// <inheritdoc/>

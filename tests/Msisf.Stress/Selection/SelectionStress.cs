@@ -1,4 +1,4 @@
-using Msisf.Core.Tiles;
+using Msisf.Core.Tiles.Selection;
 
 namespace Msisf.Stress.Selection;
 
@@ -23,11 +23,11 @@ public sealed class SelectionStress : IStressTest
         (int real, int madeUp, int excess) = length == StressLength.Full ? (10_000, 2_000, 1_000) : (36, 12, 6);
         JudgedMoon moon = JudgedMoon.Real;
         JudgedMoon rugged = JudgedMoon.MadeUp();
-        ElevationSummary summary = ElevationSummary.Build(moon.Grid);
-        ElevationSummary ruggedSummary = ElevationSummary.Build(rugged.Grid);
-        SelectionMeasure onReal = SeededCases.Run(real, seed, () => new SelectionMeasure(moon, summary, FirstCamera));
-        SelectionMeasure onMadeUp = SeededCases.Run(madeUp, seed, () => new SelectionMeasure(rugged, ruggedSummary, FirstCamera));
-        ExcessMeasure tooMany = SeededCases.Run(excess, seed, () => new ExcessMeasure(moon, summary, FirstCamera));
+        Dspsa selection = new(moon.Grid);
+        Dspsa onRugged = new(rugged.Grid);
+        SelectionMeasure onReal = SeededCases.Run(real, seed, () => new SelectionMeasure(moon, selection, FirstCamera));
+        SelectionMeasure onMadeUp = SeededCases.Run(madeUp, seed, () => new SelectionMeasure(rugged, onRugged, FirstCamera));
+        ExcessMeasure tooMany = SeededCases.Run(excess, seed, () => new ExcessMeasure(moon, selection, FirstCamera));
         return new StressReport(
             Name, real + madeUp + excess, [.. onReal.Figures, .. onMadeUp.Figures, .. tooMany.Figures], [.. tooMany.Series]);
     }

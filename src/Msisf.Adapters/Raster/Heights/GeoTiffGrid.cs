@@ -153,10 +153,6 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     public string? VerifyKept(string? cacheFolder, CancellationToken cancellation) =>
         _content.Verify(this, Kept(cacheFolder), cancellation);
 
-    /// <summary>What tells it from other models of the whole Moon, and from an older one of the same name.</summary>
-    public SummarySource ToSummarySource() => new(
-        ProductId, Projection.Resolution.PixelsPerDegree ?? 0, ImageBytes: 0, ImageWritten: default, Convert.ToHexString(Fingerprint()));
-
     private byte[] Fingerprint() => RasterScanFile.Fingerprint(Files, Invariant($"{_placement} {_rule}"));
 
     private KeptRaster Kept(string? cacheFolder)

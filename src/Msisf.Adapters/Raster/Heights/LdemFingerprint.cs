@@ -22,7 +22,7 @@ public sealed record LdemFingerprint(string ProductId, long ImageBytes, string S
             FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
             {
                 using Stream text = RasterFiles.OpenRead(label.LabelPath);
-                FilePieces.Append(hash, text, 0, Math.Min(text.Length, SummarySource.LongestLabel));
+                FilePieces.Append(hash, text, 0, Math.Min(text.Length, ModelSource.LongestLabel));
                 foreach (string path in (string[])[FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath, .. label.OtherFiles])
                 {
                     using Stream image = RasterFiles.OpenRead(path);

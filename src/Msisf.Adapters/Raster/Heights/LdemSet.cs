@@ -63,7 +63,7 @@ public sealed class LdemSet
     /// <summary>Takes the label of a polar map.</summary>
     public static LdemSet OfMap(LdemLabel label) => new([label], label.ProductId, []);
 
-    /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.summary".</summary>
+    /// <summary>Path of a file beside the images that is derived from the model, e.g. "LDEM_64.pyramid".</summary>
     /// <param name="extension">With its dot.</param>
     public string FileBeside(string extension) => Parts.Count == 1
         ? Path.ChangeExtension(Parts[0].ImagePath, extension)

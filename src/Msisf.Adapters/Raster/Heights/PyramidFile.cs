@@ -44,7 +44,7 @@ public sealed class PyramidFile : IDisposable
     /// <summary>Opens a sidecar if it is complete and of this model. Neither its samples nor the model's are read for that.</summary>
     /// <param name="problem">Why it can't be used; null if it can, or if there is none.</param>
     public static PyramidFile? TryOpen(string path, LdemImage image, out string? problem) => TryOpen(
-        path, image, SummarySource.Of(image.Set).Fingerprint(), _ => PyramidLayout.OfMoon(image.PixelsPerDegree), out problem);
+        path, image, ModelSource.Of(image.Set).Fingerprint(), _ => PyramidLayout.OfMoon(image.PixelsPerDegree), out problem);
 
     /// <summary>Opens the sidecar of a map.</summary>
     /// <param name="fingerprint">Of the map.</param>

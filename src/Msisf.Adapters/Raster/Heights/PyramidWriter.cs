@@ -29,7 +29,7 @@ public static class PyramidWriter
                 $"{image.Set.Location}: a model of {image.PixelsPerDegree} px/deg has no levels that are worth a file. It needs none.");
         }
 
-        byte[] fingerprint = SummarySource.Of(image.Set).Fingerprint();
+        byte[] fingerprint = ModelSource.Of(image.Set).Fingerprint();
         ParallelOptions options = new() { MaxDegreeOfParallelism = Math.Max(1, threads), CancellationToken = cancellation };
         try
         {
@@ -58,7 +58,7 @@ public static class PyramidWriter
             progress?.Report((row + 1.0) / rows.Count);
         }
 
-        if (!SummarySource.Of(image.Set).Fingerprint().SequenceEqual(fingerprint))
+        if (!ModelSource.Of(image.Set).Fingerprint().SequenceEqual(fingerprint))
         {
             throw new BadInputException(
                 $"{image.Set.Location}: the model was changed while it was read. Start again when it is complete.");

@@ -2,7 +2,7 @@ using Msisf.Core.Surface;
 
 namespace Msisf.Core.Render.Shadows;
 
-/// <summary>Bounds of all points of some blocks that do not lie in the night zone.</summary>
+/// <summary>Bounds of all points of some nodes that do not lie in the night zone.</summary>
 internal sealed class BlockReceivers : IReceiverBounds
 {
     /// <summary>Number of bins along each edge of the grid: more than there are blocks along the edge of most images.</summary>
@@ -14,17 +14,17 @@ internal sealed class BlockReceivers : IReceiverBounds
     private readonly DepthGrid _depths = new();
 
     /// <summary>Finds the bounds.</summary>
-    /// <param name="blocks">The blocks; their bounds are known.</param>
+    /// <param name="places">The nodes; their bounds are known.</param>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
-    /// <param name="solidRadius">Radius of the night zone, m.</param>
-    public BlockReceivers(SurfaceModel surface, IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, double solidRadius)
+    /// <param name="solidRadius">Radius of the night zone, m; 0 for none.</param>
+    public BlockReceivers(SurfaceModel surface, IEnumerable<SurfaceNode> places, Vector3D sunBodyFixed, double solidRadius)
     {
         List<TerrainNode> nodes = [];
         Vector3D sum = default;
-        foreach (CellBlock block in blocks)
+        foreach (SurfaceNode place in places)
         {
-            Patch patch = surface.Patches[block.Part];
-            nodes.Add(patch.NodeOf(block.Node, patch.BoundsOf(block.Node)));
+            Patch patch = surface.Patches[place.Part];
+            nodes.Add(patch.NodeOf(place.Place, patch.BoundsOf(place.Place)));
             sum += nodes[^1].Cap.Centre;
         }
 

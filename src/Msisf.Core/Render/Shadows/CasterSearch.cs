@@ -39,7 +39,12 @@ internal sealed class CasterSearch
     /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
     /// <returns>The blocks; the list is valid until the next search.</returns>
     public IReadOnlyList<CellBlock> Find(IReceiverBounds receivers, double slope, int threads, CancellationToken cancellation) =>
-        _search.Find(new Casters(new CasterBounds(receivers, slope, _maxRadius), _limits), threads, cancellation);
+        _search.Find(new Casters(BoundsOf(receivers, slope), _limits), threads, cancellation);
+
+    /// <summary>Tells of single nodes whether they may cast a shadow on a receiver.</summary>
+    /// <param name="receivers">The receivers; not empty.</param>
+    /// <param name="slope">Radius of the Sun's disc over its distance; 0 for a point.</param>
+    public CasterBounds BoundsOf(IReceiverBounds receivers, double slope) => new(receivers, slope, _maxRadius);
 
     private readonly struct Casters(CasterBounds bounds, NodeBounds limits) : IBlockTester<CellBlock>
     {

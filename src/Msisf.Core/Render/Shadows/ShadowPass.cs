@@ -81,7 +81,7 @@ internal sealed class ShadowPass
         IEnumerable<CellBlock> blocks, Vector3D sunBodyFixed, double slope, int threads, CancellationToken cancellation)
     {
         Start(sunBodyFixed, threads);
-        BlockReceivers receivers = new(_surface, blocks, sunBodyFixed, _search.SolidRadius);
+        BlockReceivers receivers = new(_surface, blocks.Select(block => block.SurfaceNode), sunBodyFixed, _search.SolidRadius);
         _casters.Lay(receivers.Box, CasterBins);
         IReadOnlyList<CellBlock> found = receivers.Box.IsEmpty ? [] : _search.Find(receivers, slope, threads, cancellation);
         WorkerTeam.Run(

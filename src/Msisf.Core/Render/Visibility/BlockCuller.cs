@@ -27,10 +27,15 @@ internal sealed class BlockCuller
     }
 
     /// <summary>Returns the blocks that may be visible, always in the same order; the list is valid until the next call.</summary>
-    public List<VisibleBlock> Find(ViewFrustum frustum, int threads, CancellationToken cancellation) => _search.Find(
-        new InImage(frustum, new MoonHorizon(frustum.CameraBodyFixed, _surface.SolidRadius(_limits.Min)), _limits), threads, cancellation);
+    public List<VisibleBlock> Find(ViewFrustum frustum, int threads, CancellationToken cancellation) =>
+        _search.Find(BoundsOf(frustum), threads, cancellation);
 
-    private readonly struct InImage(ViewFrustum frustum, MoonHorizon horizon, (double Min, double Max) limits)
+    /// <summary>Tells of single nodes whether an image may show them.</summary>
+    public InImage BoundsOf(ViewFrustum frustum) =>
+        new(frustum, new MoonHorizon(frustum.CameraBodyFixed, _surface.SolidRadius(_limits.Min)), _limits);
+
+    /// <summary>What an image may show.</summary>
+    internal readonly struct InImage(ViewFrustum frustum, MoonHorizon horizon, (double Min, double Max) limits)
         : IBlockTester<VisibleBlock>
     {
         /// <summary>Whether a node may be in the image if its blocks may have any radius within the limits of the model.</summary>
@@ -40,20 +45,12 @@ internal sealed class BlockCuller
             return !horizon.Hides(box, limits.Max) && frustum.TryFindRows(box.Box, out _);
         }
 
-        /// <remarks>From a facet's middle to its corners, up turns by less than the angle of a cell.</remarks>
+        /// <summary>Whether a node may be in the image; its bounds are read if they were not yet.</summary>
+        public bool MaySee(Patch patch, NodePlace node) => MaySee(patch, node, out _, out _);
+
         public bool TryFind(Patch patch, CellBlock block, out VisibleBlock found)
         {
-            NodeBounds bounds = patch.BoundsOf(block.Node);
-            if (patch.ProductId is { } product && (bounds.Min < limits.Min || bounds.Max > limits.Max))
-            {
-                throw OutsideLimits(product, patch.Layout.Cells(SquareLayout.CellBlockLevel, block.Row, block.Column), bounds);
-            }
-
-            NodeBox box = patch.BoxOf(block.Node, bounds.Min, bounds.Max);
-            double lowest = (bounds.Min * patch.Sagitta) - Tolerances.VertexLattice;
-            if (horizon.Hides(box, bounds.Max)
-                || horizon.IsTurnedAway(box, lowest, bounds.MaxSlope + patch.CellAngle)
-                || !frustum.TryFindRows(box.Box, out PixelRows rows))
+            if (!MaySee(patch, block.Node, out PixelRows rows, out NodeBox box))
             {
                 found = default;
                 return false;
@@ -66,6 +63,19 @@ internal sealed class BlockCuller
         public CellBlock BlockOf(VisibleBlock found) => found.Block;
 
         public VisibleBlock WithBlock(VisibleBlock found, CellBlock piece) => found with { Block = piece };
+
+        private bool MaySee(Patch patch, NodePlace node, out PixelRows rows, out NodeBox box)
+        {
+            NodeBounds bounds = patch.BoundsOf(node);
+            if (patch.ProductId is { } product && (bounds.Min < limits.Min || bounds.Max > limits.Max))
+            {
+                throw OutsideLimits(product, patch.Layout.Cells(node.Level, node.Row, node.Column), bounds);
+            }
+
+            rows = default;
+            box = patch.BoxOf(node, bounds.Min, bounds.Max);
+            return !horizon.Hides(box, bounds.Max) && !horizon.IsTurnedAway(patch, box, bounds) && frustum.TryFindRows(box.Box, out rows);
+        }
 
         private BadInputException OutsideLimits(string product, CellRange cells, NodeBounds bounds) => new(Invariant(
             $"{product}, lines {cells.FirstLine + 1} to {cells.EndLine + 1}, samples {cells.FirstSample + 1} to {cells.EndSample + 1}: "

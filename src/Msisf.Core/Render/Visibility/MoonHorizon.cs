@@ -58,6 +58,26 @@ internal sealed class MoonHorizon
         return GroundFacing.IsTurnedAway(nearest, _distance, minRadius, maxSlope);
     }
 
+    /// <summary>Whether all facets of a node face away from the camera.</summary>
+    /// <remarks>From a facet's middle to its corners, up turns by less than the angle of a cell.</remarks>
+    public bool IsTurnedAway(Patch patch, in NodeBox box, NodeBounds bounds) => IsTurnedAway(
+        box, (bounds.Min * patch.Sagitta) - Tolerances.VertexLattice, bounds.MaxSlope + patch.CellAngle);
+
+    /// <summary>Whether all facets of a node face the camera: it is higher over their horizon than they are steep.</summary>
+    public bool IsTurnedTo(Patch patch, in NodeBox box, NodeBounds bounds)
+    {
+        if (!_isOutside)
+        {
+            return false;
+        }
+
+        double cosine = Vector3D.Dot(_toCamera, box.Up);
+        SineCosine farthest = Sum(new SineCosine(Math.Sqrt(Math.Max(0.0, (1.0 - cosine) * (1.0 + cosine))), cosine), box.CapRadius);
+        double highest = bounds.Max + Tolerances.VertexLattice;
+        return farthest.Sine >= 0.0
+            && (_distance * farthest.Cosine) - highest > (bounds.MaxSlope + patch.CellAngle) * _distance * farthest.Sine;
+    }
+
     /// <summary>The angle from 0 to pi/2 that has a cosine; 0 for a cosine above 1.</summary>
     private static SineCosine AngleOfCosine(double cosine)
     {

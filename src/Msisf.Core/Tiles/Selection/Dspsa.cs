@@ -1,3 +1,4 @@
+using Msisf.Core.Blocks;
 using Msisf.Core.Camera;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
@@ -6,44 +7,73 @@ namespace Msisf.Core.Tiles.Selection;
 
 /// <summary>
 /// The Dynamical Surface Pattern Selection Algorithm: which tiles an image needs (thesis chapter 8). The thesis intersects a ray for each
-/// pixel with a sphere; this version works with bounds of the real surface and misses no tile (docs/surface.md).
+/// pixel with a sphere (<see cref="SphereRays"/>). To these tiles come those whose relief is in view although no ray hits the sphere there,
+/// and those that throw shadows into the image; tiles that are certainly dark or hidden are left out (docs/surface.md). Safe for several
+/// threads.
 /// </summary>
-public static class Dspsa
+/// <param name="grid">The model.</param>
+public sealed class Dspsa(IGlobalGrid grid)
 {
-    /// <summary>px: margin around the image that contains all rays of antialiasing.</summary>
-    internal const double AntialiasingPixels = 1.0;
+    private readonly SurfaceModel _surface = SurfaceModel.Of(grid);
 
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
-    /// <param name="summary">Summary of the same model.</param>
-    /// <exception cref="BadInputException">
-    /// The camera is inside the Moon, the Sun is no higher than the terrain, or the summary is of another model.
-    /// </exception>
-    public static TileSelection Select(ICamera camera, Vector3D? sunPositionBodyFixed, IGlobalGrid grid, ElevationSummary summary)
+    /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
+    public TileSelection Select(ICamera camera, Vector3D? sunPositionBodyFixed, int threads = 1, CancellationToken cancellation = default)
     {
-        Check(camera, sunPositionBodyFixed, grid, summary);
-        TileSelection[] ofBands = [.. camera.Bounds(AntialiasingPixels).Zip(camera.Bands, (bounds, band) => new DspsaRun(
-            bounds, sunPositionBodyFixed is null ? null : band.Camera.State.SunPositionBodyFixed ?? sunPositionBodyFixed,
-            grid, summary).Select())];
-        return ofBands is [TileSelection only]
-            ? only
-            : new TileSelection(ofBands.SelectMany(band => band.All).GroupBy(choice => choice.Tile).Select(
-                tile => tile.OrderByDescending(choice => choice.IsKept).First()));
-    }
-
-    /// <summary>Refuses input for which no selection is possible.</summary>
-    internal static void Check(ICamera camera, Vector3D? sunPositionBodyFixed, IGlobalGrid grid, ElevationSummary summary)
-    {
-        summary.CheckFits(grid);
         foreach (CameraBand band in camera.Bands)
         {
             TerrainHeight.RequireAbove(grid, band.Camera.PositionBodyFixed);
         }
 
-        if (sunPositionBodyFixed is Vector3D sun && !(sun.IsFinite && sun.Length > summary.MaxRadius))
+        TileGroups groups = new(_surface.Parts[0], grid.PixelsPerDegree);
+        IReadOnlyDictionary<TileId, SceneReason> reasons = SceneSelection<TileId>.Select(
+            _surface, groups, camera, sunPositionBodyFixed, rows: null, threads, cancellation);
+        Lazy<IReadOnlySet<TileId>> inFrame = new(() => TilesInFrame(groups, camera));
+        return new TileSelection(TileId.All.Select(tile => new TileChoice(tile, reasons.TryGetValue(tile, out SceneReason reason)
+            ? ReasonOf(reason)
+            : inFrame.Value.Contains(tile) ? TileReason.Hidden : TileReason.OutsideFrame)));
+    }
+
+    private static TileReason ReasonOf(SceneReason reason) => reason switch
+    {
+        SceneReason.Visible => TileReason.Visible,
+        SceneReason.CastsShadow => TileReason.CastsShadow,
+        SceneReason.DarkButCovering => TileReason.DarkButCovering,
+        _ => TileReason.Night,
+    };
+
+    /// <summary>The tiles that would be in the image if nothing hid them and ground could have any height of the model.</summary>
+    private HashSet<TileId> TilesInFrame(TileGroups groups, ICamera camera)
+    {
+        HashSet<TileId> tiles = [];
+        foreach (ViewFrustum frustum in camera.Bounds(SceneSelection.AntialiasingPixels))
         {
-            throw new BadInputException($"The Sun's position {sun} m is not above the Moon's highest terrain; give one that is.");
+            InFrame tester = new(frustum, _surface, groups, tiles);
+            NodeWalk.All(_surface.Parts[0].Layout, ref tester);
+        }
+
+        return tiles;
+    }
+
+    private readonly struct InFrame(ViewFrustum frustum, SurfaceModel surface, TileGroups groups, HashSet<TileId> tiles) : INodeTester
+    {
+        public Visit Test(NodePlace node)
+        {
+            (double min, double max) = surface.RadiusLimits;
+            if (!frustum.TryFindRows(surface.Parts[0].BoxOf(node, min, max).Box, out _))
+            {
+                return Visit.Skip;
+            }
+
+            if (node.Level > groups.LevelOf(part: 0))
+            {
+                return Visit.Descend;
+            }
+
+            tiles.UnionWith(groups.GroupsOf(new SurfaceNode(0, node)));
+            return Visit.Skip;
         }
     }
 }

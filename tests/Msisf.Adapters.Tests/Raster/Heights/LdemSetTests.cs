@@ -115,15 +115,15 @@ public sealed class LdemSetTests : IDisposable
     }
 
     [Fact]
-    public void SummarySource_AnyPartChanges_IsAnother()
+    public void ModelSource_AnyPartChanges_IsAnother()
     {
         string[] names = SplitModel.Write(_folder.Path, 90, 180);
-        byte[] before = SummarySource.Of(Find()).Fingerprint();
-        Assert.Equal(before, SummarySource.Of(Find()).Fingerprint());
+        byte[] before = ModelSource.Of(Find()).Fingerprint();
+        Assert.Equal(before, ModelSource.Of(Find()).Fingerprint());
 
         File.SetLastWriteTimeUtc(_folder[names[0] + ".IMG"], new DateTime(2017, 9, 15, 0, 0, 0, DateTimeKind.Utc));
 
-        Assert.NotEqual(before, SummarySource.Of(Find()).Fingerprint());
+        Assert.NotEqual(before, ModelSource.Of(Find()).Fingerprint());
     }
 
     [Fact]
@@ -131,7 +131,7 @@ public sealed class LdemSetTests : IDisposable
     {
         SplitModel.Write(_folder.Path, 90, 180);
 
-        Assert.Equal(_folder["LDEM_1.summary"], Find().FileBeside(".summary"));
+        Assert.Equal(_folder["LDEM_1.pyramid"], Find().FileBeside(".pyramid"));
     }
 
     private LdemSet Find() => LdemCatalog.Find(1, null, [_folder.Path]);

@@ -24,8 +24,8 @@ public sealed class DspsaRuggedMoonTests(RuggedMoon rugged) : IClassFixture<Rugg
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, rugged.Grid, number > 1000 ? 600 : 1000);
             BruteForceImage whole = new(rugged.Moon, camera, sun, isThere: null);
-            BruteForceImage selected = new(rugged.Moon, camera, sun, TilesThere.In(Dspsa.Select(camera, sun, rugged.Grid, rugged.Summary)));
-            bool[] withoutSun = TilesThere.In(Dspsa.Select(camera, null, rugged.Grid, rugged.Summary));
+            BruteForceImage selected = new(rugged.Moon, camera, sun, TilesThere.In(rugged.Selection.Select(camera, sun)));
+            bool[] withoutSun = TilesThere.In(rugged.Selection.Select(camera, null));
             bool isAllThere = whole.HitTiles.Zip(withoutSun).All(tile => !tile.First || tile.Second);
             if (whole.DifferencesFrom(selected) > 0 || !isAllThere)
             {

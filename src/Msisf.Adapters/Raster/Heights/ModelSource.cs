@@ -10,17 +10,17 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <param name="ImageBytes">Size of the image file; of a split product all of them.</param>
 /// <param name="ImageWritten">When the image file was last written; of a split product the last of them.</param>
 /// <param name="LabelText">The whole label; of a split product name, size, time and label of each part.</param>
-public sealed record SummarySource(string ProductId, int PixelsPerDegree, long ImageBytes, DateTimeOffset ImageWritten, string LabelText)
+public sealed record ModelSource(string ProductId, int PixelsPerDegree, long ImageBytes, DateTimeOffset ImageWritten, string LabelText)
 {
     /// <summary>Bytes. A label has a few kB; of a file with an attached label no more is read.</summary>
     internal const int LongestLabel = 65536;
 
     /// <summary>The source that a model's labels describe, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static SummarySource Of(LdemSet set)
+    public static ModelSource Of(LdemSet set)
     {
-        SummarySource[] parts = [.. set.Parts.Select(Of)];
-        return parts.Length == 1 ? parts[0] : new SummarySource(
+        ModelSource[] parts = [.. set.Parts.Select(Of)];
+        return parts.Length == 1 ? parts[0] : new ModelSource(
             set.ProductId,
             set.PixelsPerDegree,
             parts.Sum(part => part.ImageBytes),
@@ -30,11 +30,11 @@ public sealed record SummarySource(string ProductId, int PixelsPerDegree, long I
 
     /// <summary>The source that a label describes, as its files are now.</summary>
     /// <exception cref="ExternalPartException">They can't be read.</exception>
-    public static SummarySource Of(LdemLabel label) => FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
+    public static ModelSource Of(LdemLabel label) => FileErrors.ToExternalPart($"{label.LabelPath}: can't be read", () =>
     {
         FileInfo image = new(FileNames.FindIgnoringCase(label.ImagePath) ?? label.ImagePath);
         using FileStream stream = File.OpenRead(label.LabelPath);
-        return new SummarySource(
+        return new ModelSource(
             label.ProductId, label.PixelsPerDegree, image.Length, image.LastWriteTimeUtc, PdsLabelParser.TextOf(stream, LongestLabel));
     });
 

@@ -3,13 +3,13 @@ using Xunit;
 
 namespace Msisf.Integration.Tests.Run;
 
-/// <summary>Images of POV-Ray from parts of tiles, beside those from whole patterns.</summary>
-public sealed class PartImageTests : IDisposable
+/// <summary>Images of POV-Ray from blocks at levels of detail, beside those from whole tiles.</summary>
+public sealed class LevelImageTests : IDisposable
 {
     /// <summary>Half of the Moon, 64 px a radius; the terminator runs through it.</summary>
     private static readonly string[] Disc = [.. From("{8.66e6,5e6,0,0,0,100}"), "--fov", "22", "--width", "160", "--height", "160"];
 
-    /// <summary>Some tiles.</summary>
+    /// <summary>Some blocks.</summary>
     private static readonly string[] Near = [.. From("{1.9e6,1e5,0,0,0,100}"), "--fov", "30", "--width", "32", "--height", "32"];
 
     private readonly TemporaryFolder _folder = new();
@@ -20,20 +20,20 @@ public sealed class PartImageTests : IDisposable
     /// The disc has half a million triangles, so where there are two cores it is drawn in strips; coarser levels have far fewer.
     /// </summary>
     [RequiresFact(Part.Ldem4, Part.PovRay)]
-    public void Render_PartsOfTheModelItselfAndCoarserLevels_AreTheImageOfWholePatternsAndStayNearIt()
+    public void Render_BlocksOfTheModelItselfAndCoarserLevels_AreTheImageOfTilesAndStayNearIt()
     {
         Render(Disc, "whole", "--lod", "off");
-        Render(Disc, "parts", "--lod-error", "0");
+        Render(Disc, "blocks", "--lod-error", "0");
 
-        Assert.Equal(File.ReadAllBytes(_folder["whole.png"]), File.ReadAllBytes(_folder["parts.png"]));
-        Assert.True(Includes("parts") <= Includes("whole"), "more tiles than whole patterns");
+        // POV-Ray's 32-bit floats round the same vertices from other origins.
+        Assert.InRange(RootMeanSquare(PngPixels.Read(_folder["whole.png"]), PngPixels.Read(_folder["blocks.png"])), 0.0, 0.05);
 
         Render(Disc, "half", "--lod-error", "0.5");
         Render(Disc, "coarse", "--lod-error", "1");
         PngPixels whole = PngPixels.Read(_folder["whole.png"]);
 
-        Assert.Contains("_level_1_", File.ReadAllText(_folder["half.pov"]), StringComparison.Ordinal);
-        Assert.Contains("_level_2_", File.ReadAllText(_folder["coarse.pov"]), StringComparison.Ordinal);
+        Assert.Contains("_levels_1_", File.ReadAllText(_folder["half.pov"]), StringComparison.Ordinal);
+        Assert.Contains("_levels_2_", File.ReadAllText(_folder["coarse.pov"]), StringComparison.Ordinal);
 
         // Cells of 0.8 and 1.5 px beside those of 0.4; measured 3.3 and 4.1 grey levels.
         double half = RootMeanSquare(whole, PngPixels.Read(_folder["half.png"]));
@@ -43,7 +43,7 @@ public sealed class PartImageTests : IDisposable
     }
 
     [RequiresFact(Part.Ldem4, Part.PovRay)]
-    public void Render_Again_MakesNoPartAnew()
+    public void Render_Again_MakesNoBlockAnew()
     {
         string[] empty = ["--pattern-repos", _folder["patterns"]];
         CommandLineRun first = Render(Near, "first", ["--timing", .. empty]);
@@ -65,9 +65,6 @@ public sealed class PartImageTests : IDisposable
 
         return Math.Sqrt(sum / (a.Width * a.Height));
     }
-
-    private int Includes(string name) =>
-        File.ReadLines(_folder[$"{name}.pov"]).Count(line => line.StartsWith("#include", StringComparison.Ordinal));
 
     private static string[] From(string state) => ["--state-vectors", state, "--epoch", "55289", "--time", "55289"];
 
