@@ -29,7 +29,7 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         + "--albedo-map FILE:WAC_A.IMG,scale=0.001,incidence=60,emission=0,phase=60";
 
     /// <summary>Light from the ground takes long: of few pixels.</summary>
-    private const string LitGround = "--width 8 --height 8 --indirect --layers indirect";
+    private const string LitGround = "--width 4 --height 4 --indirect --layers indirect";
 
     /// <summary>Options that POV-Ray alone has, and the choice of it: it is no part of these tests.</summary>
     private static readonly OptionSpec[] OfPovRay = [RendererOptions.Renderer, .. PovOptions.Group.Options];

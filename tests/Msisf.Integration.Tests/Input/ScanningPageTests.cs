@@ -23,7 +23,7 @@ public sealed partial class ScanningPageTests : IDisposable
                 continue;
             }
 
-            Run(words, "512", "24", hasDetail: true);
+            Run(words, "512", "6", hasDetail: true);
         }
 
         byte[] still = File.ReadAllBytes(_folder["still/MoonSurfIllumSim_step_00001.png"]);
