@@ -56,8 +56,8 @@ internal sealed class KilledSet : IDisposable
         judge.Judge(set, new FrameFolder(_undisturbedFolder[Output]), last, done * Jobs, what);
         if (_series.Patterns is not null)
         {
-            FrameFolder patterns = new(folder[Path.Combine(Patterns, "4")]);
-            judge.NoteDifferences(patterns, new FrameFolder(_undisturbedFolder[Path.Combine(Patterns, "4")]), what);
+            FrameFolder patterns = new(folder[Path.Combine(Patterns, "LDEM_4")]);
+            judge.NoteDifferences(patterns, new FrameFolder(_undisturbedFolder[Path.Combine(Patterns, "LDEM_4")]), what);
             judge.NoteLeftovers(patterns.Leftovers, what);
         }
 

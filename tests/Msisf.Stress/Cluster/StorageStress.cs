@@ -112,8 +112,8 @@ public sealed class StorageStress : IStressTest
         judge.Judge(set, new FrameFolder(alone[Output]), last, inFlight: set.FramesMade, what);
         if (series.Patterns is not null)
         {
-            FrameFolder patterns = new(folder[Path.Combine(Copy, Patterns, "4")]);
-            judge.NoteDifferences(patterns, new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
+            FrameFolder patterns = new(folder[Path.Combine(Copy, Patterns, "LDEM_4")]);
+            judge.NoteDifferences(patterns, new FrameFolder(alone[Path.Combine(Patterns, "LDEM_4")]), what);
             judge.NoteLeftovers(patterns.Leftovers, what);
         }
     }
