@@ -55,10 +55,10 @@ final class Ldem16PatternsTest extends TestCase
             '--for-batch', $folder->path('states.tab'), '--fov', '1', '--width', '16', '--height', '16', '--lod', 'off', '--ignore-sun',
         ]);
         self::assertCount(count($tiles), glob($folder->path('php/16/*')));
-        self::assertSame([], $reference->differencesIn($folder->path('php'), wantAll: true));
+        self::assertSame([], $reference->differencesIn($folder->path('php'), wantAll: false));
     }
 
-    /** A line of a batch file: a camera low over the middle of a tile, which looks straight down, so that it sees that tile alone. */
+    /** A line of a batch file: a camera low over the middle of a tile, which looks straight down: msis makes that tile, and beside a pole neighbours. */
     private static function stateOver(TileId $tile): string
     {
         $latitude = deg2rad($tile->southDegrees + 2.5);
