@@ -14,12 +14,14 @@ internal sealed class BruteForceImage
     /// <param name="camera">A ray through the middle of each pixel.</param>
     /// <param name="sun">m, MOON_ME.</param>
     /// <param name="isThere">By tile (row 0 northernmost); null: all.</param>
-    public BruteForceImage(BruteForceMoon moon, PinholeCamera camera, Vector3D sun, bool[]? isThere)
+    /// <param name="rows">The others stay black; null: all.</param>
+    public BruteForceImage(BruteForceMoon moon, PinholeCamera camera, Vector3D sun, bool[]? isThere, PixelRows? rows = null)
     {
         _width = camera.Width;
         HitTiles = new bool[moon.TileCount];
         _lit = new BruteForceMoon.FacetId?[camera.Width * camera.Height];
-        for (int pixel = 0; pixel < _lit.Length; pixel++)
+        PixelRows wanted = rows ?? new PixelRows(0, camera.Height);
+        for (int pixel = wanted.First * _width; pixel < wanted.End * _width; pixel++)
         {
             Ray ray = camera.RayThrough((pixel % camera.Width) + 1, (pixel / camera.Width) + 1);
             if (moon.FirstHit(ray.Origin, ray.Direction, isThere) is not (BruteForceMoon.FacetId facet, double t))

@@ -40,6 +40,24 @@ public sealed class DspsaTests(Ldem4Fixture ldem4) : IClassFixture<Ldem4Fixture>
         Assert.True(dropped > Cameras * TileId.Count / 2, $"only {dropped} tiles were dropped");
     }
 
+    /// <summary>
+    /// The scene of thesis section 9.2, where it shows the limb in the night: without dark tiles there, rays go through the Moon and meet
+    /// facets beyond the limb from below, on which the Sun shines.
+    /// </summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Select_LimbInTheNight_EveryPixelIsAsWithAllTiles()
+    {
+        UnitQuaternion attitude = UnitQuaternion.FromComponents(
+            -2.391176183943345e-001, 9.904576054128762e-002, 3.696438106143861e-001, 8.923991008325228e-001, isRounded: true);
+        PinholeCamera camera = new(new Vector3D(2e6, 2e6, 0.0), attitude, double.DegreesToRadians(40.0), 384, 384);
+        PixelRows limb = new(39, 43);
+        BruteForceImage whole = new(ldem4.Moon, camera, Sun, isThere: null, limb);
+        BruteForceImage selected = new(ldem4.Moon, camera, Sun, TilesThere.In(ldem4.Selection.Select(camera, Sun)), limb);
+
+        Assert.Equal(0, whole.DifferencesFrom(selected));
+        Assert.Contains(true, whole.HitTiles);
+    }
+
     [RequiresFact(Part.Ldem4)]
     public void Select_ManyCamerasIgnoringSun_HoldsEveryTileThatAnyRayHits()
     {
