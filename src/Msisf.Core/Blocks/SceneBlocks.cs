@@ -18,14 +18,12 @@ public sealed class SceneBlocks : ISceneGroups<SceneBlock>
 
     private readonly SurfaceModel _surface;
     private readonly int[] _sides;
-    private readonly int[] _levels;
 
     /// <summary>Takes a terrain; of several models the seams are made if they were not yet.</summary>
     public SceneBlocks(ITerrain terrain)
     {
         _surface = SurfaceModel.Of(terrain);
         _sides = [.. _surface.Patches.Select(patch => SideOf(patch.CellAngle))];
-        _levels = [.. _surface.Patches.Select(SceneSelection.LevelOf)];
     }
 
     /// <summary>Whether the surface goes around the whole Moon, so that no ray can meet it from below.</summary>
@@ -52,8 +50,6 @@ public sealed class SceneBlocks : ISceneGroups<SceneBlock>
         return [.. reasons.Where(block => block.Value != SceneReason.Night).Select(block => block.Key).Order()];
     }
 
-    int ISceneGroups<SceneBlock>.LevelOf(int part) => _levels[part];
-
     IEnumerable<SceneBlock> ISceneGroups<SceneBlock>.GroupsOf(SurfaceNode node)
     {
         Patch patch = _surface.Patches[node.Part];
@@ -70,7 +66,7 @@ public sealed class SceneBlocks : ISceneGroups<SceneBlock>
 
     IEnumerable<SurfaceNode> ISceneGroups<SceneBlock>.NodesOf(SceneBlock block)
     {
-        int level = _levels[block.Part];
+        int level = SceneSelection.LevelOf(_surface.Patches[block.Part]);
         int side = SquareLayout.Side(level);
         CellRange all = _surface.Patches[block.Part].Layout.AllCells;
         CellRange cells = CellsOf(block);

@@ -11,9 +11,6 @@ namespace Msisf.Core.Blocks;
 /// <typeparam name="TGroup">What is included as a whole: a tile, or a block.</typeparam>
 internal interface ISceneGroups<TGroup>
 {
-    /// <summary>The level of the nodes of a patch.</summary>
-    int LevelOf(int part);
-
     /// <summary>The groups that have facets of a node.</summary>
     IEnumerable<TGroup> GroupsOf(SurfaceNode node);
 
@@ -207,12 +204,12 @@ internal sealed class SceneSelection<TGroup>
     /// <summary>The nodes of a block that pass a test; of a coarse model they are smaller than blocks.</summary>
     private IEnumerable<SurfaceNode> NodesOf(CellBlock block, Func<Patch, NodePlace, bool> isWanted)
     {
-        if (_groups.LevelOf(block.Part) == SquareLayout.CellBlockLevel)
+        Patch patch = _surface.Patches[block.Part];
+        if (SceneSelection.LevelOf(patch) == SquareLayout.CellBlockLevel)
         {
             return [block.SurfaceNode];
         }
 
-        Patch patch = _surface.Patches[block.Part];
         NodeRange children = patch.Layout.ChildrenOf(SquareLayout.CellBlockLevel, block.Row, block.Column);
         return
             from row in Enumerable.Range(children.FirstRow, children.EndRow - children.FirstRow)
@@ -229,24 +226,23 @@ internal sealed class SceneSelection<TGroup>
             return Light.Lit;
         }
 
-        Patch patch = _surface.Patches[node.Part];
-        NodeBounds bounds = patch.BoundsOf(node.Place);
-        NodeBox box = patch.BoxOf(node.Place, bounds.Min, bounds.Max);
+        (Patch patch, NodeBounds bounds, NodeBox box) = Look(node);
         return horizon.IsTurnedAway(patch, box, bounds) ? Light.TurnedAway : horizon.Hides(box, bounds.Max) ? Light.Shaded : Light.Lit;
     }
 
     private bool IsTurnedTo(MoonHorizon viewpoint, SurfaceNode node)
     {
-        Patch patch = _surface.Patches[node.Part];
-        NodeBounds bounds = patch.BoundsOf(node.Place);
-        return viewpoint.IsTurnedTo(patch, patch.BoxOf(node.Place, bounds.Min, bounds.Max), bounds);
+        (Patch patch, NodeBounds bounds, NodeBox box) = Look(node);
+        return viewpoint.IsTurnedTo(patch, box, bounds);
     }
 
-    private OrientedBox BoxOf(SurfaceNode node)
+    private OrientedBox BoxOf(SurfaceNode node) => Look(node).Box.Box;
+
+    private (Patch Patch, NodeBounds Bounds, NodeBox Box) Look(SurfaceNode node)
     {
         Patch patch = _surface.Patches[node.Part];
         NodeBounds bounds = patch.BoundsOf(node.Place);
-        return patch.BoxOf(node.Place, bounds.Min, bounds.Max).Box;
+        return (patch, bounds, patch.BoxOf(node.Place, bounds.Min, bounds.Max));
     }
 
     private bool IsIncluded(TGroup group) => _reasons.TryGetValue(group, out SceneReason reason) && reason != SceneReason.Night;

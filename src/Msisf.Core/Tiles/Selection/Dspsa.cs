@@ -67,7 +67,7 @@ public sealed class Dspsa(IGlobalGrid grid)
                 return Visit.Skip;
             }
 
-            if (node.Level > groups.LevelOf(part: 0))
+            if (node.Level > groups.Level)
             {
                 return Visit.Descend;
             }

@@ -8,10 +8,10 @@ namespace Msisf.Core.Tiles.Selection;
 /// <param name="pixelsPerDegree">Its resolution.</param>
 internal sealed class TileGroups(GridPatch patch, int pixelsPerDegree) : ISceneGroups<TileId>
 {
-    private readonly int _level = SceneSelection.LevelOf(patch);
     private readonly int _side = TileId.SizeDegrees * pixelsPerDegree;
 
-    public int LevelOf(int part) => _level;
+    /// <summary>The level of the nodes.</summary>
+    public int Level { get; } = SceneSelection.LevelOf(patch);
 
     /// <remarks>A cell belongs to the tile of its north-west sample, the northern fan to the tiles of line 0.</remarks>
     public IEnumerable<TileId> GroupsOf(SurfaceNode node)
@@ -28,7 +28,7 @@ internal sealed class TileGroups(GridPatch patch, int pixelsPerDegree) : ISceneG
     public IEnumerable<SurfaceNode> NodesOf(TileId tile)
     {
         CellRange all = patch.Layout.AllCells;
-        int side = SquareLayout.Side(_level);
+        int side = SquareLayout.Side(Level);
         int firstLine = tile.RowFromNorth == 0 ? all.FirstLine : tile.FirstLine(pixelsPerDegree);
         (int firstRow, int lastRow) =
             ((firstLine - all.FirstLine) / side, (tile.FirstLine(pixelsPerDegree) + _side - 1 - all.FirstLine) / side);
@@ -36,6 +36,6 @@ internal sealed class TileGroups(GridPatch patch, int pixelsPerDegree) : ISceneG
         return
             from row in Enumerable.Range(firstRow, lastRow - firstRow + 1)
             from column in Enumerable.Range(firstSample / side, ((firstSample + _side - 1) / side) - (firstSample / side) + 1)
-            select new SurfaceNode(0, new NodePlace(_level, row, column));
+            select new SurfaceNode(0, new NodePlace(Level, row, column));
     }
 }
