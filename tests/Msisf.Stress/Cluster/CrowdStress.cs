@@ -51,7 +51,7 @@ public sealed class CrowdStress : IStressTest
             if (series.Patterns is not null)
             {
                 judge.NoteDifferences(
-                    new FrameFolder(folder[Path.Combine(Patterns, "LDEM_4")]), new FrameFolder(alone[Path.Combine(Patterns, "4")]), what);
+                    new FrameFolder(folder[Path.Combine(Patterns, "LDEM_4")]), new FrameFolder(alone[Path.Combine(Patterns, "LDEM_4")]), what);
                 judge.NoteLeftovers(new FrameFolder(folder[Path.Combine(Patterns, "LDEM_4")]).Leftovers, what);
                 int all = runs.Sum(PatternsMade);
                 patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {processes} processes, {made} by one");
