@@ -52,7 +52,10 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
 
     /// <inheritdoc/>
     public StateVector StateOf(int naifNumber, TdbTime time) =>
-        Ask(kernels => _cspice.StateOf(kernels, naifNumber, _body, time.Seconds), () => TimeScale.InstantOf(time));
+        Ask(
+            kernels => _cspice.StateOf(kernels, naifNumber, _body, time.Seconds),
+            () => TimeScale.InstantOf(time),
+            engine => engine.StateOf(naifNumber, time));
 
     /// <summary>Unloads the kernels.</summary>
     public void Dispose()
@@ -70,7 +73,8 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
         return _paths;
     }
 
-    private T Ask<T>(Func<IReadOnlyList<string>, T> question, Func<Instant> time)
+    /// <param name="again">The same question to the other engine, whose error says what to do; null for none.</param>
+    private T Ask<T>(Func<IReadOnlyList<string>, T> question, Func<Instant> time, Action<IEphemeris>? again = null)
     {
         try
         {
@@ -78,20 +82,43 @@ public sealed class SpiceEphemeris : IEphemeris, ISpaceFrames, IDisposable
         }
         catch (SpiceException exception)
         {
-            KernelCover? cover = ReadCover();
-            throw cover is null || cover.Contains(time()) ? exception : cover.Outside(time(), exception);
+            throw Explained(exception, time, again);
         }
     }
 
-    /// <summary>
-    /// The times that the kernels cover, which CSPICE's errors do not tell; null if the built-in reader can't read the kernels.
-    /// </summary>
-    private KernelCover? ReadCover()
+    /// <summary>An error with the advice that CSPICE's own lacks: which times the kernels cover, or what they do not have.</summary>
+    private SpiceException Explained(SpiceException exception, Func<Instant> time, Action<IEphemeris>? again)
+    {
+        using BuiltInKernels? readable = Readable();
+        if (readable is null)
+        {
+            return exception;
+        }
+
+        KernelCover cover = readable.Ephemeris.Cover;
+        if (!cover.Contains(time()))
+        {
+            return cover.Outside(time(), exception);
+        }
+
+        try
+        {
+            again?.Invoke(readable.Ephemeris);
+        }
+        catch (SpiceException own)
+        {
+            return new SpiceException(own.Message, exception);
+        }
+
+        return exception;
+    }
+
+    /// <summary>The kernels as the built-in reader has them; null if it can't read them.</summary>
+    private BuiltInKernels? Readable()
     {
         try
         {
-            using BuiltInKernels readable = new(Open(), _body);
-            return readable.Ephemeris.Cover;
+            return new BuiltInKernels(Open(), _body);
         }
         catch (MsisfException)
         {

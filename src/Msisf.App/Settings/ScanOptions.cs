@@ -172,7 +172,7 @@ internal static class StripRules
 
         string? wrong = settings.Annotate ? OutputOptions.Annotation.Name
             : settings.Native.Navigation is not null ? "truth for navigation"
-            : settings.Native.Sky is not null ? "the sky"
+            : settings.Native.Sky is { IsDrawn: true } ? "the sky"
             : settings.Map is not null ? MapOptions.Map.Name
             : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
                 ? $"{CameraModelOptions.OfRun.Name} {model.Word}"

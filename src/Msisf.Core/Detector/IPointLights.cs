@@ -19,4 +19,9 @@ public sealed record PointExposure(PixelRows Rows, Func<double, FrameCamera> Cam
 {
     /// <summary>rad/s: how fast the camera turns over the body at most.</summary>
     public double AngularSpeed { get; init; }
+
+    /// <summary>m/s, body-fixed: how the camera flies from the begin of the exposure to its end.</summary>
+    public Vector3D Velocity => Span == 0.0
+        ? default
+        : (CameraAt(Middle + (0.5 * Span)).PositionBodyFixed - CameraAt(Middle - (0.5 * Span)).PositionBodyFixed) / Span;
 }

@@ -80,10 +80,11 @@ public sealed class BuiltInEphemeris(
     private SpiceException NoState(int body, TdbTime time)
     {
         TdbCover cover = positions.CoverOfChain(body);
-        return new SpiceException(Invariant(
-            $"No kernel leads from body {body} to {_body.NameInText} at {scale.InstantOf(time).ToIsoUtc()}: the kernels have "
-                + $"{(cover.Intervals.Count == 0 ? "nothing of that body" : new KernelCover(scale, cover).Describe())}. "
-                + $"Choose a time inside, or other kernels."));
+        string has = cover.Intervals.Count == 0
+            ? "nothing of that body. Use kernels that have it"
+            : $"{new KernelCover(scale, cover).Describe()}. Choose a time inside, or other kernels";
+        return new SpiceException(
+            $"No kernel leads from body {body} to {_body.NameInText} at {scale.InstantOf(time).ToIsoUtc()}: the kernels have {has}.");
     }
 
     /// <summary>Position in km relative to the solar system's barycentre, J2000; null at a time that the kernels do not cover.</summary>

@@ -29,6 +29,9 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
     /// <summary>px that a disc may move from one instant of an exposure to the next.</summary>
     private const double LongestStep = 0.25;
 
+    /// <summary>px that ground may move in front of a disc from one instant of an exposure to the next.</summary>
+    private const double LongestGroundStep = 1.0;
+
     private const int MaxInstants = 999;
 
     private readonly ConcurrentDictionary<string, ConcurrentBag<(double Middle, double Electrons)>> _electrons = [];
@@ -38,10 +41,10 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
     {
         SkyAxes sky = AxesAt(exposure.Middle);
         FrameCamera middle = exposure.CameraAt(exposure.Middle);
-        double pixels = exposure.Span == 0.0 ? 0.0 : (exposure.AngularSpeed + sky.BodyRate) * exposure.Span / middle.PixelTangent;
-        int instants = (int)Math.Clamp(Math.Ceiling(pixels / LongestStep), 1.0, MaxInstants);
+        Vector3D velocity = exposure.Velocity;
         foreach (BodyPlace place in sky.Bodies)
         {
+            int instants = InstantsOf(place);
             double added = 0.0;
             for (int instant = 0; instant < instants; instant++)
             {
@@ -61,6 +64,21 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
             }
 
             _electrons.GetOrAdd(place.Body.Name, static _ => []).Add((exposure.Middle, added));
+        }
+
+        int InstantsOf(BodyPlace place)
+        {
+            if (exposure.Span == 0.0)
+            {
+                return 1;
+            }
+
+            double ofSky = exposure.AngularSpeed + sky.BodyRate + ((velocity.Length + place.VelocityJ2000.Length) / place.Distance);
+            double ofGround = GroundAhead.Rate(
+                middle.PositionBodyFixed, velocity, exposure.Span,
+                sky.DrawnDirection(place.ApparentJ2000, middle.MoonFromCamera, exposure.Middle), place.AngularRadius, tracer.MaxRadius);
+            double rate = Math.Max(ofSky / LongestStep, ofGround / LongestGroundStep);
+            return (int)Math.Clamp(Math.Ceiling(rate * exposure.Span / middle.PixelTangent), 1.0, MaxInstants);
         }
     }
 
@@ -141,9 +159,10 @@ public sealed class BodyLights(IReadOnlyList<SkyAxes> axes, ITerrainTracer trace
     /// <param name="margin">px.</param>
     /// <param name="take">Gets place, direction, part of the body's light, and whether ground hides it.</param>
     private void Sample(
-        FrameCamera camera, SkyAxes sky, BodyPlace place, double seconds, int margin,
+        FrameCamera camera, SkyAxes sky, BodyPlace body, double seconds, int margin,
         Action<double, double, Vector3D, double, bool> take)
     {
+        BodyPlace place = sky.Seen(body, camera.PositionBodyFixed, seconds);
         Vector3D Drawn(Vector3D inJ2000) => sky.DrawnDirection(inJ2000, camera.MoonFromCamera, seconds);
         Vector3D centre = Drawn(place.ApparentJ2000);
         double cosine = Vector3D.Dot(centre, camera.ForwardBodyFixed);

@@ -9,6 +9,12 @@ namespace Msisf.Core.Sky;
 public sealed record BodyPlace(
     SkyBody Body, Vector3D ApparentJ2000, double Distance, Vector3D ToSunJ2000, double Phase, double Magnitude)
 {
+    /// <summary>m: the way from the camera to its centre when the light left it, J2000.</summary>
+    public Vector3D WayJ2000 { get; init; }
+
+    /// <summary>m/s: over the drawn body, J2000.</summary>
+    public Vector3D VelocityJ2000 { get; init; }
+
     /// <summary>rad: angular radius of the equator.</summary>
     public double AngularRadius => Trigonometry.Atan2(
         Body.EquatorialRadius, Math.Sqrt((Distance - Body.EquatorialRadius) * (Distance + Body.EquatorialRadius)));

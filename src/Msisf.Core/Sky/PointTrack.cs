@@ -42,14 +42,15 @@ internal sealed class PointTrack(
     }
 
     /// <summary>The pieces of the way on which no ground hides the star, with their parts of the exposure.</summary>
-    public IEnumerable<(RenderingPoint From, RenderingPoint To, double Share)> Visible()
+    /// <param name="checks">How often in each segment the ground is looked for, at least 1.</param>
+    public IEnumerable<(RenderingPoint From, RenderingPoint To, double Share)> Visible(int checks)
     {
         if (times.Length == 1)
         {
             return _points[0] is { } only && !IsHidden(cameras[0], times[0]) ? [(only, only, 1.0)] : [];
         }
 
-        return Pieces();
+        return Pieces(checks);
     }
 
     /// <summary>Where the star enters and leaves the rows; null for an instant, and for a star that does not come over them.</summary>
@@ -83,36 +84,59 @@ internal sealed class PointTrack(
         }
     }
 
-    private IEnumerable<(RenderingPoint From, RenderingPoint To, double Share)> Pieces()
+    private IEnumerable<(RenderingPoint From, RenderingPoint To, double Share)> Pieces(int checks)
     {
-        double share = 1.0 / (times.Length - 1);
         bool wasHidden = IsHidden(cameras[0], times[0]);
         for (int i = 1; i < times.Length; i++)
         {
-            bool isHidden = IsHidden(cameras[i], times[i]);
-            if (_points[i - 1] is { } from && _points[i] is { } to && !(wasHidden && isHidden))
+            double seenFrom = 0.0; // part of the segment
+            for (int check = 1; check <= checks; check++)
             {
-                double change = wasHidden == isHidden ? 1.0 : ChangeIn(i, wasHidden);
-                (double start, double end) = wasHidden ? (change, 1.0) : (0.0, change);
-                yield return (Between(from, to, start), Between(from, to, end), (end - start) * share);
+                bool isHidden = check == checks ? IsHidden(cameras[i], times[i]) : IsHiddenIn(i, (double)check / checks);
+                if (isHidden != wasHidden)
+                {
+                    double change = ChangeIn(i, ((check - 1.0) / checks, (double)check / checks), wasHidden);
+                    if (isHidden && Piece(i, seenFrom, change) is { } seen)
+                    {
+                        yield return seen;
+                    }
+
+                    seenFrom = change;
+                }
+
+                wasHidden = isHidden;
             }
 
-            wasHidden = isHidden;
+            if (!wasHidden && Piece(i, seenFrom, 1.0) is { } last)
+            {
+                yield return last;
+            }
         }
     }
 
-    /// <summary>The part of a segment after which ground hides the star, or no longer does.</summary>
-    private double ChangeIn(int segment, bool wasHidden)
+    /// <summary>A piece of a segment; null where the camera can't have it.</summary>
+    private (RenderingPoint From, RenderingPoint To, double Share)? Piece(int segment, double start, double end) =>
+        _points[segment - 1] is { } from && _points[segment] is { } to
+            ? (Between(from, to, start), Between(from, to, end), (end - start) / (times.Length - 1))
+            : null;
+
+    /// <summary>The part of a segment, within two others, after which ground hides the star, or no longer does.</summary>
+    private double ChangeIn(int segment, (double Before, double After) within, bool wasHidden)
     {
-        (double before, double after) = (0.0, 1.0);
+        (double before, double after) = within;
         for (int i = 0; i < Halvings; i++)
         {
             double middle = 0.5 * (before + after);
-            double time = times[segment - 1] + (middle * (times[segment] - times[segment - 1]));
-            (before, after) = IsHidden(exposure.CameraAt(time), time) == wasHidden ? (middle, after) : (before, middle);
+            (before, after) = IsHiddenIn(segment, middle) == wasHidden ? (middle, after) : (before, middle);
         }
 
         return 0.5 * (before + after);
+    }
+
+    private bool IsHiddenIn(int segment, double part)
+    {
+        double time = times[segment - 1] + (part * (times[segment] - times[segment - 1]));
+        return IsHidden(exposure.CameraAt(time), time);
     }
 
     private bool IsHidden(FrameCamera camera, double time) =>

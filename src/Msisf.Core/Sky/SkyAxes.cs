@@ -34,12 +34,13 @@ public sealed record SkyAxes
     private readonly Vector3D _velocityInC;
     private readonly Vector3D _observerAu;
     private readonly bool _isTurned;
+    private readonly Vector3D _cameraJ2000; // m, from the drawn body's centre
 
     private SkyAxes(
         RotationMatrix bodyFromJ2000, Vector3D rateBodyFixed, Vector3D velocityInC, Vector3D observerAu, double yearsPastJ2000,
-        bool isTurned) =>
-        (_bodyFromJ2000, _rateBodyFixed, _velocityInC, _observerAu, YearsPastJ2000, _isTurned) =
-        (bodyFromJ2000, rateBodyFixed, velocityInC, observerAu, yearsPastJ2000, isTurned);
+        bool isTurned, Vector3D cameraJ2000) =>
+        (_bodyFromJ2000, _rateBodyFixed, _velocityInC, _observerAu, YearsPastJ2000, _isTurned, _cameraJ2000) =
+        (bodyFromJ2000, rateBodyFixed, velocityInC, observerAu, yearsPastJ2000, isTurned, cameraJ2000);
 
     /// <summary>The sky about a camera.</summary>
     /// <param name="frameTime">The image's time.</param>
@@ -73,7 +74,8 @@ public sealed record SkyAxes
             inC,
             -barycenter.Position / AstronomicalConstants.AstronomicalUnit,
             tdb.Seconds / AstronomicalConstants.JulianYear,
-            ofGround == Aberration.LightTimeAndStellar)
+            ofGround == Aberration.LightTimeAndStellar,
+            camera)
         {
             Seconds = state.Seconds,
             Bodies = [.. (bodies ?? []).Select(body => PlaceOf(body, tdb, camera - barycenter.Position, inC, ephemeris))],
@@ -124,6 +126,20 @@ public sealed record SkyAxes
         return GroundAberration.Turn(real, velocity) * bodyFixed;
     }
 
+    /// <summary>A body as the camera sees it some time later, from where it is by then: both fly on straight lines.</summary>
+    /// <param name="place">From <see cref="Bodies"/>.</param>
+    /// <param name="positionBodyFixed">m: of the camera by then.</param>
+    /// <param name="seconds">s after the image's time.</param>
+    public BodyPlace Seen(BodyPlace place, Vector3D positionBodyFixed, double seconds)
+    {
+        Vector3D camera = J2000FromBody * Turned(positionBodyFixed, seconds - Seconds);
+        Vector3D way = place.WayJ2000 + ((seconds - Seconds) * place.VelocityJ2000) - (camera - _cameraJ2000);
+        return place with
+        {
+            ApparentJ2000 = StellarAberration.Of(way.Normalized(), _velocityInC), WayJ2000 = way, Distance = way.Length,
+        };
+    }
+
     /// <summary>Where an observer sees a body.</summary>
     /// <param name="observer">m, from the solar system's barycentre, J2000.</param>
     private static BodyPlace PlaceOf(SkyBody body, TdbTime time, Vector3D observer, Vector3D velocityInC, IEphemeris ephemeris)
@@ -153,7 +169,11 @@ public sealed record SkyAxes
         }
 
         return new BodyPlace(
-            body, StellarAberration.Of(way.Normalized(), velocityInC), way.Length, isSun ? default : sun.Normalized(), phase, magnitude);
+            body, StellarAberration.Of(way.Normalized(), velocityInC), way.Length, isSun ? default : sun.Normalized(), phase, magnitude)
+        {
+            WayJ2000 = way,
+            VelocityJ2000 = ephemeris.StateOf(body.NaifNumber, time).Velocity,
+        };
 
         Vector3D FromBarycenter(int number, TdbTime at) =>
             ephemeris.StateOf(number, at).Position - ephemeris.StateOf(SegmentTable.SolarSystemBarycenter, at).Position;
@@ -162,9 +182,12 @@ public sealed record SkyAxes
     }
 
     /// <summary>A direction as the body has it, which has turned since.</summary>
-    private Vector3D TurnedBack(Vector3D bodyFixed, double seconds)
+    private Vector3D TurnedBack(Vector3D bodyFixed, double seconds) => Turned(bodyFixed, Seconds - seconds);
+
+    /// <summary>What the body's turn makes of a vector in some time.</summary>
+    private Vector3D Turned(Vector3D bodyFixed, double span)
     {
-        double angle = -_rateBodyFixed.Length * (seconds - Seconds);
+        double angle = _rateBodyFixed.Length * span;
         return angle == 0.0 ? bodyFixed : UnitQuaternion.FromAxisAngle(_rateBodyFixed, angle) * bodyFixed;
     }
 }

@@ -23,6 +23,12 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
     /// <summary>Maximum number of segments of an exposure.</summary>
     private const int MaxSegments = 8192;
 
+    /// <summary>px that ground may move in front of a star from one look at it to the next.</summary>
+    private const double LongestGroundStep = 0.5;
+
+    /// <summary>Maximum number of looks at the ground in a segment.</summary>
+    private const int MaxChecks = 1024;
+
     /// <summary>Half the distance of the points of Gauss's rule of two on a segment of length 1.</summary>
     private const double GaussOffset = 0.28867513459481287; // 0.5 / sqrt(3)
 
@@ -47,6 +53,7 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
             + ((spread.Radius + 1.0) * Math.Sqrt(2.0) / Math.Min(middle.Model.FocalX, middle.Model.FocalY));
         double cosine = reach < Math.PI ? Trigonometry.Cos(reach) : -1.0;
         PointTrack track = new(exposure, axes, tracer, times, cameras);
+        Vector3D velocity = exposure.Velocity;
         for (int index = 0; index < sky.Stars.Count; index++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -60,7 +67,10 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
 
             double electrons = detector.PointElectrons(brightness.Of(star), middle, drawn);
             double added = 0.0;
-            foreach ((RenderingPoint from, RenderingPoint to, double share) in track.Visible())
+            double ofGround = GroundAhead.Rate(middle.PositionBodyFixed, velocity, exposure.Span, drawn, 0.0, tracer.MaxRadius)
+                * exposure.Span / middle.PixelTangent;
+            int checks = (int)Math.Clamp(Math.Ceiling(ofGround / (LongestGroundStep * Math.Max(1, segments))), 1.0, MaxChecks);
+            foreach ((RenderingPoint from, RenderingPoint to, double share) in track.Visible(checks))
             {
                 added += Expose(spread, image, exposure.Rows, from, to, share * electrons);
             }

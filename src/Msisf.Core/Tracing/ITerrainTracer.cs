@@ -6,6 +6,9 @@ namespace Msisf.Core.Tracing;
 /// <summary>Traces single rays through the closed surface that the pattern files draw, exactly. Safe for several threads.</summary>
 public interface ITerrainTracer
 {
+    /// <summary>m: no ground is farther from the body's centre.</summary>
+    double MaxRadius { get; }
+
     /// <summary>Finds the first facet through which a ray enters the ground.</summary>
     /// <param name="ray">MOON_ME, from a point that is not inside the Moon.</param>
     /// <param name="hit">The point with the facet's normal; <c>default</c> if the ray meets no facet.</param>

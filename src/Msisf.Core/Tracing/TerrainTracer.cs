@@ -28,6 +28,9 @@ public sealed class TerrainTracer : ISurface, ITerrainTracer
     public TerrainTracer(ITerrain terrain) => _surface = SurfaceModel.Of(terrain);
 
     /// <inheritdoc/>
+    public double MaxRadius => _surface.RadiusLimits.Max + Tolerances.VertexLattice;
+
+    /// <inheritdoc/>
     /// <exception cref="ArgumentException">The ray is not finite or has no direction.</exception>
     /// <exception cref="BadInputException">The model has a radius outside the range of the Moon's surface.</exception>
     public bool TryFirstHit(Ray ray, out Vector3D pointBodyFixed)

@@ -80,6 +80,8 @@ public class TracedFrameTruthTests
 
     private sealed class FakeTracer(SurfaceHit? seen, bool isHidden) : ITerrainTracer
     {
+        public double MaxRadius => throw new NotSupportedException();
+
         public Ray Traced { get; private set; }
 
         public (Vector3D Point, FacetId Facet, Vector3D Light) Asked { get; private set; }

@@ -20,6 +20,7 @@ public sealed class StarLightsTests
     private const double Field = 0.02;
     private const double Span = 2.0;
     private const double Electrons = 1e6;
+    private const double Highest = 1_748_200.0; // m
 
     /// <summary>The Moon of these tests stands still along J2000's axes, in the middle of the solar system.</summary>
     private static readonly StillMoon Ephemeris = new();
@@ -107,6 +108,23 @@ public sealed class StarLightsTests
 
         Assert.Equal(Electrons * (0.5 + (Sets / Span)), actual.Sum(), 1.0);
         Assert.Null(found.Views[0].HiddenBy);
+    }
+
+    /// <summary>A camera that flies and does not turn: a ridge hides the star for a while in the middle of the exposure.</summary>
+    [Fact]
+    public void Collect_RidgePassesInFront_TakesTheLightOfItsTime()
+    {
+        const double Speed = 1e4; // m/s
+        const double Begin = -0.3; // s
+        const double End = -0.1;
+        Star star = StarAt(Model.At(Outside), 20.0, 20.0);
+        PointExposure exposure = new(
+            new PixelRows(0, Side),
+            seconds => Model.At(Outside with { PositionBodyFixed = new Vector3D(2e6, Speed * seconds, 0.0) }), 0.0, Span);
+
+        double[] actual = Collect(Settings, [star], exposure, new GroundFrom(Speed * Begin, Speed * End), out StarsOfFrame _);
+
+        Assert.Equal(Electrons * (1.0 - ((End - Begin) / Span)), actual.Sum(), 1.0);
     }
 
     /// <summary>2 000 stars within a tenth of a degree of the limb, against each facet of the Moon.</summary>
@@ -241,6 +259,8 @@ public sealed class StarLightsTests
 
     private sealed class NoGround : ITerrainTracer
     {
+        public double MaxRadius => Highest;
+
         public bool TryTrace(Ray ray, out SurfaceHit hit)
         {
             hit = default;
@@ -250,13 +270,15 @@ public sealed class StarLightsTests
         public bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed) => throw new NotSupportedException();
     }
 
-    /// <summary>Ground in front of cameras whose second coordinate, which counts the seconds, is greater than a limit.</summary>
-    private sealed class GroundFrom(double limit) : ITerrainTracer
+    /// <summary>Ground in front of cameras whose second coordinate, which counts the seconds, lies between limits.</summary>
+    private sealed class GroundFrom(double limit, double end = double.PositiveInfinity) : ITerrainTracer
     {
+        public double MaxRadius => Highest;
+
         public bool TryTrace(Ray ray, out SurfaceHit hit)
         {
             hit = default;
-            return ray.Origin.Y > limit;
+            return ray.Origin.Y > limit && ray.Origin.Y < end;
         }
 
         public bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed) => throw new NotSupportedException();

@@ -152,6 +152,37 @@ public sealed class SkyBodyRunTests : IDisposable
         double Electrons(string folder) => Reals(Path.Combine(_folder[folder], "MoonSurfIllumSim_step_00001.electrons.npy")).Sum();
     }
 
+    /// <summary>A scan that is too large for the memory has the Earth's light in its strips as one that is drawn as a whole.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_EarthshineInStrips_IsThatOfTheWhole()
+    {
+        const int Width = 16_384; // 2^23 px are drawn as a whole: 512 lines
+        const int Lines = 8;
+        string camera = _folder.Write(
+            "wide.yaml", $"field-of-view: 150\nwidth: {Width}\nheight: 1\nscan:\n  kind: line-scan\n  period: 0.05\n");
+        string[] far =
+        [
+            "--fixed-state", "{55289,9E7,0,0,0,0,0,1}", "--motion", "{0,4E6,4E6,0,0,0}", "--camera", camera, "--layers",
+            "radiance-factor", "--layers-format", "npy",
+        ];
+        Draw("whole", ["--lines", $"{Lines}", "--earthshine"]);
+        Draw("strips", ["--lines", "513", "--earthshine"]);
+        Draw("sunlit", ["--lines", $"{Lines}"]);
+
+        double[] whole = Factors("whole");
+
+        Assert.Equal(whole, Factors("strips")[..whole.Length]);
+        Assert.Contains(whole.Zip(Factors("sunlit")), pair => pair.First > pair.Second);
+
+        void Draw(string output, string[] options)
+        {
+            CommandLineRun run = CommandLineRun.Of(["--renderer", "native", "--output-dir", _folder[output], .. far, .. options]);
+            Assert.True(run.ExitCode == 0, run.Error);
+        }
+
+        double[] Factors(string folder) => Reals(Path.Combine(_folder[folder], "MoonSurfIllumSim_step_00001.radiance-factor.npy"));
+    }
+
     /// <summary>Kernels without a body: the option that wants it is named, with each engine.</summary>
     [RequiresTheory(Part.Ldem4, Part.CSpice)]
     [InlineData("builtin", 399, "--earth: ", "--earth")]
@@ -182,7 +213,9 @@ public sealed class SkyBodyRunTests : IDisposable
         ]);
 
         Assert.Contains(message, run.Error, StringComparison.Ordinal);
-        Assert.Contains(number.ToString(CultureInfo.InvariantCulture), run.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            $"No kernel leads from body {number.ToString(CultureInfo.InvariantCulture)} to the Moon", run.Error, StringComparison.Ordinal);
+        Assert.Contains("the kernels have nothing of that body. Use kernels that have it.", run.Error, StringComparison.Ordinal);
         Assert.Equal(3, run.ExitCode);
     }
 
