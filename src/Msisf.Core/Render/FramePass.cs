@@ -172,7 +172,7 @@ internal sealed class FramePass : IDrawnFrame
         }
         else
         {
-            _light.FindLight(_visible, Light, _options!, _sunlight, threads, cancellation);
+            _light.FindLight(_visible, Light, _options!, _sunlight, scales: [], threads, cancellation);
         }
 
         if (_options!.Indirect is null)

@@ -50,9 +50,10 @@ public sealed class CrowdStress : IStressTest
             judge.Judge(new FrameFolder(folder[Output]), new FrameFolder(alone[Output]), runs[^1], inFlight: 0, what);
             if (series.Patterns is not null)
             {
-                judge.NoteDifferences(
-                    new FrameFolder(folder[Path.Combine(Patterns, "LDEM_4")]), new FrameFolder(alone[Path.Combine(Patterns, "LDEM_4")]), what);
-                judge.NoteLeftovers(new FrameFolder(folder[Path.Combine(Patterns, "LDEM_4")]).Leftovers, what);
+                string model = Path.Combine(Patterns, "LDEM_4");
+                FrameFolder patternsMade = new(folder[model]);
+                judge.NoteDifferences(patternsMade, new FrameFolder(alone[model]), what);
+                judge.NoteLeftovers(patternsMade.Leftovers, what);
                 int all = runs.Sum(PatternsMade);
                 patterns.Note(Math.Max(0, all - made), made, () => $"{all} made by {processes} processes, {made} by one");
             }

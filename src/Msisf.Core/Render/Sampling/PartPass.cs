@@ -75,20 +75,16 @@ internal sealed class PartPass(SurfaceModel surface)
             _factors = new double[room];
         }
 
-        frame.Lights.FindLight(_receiverRows, frame.Light, frame.Options, _receiverSunlight, frame.Threads, frame.Cancellation);
         bool hasMap = frame.Lights.HasMap(frame.Options);
-        if (hasMap)
+        int receivers = _receiverRows.Height * PartRows.RowLength;
+        if (hasMap && _receiverScales.Length < receivers)
         {
-            int receivers = _receiverRows.Height * PartRows.RowLength;
-            if (_receiverScales.Length < receivers)
-            {
-                _receiverScales = new double[receivers];
-            }
-
-            frame.Lights.FindScales(
-                _receiverRows, _receiverSunlight, frame.Options, _receiverScales, frame.Threads, frame.Cancellation);
+            _receiverScales = new double[receivers];
         }
 
+        frame.Lights.FindLight(
+            _receiverRows, frame.Light, frame.Options, _receiverSunlight, hasMap ? _receiverScales : [], frame.Threads,
+            frame.Cancellation);
         _scales = !hasMap ? [] : _scales.Length < room ? new double[room] : _scales;
         _sunlight.Prepare(room, hasFractions: true);
         WorkerTeam.Run(frame.Threads, count, (_, list) => Gather(list, lists[list]), frame.Cancellation);

@@ -22,7 +22,7 @@ internal sealed class SamplingPass(PartPass pass)
     private const long SamplesAtOnce = 1 << 18;
 
     /// <summary>Pixels of the image in one of a map, from which on one point of it stands for a pixel's samples.</summary>
-    private const double PixelsOfEvenMap = 8.0;
+    private const double PixelsOfEvenMap = 4.0;
 
     private readonly SampleChooser _chooser = new();
     private readonly SampleTrials _trials = new();

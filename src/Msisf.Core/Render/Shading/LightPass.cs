@@ -48,17 +48,34 @@ internal sealed class LightPass
         double[] radianceFactors, int threads, CancellationToken cancellation)
     {
         sunlight.Prepare(points.Width * points.Height, HasDisc(light, options), forgetsLight ? radianceFactors : null);
-        FindLight(points, light, options, isShaded: true, sunlight, threads, cancellation);
+        bool reflectsFirst = _shader.ReflectsFirst(options, HasDisc(light, options));
+        if (reflectsFirst)
+        {
+            _shader.Prepare(points.Width * points.Height);
+        }
+
+        FindLight(
+            points, light, options, sunlight,
+            reflectsFirst ? (row, pixels, cosines) => _shader.Reflect(points, light, options, row, pixels, cosines) : null,
+            threads, cancellation);
         Shade(points, light, options, sunlight, scales: [], radianceFactors, threads, cancellation);
     }
 
-    /// <summary>Finds the light on points; the parameters are those of <see cref="Run"/>.</summary>
+    /// <summary>Finds the light on points; the other parameters are those of <see cref="Run"/>.</summary>
+    /// <param name="scales">
+    /// Receives by what maps multiply the law's radiance factors where there is light, row by row; empty if nobody asks.
+    /// </param>
     public void FindLight(
-        ISurfaceRows points, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight, int threads,
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight, double[] scales, int threads,
         CancellationToken cancellation)
     {
         sunlight.Prepare(points.Width * points.Height, HasDisc(light, options));
-        FindLight(points, light, options, isShaded: false, sunlight, threads, cancellation);
+        double minCosine = HasDisc(light, options) ? new SunDisc(light.PositionBodyFixed, light.Radius).MinCosine : 0.0;
+        FindLight(
+            points, light, options, sunlight,
+            scales.Length == 0 ? null : (row, pixels, cosines) => _shader.FindScales(
+                points.View.Camera, pixels, cosines, minCosine, options, scales.AsSpan(row * points.Width, points.Width)),
+            threads, cancellation);
     }
 
     /// <summary>Finds the brightness of points whose light is known; the other parameters are those of <see cref="Run"/>.</summary>
@@ -73,12 +90,6 @@ internal sealed class LightPass
 
     /// <inheritdoc cref="RowShader.HasRays"/>
     public bool HasRays => _shader.HasRays;
-
-    /// <inheritdoc cref="RowShader.FindScales"/>
-    public void FindScales(
-        ISurfaceRows points, PixelSunlight sunlight, NativeRenderOptions options, double[] scales, int threads,
-        CancellationToken cancellation) =>
-        _shader.FindScales(points, sunlight, options, scales, threads, cancellation);
 
     /// <summary>Prepares to tell the light on pieces of facets; null for a light that throws no shadows.</summary>
     /// <param name="blocks">The blocks in which the facets lie.</param>
@@ -98,30 +109,19 @@ internal sealed class LightPass
     private static bool HasDisc(SceneLight light, NativeRenderOptions options) => light.IsSun && options.Sun == SunModel.Disc;
 
     private void FindLight(
-        ISurfaceRows points, SceneLight light, NativeRenderOptions options, bool isShaded, PixelSunlight sunlight, int threads,
-        CancellationToken cancellation)
+        ISurfaceRows points, SceneLight light, NativeRenderOptions options, PixelSunlight sunlight,
+        Action<int, SurfaceRow, double[]>? rowRead, int threads, CancellationToken cancellation)
     {
         if (HasDisc(light, options))
         {
             SunDisc disc = new(light.PositionBodyFixed, light.Radius);
-            SunwardPoints facing = new(points, light.PositionBodyFixed, sunlight.CosIncidence, disc.MinCosine);
+            SunwardPoints facing = new(points, light.PositionBodyFixed, sunlight.CosIncidence, disc.MinCosine) { RowRead = rowRead };
             _penumbras.Run(facing, disc, sunlight.HiddenPoints, threads, cancellation);
             _discShader.Run(points, disc, sunlight, threads, cancellation);
             return;
         }
 
-        bool reflectsFirst = isShaded && _shader.ReflectsFirst(options, hasDisc: false);
-        if (reflectsFirst)
-        {
-            _shader.Prepare(points.Width * points.Height);
-        }
-
-        SunwardPoints sunward = new(points, light.PositionBodyFixed, sunlight.CosIncidence)
-        {
-            RowRead = reflectsFirst
-                ? (row, pixels, cosines) => _shader.Reflect(points, light, options, row, pixels, cosines)
-                : null,
-        };
+        SunwardPoints sunward = new(points, light.PositionBodyFixed, sunlight.CosIncidence) { RowRead = rowRead };
         if (light.IsSun)
         {
             _shadows.Run(sunward, light.PositionBodyFixed, sunlight.Hidden, threads, cancellation);

@@ -32,6 +32,23 @@ internal sealed class RowReflection(SurfaceModel surface)
     public void TakeFacing(SurfaceRow row, double[] cosIncidence, int width) =>
         Take(row, cosIncidence.AsSpan(0, row.Count), cosIncidence, width, unlit: row.Count / MostOver);
 
+    /// <summary>Computes by what the maps multiply the law's radiance factors at the points of a row that face the light.</summary>
+    /// <param name="row">The points.</param>
+    /// <param name="cosIncidence">Cosines of their incidence angles.</param>
+    /// <param name="minCosine">Only points with a greater cosine face the light.</param>
+    /// <param name="options">The maps.</param>
+    /// <param name="scales">Receives it, by column; undefined where a point faces away.</param>
+    public void FindScales(
+        FrameCamera camera, SurfaceRow row, double[] cosIncidence, double minCosine, NativeRenderOptions options, Span<double> scales)
+    {
+        Take(row, cosIncidence.AsSpan(0, row.Count), cosIncidence, scales.Length, unlit: row.Count / MostOver, minCosine);
+        FindScales(camera, options);
+        for (int i = 0; i < Points.Count; i++)
+        {
+            scales[Points.Columns[i]] = Points.Factors[i];
+        }
+    }
+
     /// <summary>Collects the sunlit pixels of a row, with the normals that shade them.</summary>
     /// <param name="visible">The surface points that the pixels show.</param>
     /// <param name="row">Index of the row, from 0.</param>
@@ -76,15 +93,16 @@ internal sealed class RowReflection(SurfaceModel surface)
     }
 
     /// <summary>Takes the pixels of a row with light, or all of them.</summary>
-    /// <param name="light">Above 0 for pixels with light.</param>
+    /// <param name="light">Above <paramref name="least"/> for pixels with light.</param>
     /// <param name="unlit">Maximum number of pixels without light of a row that is taken as a whole.</param>
-    private void Take(SurfaceRow row, ReadOnlySpan<double> light, double[] cosIncidence, int width, int unlit)
+    private void Take(
+        SurfaceRow row, ReadOnlySpan<double> light, double[] cosIncidence, int width, int unlit, double least = 0.0)
     {
         Points.Clear(width);
         int dark = 0;
         foreach (double ofPixel in light)
         {
-            dark += ofPixel > 0.0 ? 0 : 1;
+            dark += ofPixel > least ? 0 : 1;
         }
 
         if (dark <= unlit)
@@ -96,7 +114,7 @@ internal sealed class RowReflection(SurfaceModel surface)
         for (int i = 0; i < light.Length; i++)
         {
             int first = i;
-            while (i < light.Length && light[i] > 0.0)
+            while (i < light.Length && light[i] > least)
             {
                 i++;
             }
@@ -139,21 +157,6 @@ internal sealed class RowReflection(SurfaceModel surface)
         for (int i = 0; i < Points.Count; i++)
         {
             Points.Factors[i] *= scales[Points.Columns[i]];
-        }
-    }
-
-    /// <summary>Computes by what the map multiplies the law's radiance factors at the lit points of a row.</summary>
-    /// <param name="visible">The surface points.</param>
-    /// <param name="row">Index of the row, from 0.</param>
-    /// <param name="sunlight">The light on each point.</param>
-    /// <param name="scales">Receives it, by column; nothing where a point is dark.</param>
-    public void FindScales(ISurfaceRows visible, int row, PixelSunlight sunlight, NativeRenderOptions options, Span<double> scales)
-    {
-        Take(_row, Read(visible, row, sunlight), _cosines, visible.Width, unlit: 0);
-        FindScales(visible.View.Camera, options);
-        for (int i = 0; i < Points.Count; i++)
-        {
-            scales[Points.Columns[i]] = Points.Factors[i];
         }
     }
 

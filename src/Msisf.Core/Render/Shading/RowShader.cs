@@ -3,6 +3,7 @@ using System.Buffers;
 using System.Collections.Concurrent;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using Msisf.Core.Camera;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Render.Photometry;
@@ -146,19 +147,14 @@ internal sealed class RowShader
     /// <summary>Whether craters of invented ground have bright rays.</summary>
     public bool HasRays => _surface.Brightness is not null;
 
-    /// <summary>Finds by what maps multiply the law's radiance factors where there is light.</summary>
-    /// <param name="visible">The surface points.</param>
-    /// <param name="sunlight">The light on them.</param>
-    /// <param name="scales">Receives it, row by row; nothing where a point is dark.</param>
+    /// <inheritdoc cref="RowReflection.FindScales(FrameCamera, SurfaceRow, double[], double, NativeRenderOptions, Span{double})"/>
     public void FindScales(
-        ISurfaceRows visible, PixelSunlight sunlight, NativeRenderOptions options, double[] scales, int threads,
-        CancellationToken cancellation) =>
-        WorkerTeam.Run(threads, visible.Height, (_, row) =>
-        {
-            RowReflection reflection = Take();
-            reflection.FindScales(visible, row, sunlight, options, scales.AsSpan(row * visible.Width, visible.Width));
-            _idle.Add(reflection);
-        }, cancellation);
+        FrameCamera camera, SurfaceRow row, double[] cosIncidence, double minCosine, NativeRenderOptions options, Span<double> scales)
+    {
+        RowReflection reflection = Take();
+        reflection.FindScales(camera, row, cosIncidence, minCosine, options, scales);
+        _idle.Add(reflection);
+    }
 
     /// <summary>The smooth normal at a point, as it is used for shading; length 1, body-fixed, or the facet's normal.</summary>
     /// <param name="hit">The point, with its facet's normal.</param>
