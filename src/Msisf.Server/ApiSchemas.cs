@@ -111,6 +111,7 @@ internal static class ApiSchemas
         OpenApiSchema schema = Of(option switch
         {
             FlagSpec => JsonSchemaType.Boolean,
+            TextSpec { ValueIfBare: not null } => JsonSchemaType.Boolean | JsonSchemaType.String | JsonSchemaType.Number,
             ChoiceSpec => JsonSchemaType.String,
             NumberSpec => JsonSchemaType.Number | JsonSchemaType.String,
             WholeNumberSpec => JsonSchemaType.Integer | JsonSchemaType.String,

@@ -12,7 +12,7 @@ namespace Msisf.Server;
 internal static class MetadataJson
 {
     private static readonly string[] Lists =
-        ["Pixel", "Input", "ElevationPart", "Crater", "CraterLeftOut", "Landmark", "Row", "OtherCamera"];
+        ["Pixel", "Input", "ElevationPart", "Crater", "CraterLeftOut", "Landmark", "Row", "OtherCamera", "Star", "SkyBody"];
 
     /// <summary>Attributes that stay texts, even if they look like a number.</summary>
     private static readonly string[] Texts = ["name", "id", "product", "sha256", "hiddenBy"];

@@ -46,6 +46,24 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
             answer[16..]);
     }
 
+    /// <summary>A stream's images have the sky that its first message asks for, until a later one turns it off.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public async Task Sky_IsInTheImages()
+    {
+        const string Place = "\"position\": [5, 125, 400000], \"look-at\": \"horizon:274\", \"time\": 55292.85";
+        using ClientWebSocket socket = await OpenAsync("""{"frame": {"width": 64, "height": 48, "fov": 20, "earth": true}}""");
+
+        await SendAsync(socket, $"{{{Place}}}");
+        (_, byte[] with) = await ReceiveAsync(socket);
+        await SendAsync(socket, $"{{{Place}, \"earth\": false}}");
+        (_, byte[] without) = await ReceiveAsync(socket);
+
+        string size = $"{Place}, \"width\": 64, \"height\": 48, \"fov\": 20";
+        Assert.Equal(await server.RenderAsync($"{size}, \"earth\": true", "application/octet-stream"), with[16..]);
+        Assert.Equal(await server.RenderAsync(size, "application/octet-stream"), without[16..]);
+        Assert.NotEqual(with[16..], without[16..]);
+    }
+
     /// <summary>With a trajectory in the first message, a time is all that the others need.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task States_OfTheFirstMessage_AreFollowedByTimes()

@@ -43,6 +43,11 @@ class Frame(View):
             semiMajor, semiMinor, turn (degrees), inside, hidden, lit, incidence, emission; NaN where a number is not defined.
         landmarks: With ``landmarks="NAME"`` a record array of the landmarks: id, name, x, y, z, h, v, visible, lit, range, pixelScale, and
             the partial derivatives hByShift, hByTurn, hByPoint and those of v, [3] each.
+        stars: With ``stars=True`` or a catalogue's name a record array of the stars: id, h, v (px, from 1), magnitude (V), colour (B - V),
+            electrons, visible, hiddenBy, rightAscension and declination (degrees, J2000), start and end of the streak, [2] each, and the
+            partial derivatives hByTurn and vByTurn, [3] each; NaN where there is no number.
+        bodies: With ``sky=True``, ``planets=True``, ``earth=True`` or ``sun_in_view=True`` a record array of the bodies that the image
+            shows: name, h, v, radius (px), angularRadius and phase (degrees), distance (m), magnitude, electrons, visible (0 to 1).
     """
 
     def __init__(
@@ -122,6 +127,14 @@ class Frame(View):
     def landmarks(self) -> NDArray[Any]:
         return _records(self.meta, "LandmarkInformation", "Landmark", _LANDMARK)
 
+    @cached_property
+    def stars(self) -> NDArray[Any]:
+        return _records(self.meta, "StarInformation", "Star", _STAR)
+
+    @cached_property
+    def bodies(self) -> NDArray[Any]:
+        return _records(self.meta, "SkyBodyInformation", "SkyBody", _BODY)
+
     def save(self, path: Union[str, PathLike[str]]) -> None:
         """Writes the image as the PNG file that msis writes, byte for byte, whatever was done to ``image`` since.
 
@@ -163,14 +176,19 @@ _PLACES = ("latitude", "longitude", "height", "x", "y", "z", "h", "v")
 _DERIVATIVES = ("hByShift", "hByTurn", "hByPoint", "vByShift", "vByTurn", "vByPoint")
 _LANDMARK = [("number", int), ("id", object), ("name", object), *((name, float) for name in _PLACES), ("visible", bool), ("lit", bool),
              ("incidence", float), ("range", float), ("pixelScale", float), *((name, float, 3) for name in _DERIVATIVES)]  # fmt: skip
+_STAR = [("id", object), *((name, float) for name in ("h", "v", "magnitude", "colour", "electrons")), ("visible", bool),
+         ("hiddenBy", object), ("rightAscension", float), ("declination", float), ("start", float, 2), ("end", float, 2),
+         ("hByTurn", float, 3), ("vByTurn", float, 3)]  # fmt: skip
+_BODIES = ("h", "v", "radius", "angularRadius", "distance", "phase", "magnitude", "electrons", "visible")
+_BODY = [("name", object), *((name, float) for name in _BODIES)]
 
 
 def _records(meta: Mapping[str, Any], group: str, element: str, fields: Sequence[Any]) -> NDArray[Any]:
     """The elements of a group of the meta file as a record array; empty without the group."""
     elements = meta.get(group, {}).get(element, [])
     records = np.zeros(len(elements), dtype=fields)
-    for name, kind, *_ in fields if elements else ():
-        missing = float("nan") if kind is float else None
+    for name, kind, *size in fields if elements else ():
+        missing = np.full(size, np.nan) if kind is float else None
         values = [each.get(name, missing) for each in elements]
         records[name] = [value == "yes" for value in values] if kind is bool else values
     return records.view(np.recarray)

@@ -235,6 +235,8 @@ internal sealed class JsonOptions
                 JsonValueKind.False => null,
                 _ => throw option.Wrong($"is {JsonText.Shown(value)}; true or false is needed."),
             },
+            TextSpec { ValueIfBare: { } bare } when value.ValueKind == JsonValueKind.True => bare,
+            TextSpec { ValueIfBare: not null } when value.ValueKind == JsonValueKind.False => null,
             NumberListSpec when value.ValueKind == JsonValueKind.Array => $"{{{JsonText.Joined(value, ",", option.Name)}}}",
             _ when value.ValueKind == JsonValueKind.Array => JsonText.Joined(value, option.ListSeparator ?? ",", option.Name),
             _ => JsonText.Of(value, option.Name),
@@ -249,7 +251,8 @@ internal sealed class JsonOptions
         Put(
             option,
             option == NativeOptions.HapkeMap ? _names.Map(option.Key, text!)
-                : NavigationOptions.Lists.Contains(option) ? _names.Catalogue(option.Key, text!)
+                : NavigationOptions.Lists.Contains(option) || (option == SkyOptions.Stars && text is not null && SkyOptions.IsFile(text))
+                    ? _names.Catalogue(option.Key, text!)
                 : text);
         if (option == RendererOptions.Renderer && RendererOptions.Renderer.Read(new OptionValues(_values)) != RendererKind.Native)
         {

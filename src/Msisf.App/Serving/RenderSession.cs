@@ -24,8 +24,9 @@ internal sealed class RenderSession : IDisposable
     private readonly IReadOnlyList<InputFile> _lists;
     private readonly ProgramHost _host;
 
+    /// <param name="sky">What the sky is drawn from; null for none.</param>
     public RenderSession(
-        RequestedFrame requested, SharedCache<SurfaceInputs>.Lease maps, ServedEphemeris ephemeris, ProgramHost host)
+        RequestedFrame requested, SharedCache<SurfaceInputs>.Lease maps, SkyInputs? sky, ServedEphemeris ephemeris, ProgramHost host)
     {
         Settings = requested.Settings;
         _model = requested.Model;
@@ -33,10 +34,12 @@ internal sealed class RenderSession : IDisposable
         _ephemeris = ephemeris;
         _host = host;
         _levels = _model.LevelsFor(Settings.LevelOfDetailError);
-        _drawing = new NativeDrawing(Settings.Native, _model.Opened.Grid, maps.Value, _levels, host.Times);
+        _drawing = new NativeDrawing(
+            Settings.Native, _model.Opened.Grid, maps.Value, _levels, host.Times,
+            sky is null ? null : new CameraSky(sky, Settings.Albedo.Band));
         NavigationInputs? lists = NavigationInputs.Open(Settings.Native.Navigation, _model.Opened.Grid.ReferenceRadius);
         _navigation = lists is null ? null : new FrameNavigation(lists);
-        _lists = lists?.Files ?? [];
+        _lists = [.. lists?.Files ?? [], .. sky?.Files ?? []];
         Description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
     }
 
@@ -69,8 +72,11 @@ internal sealed class RenderSession : IDisposable
             place with { Noise = null }, Model, Settings.Ephemeris, Settings.Aberration, needs.NeedsMotion, needs.NeedsPath);
         IReadOnlyList<SpacecraftState> states = shared?.States(key, Read) ?? Read();
         SpacecraftState state = needs.Of(states, place)[0];
+        SkyPositions? sky = Settings.Native.Sky is { } wanted
+            ? new SkyPositions(() => Engine, wanted, geometry.ReferenceRadius)
+            : null;
         Frame[] frames = FrameSetup.Of(
-            [state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration, shared), cancellation);
+            [state], ["frame"], Settings, new SunPositions(() => Engine, Settings.Aberration, shared), cancellation, sky);
         GroundCheck.Refuse(frames, Model, Settings.ShutterSpan, cancellation, trajectory: place);
         return new PreparedFrame(state, frames[0]);
 
@@ -109,7 +115,12 @@ internal sealed class RenderSession : IDisposable
 
     /// <summary>What the meta file says of a frame.</summary>
     public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>
-        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with { Navigation = _navigation?.Of(rendered) };
+        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with
+        {
+            Navigation = _navigation?.Of(rendered),
+            Stars = rendered.Sky?.Stars,
+            Bodies = rendered.Sky?.Bodies,
+        };
 
     public void Dispose() => _maps.Dispose();
 

@@ -16,6 +16,7 @@ internal sealed class RenderSessions(ProgramHost host) : IDisposable
 
     private readonly SharedCache<RenderSession> _sessions = new(MaxSessions);
     private readonly SharedCache<SurfaceInputs> _maps = new(MaxMaps);
+    private readonly ServedSky _sky = new(host.Log);
     private readonly ServedEphemeris _ephemeris = new(host);
 
     public ServedEphemeris Ephemeris => _ephemeris;
@@ -39,7 +40,7 @@ internal sealed class RenderSessions(ProgramHost host) : IDisposable
         SharedCache<SurfaceInputs>.Lease lease = _maps.Rent(requested.MapsKey, () => SurfaceInputs.Open(requested.Settings, host));
         try
         {
-            return new RenderSession(requested, lease, _ephemeris, host);
+            return new RenderSession(requested, lease, _sky.Of(requested.Settings.Native.Sky), _ephemeris, host);
         }
         catch
         {

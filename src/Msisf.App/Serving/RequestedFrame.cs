@@ -60,5 +60,6 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
         .Prepend(rig.Name));
 
     private static string ListsKeyOf(RenderSettings settings) =>
-        $"{settings.Native.Navigation?.Craters} {settings.Native.Navigation?.Landmarks} {settings.Native.Navigation?.Columns}";
+        $"{settings.Native.Navigation?.Craters} {settings.Native.Navigation?.Landmarks} {settings.Native.Navigation?.Columns} "
+            + $"{settings.Native.Sky?.Catalogue}";
 }

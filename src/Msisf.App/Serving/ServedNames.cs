@@ -62,7 +62,7 @@ internal sealed class ServedNames : IDisposable
     /// <summary>The text of a map of the reflectance with its path in place of its name.</summary>
     public string AlbedoMap(string option, AlbedoMapPath named) => named.TextWith(Map(option, named.Path));
 
-    /// <summary>The path of a catalogue of craters, or of a list of landmarks.</summary>
+    /// <summary>The path of a catalogue of craters or stars, or of a list of landmarks.</summary>
     /// <param name="option">Key of the option, for the message.</param>
     public string Catalogue(string option, string name) =>
         _catalogues.TryGetValue(name, out string? path) ? path : throw Unknown(option, name, _catalogues.Keys);

@@ -11,10 +11,10 @@ internal static class SkyOptions
     private static readonly NumberRange Magnitudes = new(-2.0, 30.0);
 
     public static FlagSpec All { get; } = new(
-        "--sky", DecidesBytes.ByOthers.OfRuns(), "Draws all of the sky: --stars, --planets, --earth, --sun-in-view");
+        "--sky", DecidesBytes.ByOthers, "Draws all of the sky: --stars, --planets, --earth, --sun-in-view");
 
     public static TextSpec Stars { get; } = new(
-        "--stars", DecidesBytes.As(frame => frame.Native?.Sky?.Catalogue is { } name ? Path.GetFileName(name) : null).OfRuns(), "FILE",
+        "--stars", DecidesBytes.As(frame => frame.Native?.Sky?.Catalogue is { } name ? Path.GetFileName(name) : null), "FILE",
         "Draws stars: those to V 6.0 that come with msis (bright, also without a value), of Hipparcos (hip_main.dat), of Tycho-2 "
             + "(tyc2.dat) or of a CSV file")
     {
@@ -23,26 +23,29 @@ internal static class SkyOptions
     };
 
     public static NumberSpec StarLimit { get; } = new(
-        "--star-limit", DecidesBytes.As(frame => frame.Native?.Sky?.Faintest).OfRuns(), "V", "Leaves out stars that are fainter")
+        "--star-limit", DecidesBytes.As(frame => frame.Native?.Sky?.Faintest), "V", "Leaves out stars that are fainter")
     {
         Limits = Magnitudes,
         DefaultNote = "all of the catalogue",
     };
 
     public static FlagSpec Planets { get; } = new(
-        "--planets", DecidesBytes.As(frame => frame.Native?.Sky?.HasPlanets).OfRuns(), "Draws the planets but the Earth");
+        "--planets", DecidesBytes.As(frame => frame.Native?.Sky?.HasPlanets), "Draws the planets but the Earth");
 
     public static FlagSpec Earth { get; } = new(
-        "--earth", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarth).OfRuns(), "Draws the Earth");
+        "--earth", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarth), "Draws the Earth");
 
     public static FlagSpec SunInView { get; } = new(
-        "--sun-in-view", DecidesBytes.As(frame => frame.Native?.Sky?.HasSun).OfRuns(), "Draws the Sun");
+        "--sun-in-view", DecidesBytes.As(frame => frame.Native?.Sky?.HasSun), "Draws the Sun");
 
     public static FlagSpec Earthshine { get; } = new(
-        "--earthshine", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarthshine).OfRuns(), "Lights the ground by the Earth too");
+        "--earthshine", DecidesBytes.As(frame => frame.Native?.Sky?.HasEarthshine), "Lights the ground by the Earth too");
 
     /// <summary>The options that draw something behind the ground.</summary>
     public static IReadOnlyList<OptionSpec> Drawn => [All, Stars, Planets, Earth, SunInView];
+
+    /// <summary>Whether a text names a catalogue by a file, and not the one that comes with the program.</summary>
+    public static bool IsFile(string catalogue) => !ChoiceSpec.IsSame(StarCatalogueReader.BuiltIn, catalogue);
 
     /// <summary>The option that draws a body.</summary>
     public static OptionSpec Of(SkyBody body) => body == SkyBody.Sun ? SunInView : body == SkyBody.Earth ? Earth : Planets;

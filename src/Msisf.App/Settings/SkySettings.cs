@@ -56,7 +56,7 @@ internal sealed record SkySettings
             return null;
         }
 
-        OptionSpec given = SkyOptions.Group.Options.First(values.IsGiven);
+        OptionSpec given = SkyOptions.Group.Options.First(option => values.Words(option) is not null);
         if (LightOptions.IgnoreSun.Read(values))
         {
             throw given.Wrong(
@@ -76,11 +76,10 @@ internal sealed record SkySettings
 
     private static string Checked(string catalogue)
     {
-        string name = ChoiceSpec.IsSame(StarCatalogueReader.BuiltIn, catalogue) ? StarCatalogueReader.BuiltIn : catalogue;
-        return name == StarCatalogueReader.BuiltIn || File.Exists(name)
-            ? name
+        return !SkyOptions.IsFile(catalogue) ? StarCatalogueReader.BuiltIn
+            : File.Exists(catalogue) ? catalogue
             : throw SkyOptions.Stars.Wrong(
-                $"is '{name}', which is neither a file nor '{StarCatalogueReader.BuiltIn}'. Give a catalogue: hip_main.dat of Hipparcos, "
-                    + "tyc2.dat of Tycho-2, or CSV with the columns ra_deg, dec_deg and v_mag.");
+                $"is '{catalogue}', which is neither a file nor '{StarCatalogueReader.BuiltIn}'. Give a catalogue: hip_main.dat of "
+                    + "Hipparcos, tyc2.dat of Tycho-2, or CSV with the columns ra_deg, dec_deg and v_mag.");
     }
 }

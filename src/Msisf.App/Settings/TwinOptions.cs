@@ -46,6 +46,7 @@ internal static class TwinOptions
             new OptionGroup("Renderer", [
                 NativeOptions.Reflectance, NativeOptions.HapkeMap, NativeOptions.Albedo, NativeOptions.Samples, NativeOptions.Shading,
                 NativeOptions.Sun, NativeOptions.Exposure, NativeOptions.Refine, NativeOptions.RefineCell]),
+            SkyOptions.Group with { Note = null },
             new OptionGroup("Output", [OutputOptions.Folder, OutputOptions.Name]),
             new OptionGroup("General", [RunOptions.Batch, RunOptions.Config, RunOptions.Help]),
         ],

@@ -136,7 +136,9 @@ public sealed record SkyAxes
         Vector3D way = place.WayJ2000 + ((seconds - Seconds) * place.VelocityJ2000) - (camera - _cameraJ2000);
         return place with
         {
-            ApparentJ2000 = StellarAberration.Of(way.Normalized(), _velocityInC), WayJ2000 = way, Distance = way.Length,
+            ApparentJ2000 = StellarAberration.Of(way.Normalized(), _velocityInC),
+            WayJ2000 = way,
+            Distance = way.Length,
         };
     }
 

@@ -339,6 +339,33 @@ public sealed class DataSetRunTests : IDisposable
             File.ReadAllBytes(_folder["single/MoonSurfIllumSim_step_00002.xml"]));
     }
 
+    /// <summary>A data set with stars and the Earth's light: each image has its own list.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_Sky_HasTheStarsOfEachImage()
+    {
+        _folder.Write(
+            "sky.yaml",
+            """
+            name: sky
+            licence: CC0
+            count: 2
+            seed: 3
+            index: [csv]
+            states: {latitude: [-50, 50], altitude: log-uniform 200e3 400e3, off-nadir: [70, 75], sun-elevation: [10, 60]}
+            options: {width: 48, height: 36, fov: 60, albedo-map: none, stars: bright, star-limit: 5, earthshine: true}
+
+            """);
+
+        CommandLineRun run = Make("sky", "out");
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        string[] lists = [.. Directory.GetFiles(_folder["out"], "*.stars.csv").Order().Select(File.ReadAllText)];
+        Assert.Equal(2, lists.Length);
+        Assert.NotEqual(lists[0], lists[1]);
+        Assert.All(lists, list => Assert.Contains("\nHIP ", list, StringComparison.Ordinal));
+        Assert.Contains("bright.csv", File.ReadAllText(_folder["out/card.md"]), StringComparison.Ordinal);
+    }
+
     private CommandLineRun Make(string name, string output, params string[] options) =>
         CommandLineRun.Of(["dataset", _folder[$"{name}.yaml"], "--output-dir", _folder[output], "--batch", .. options]);
 

@@ -73,6 +73,19 @@ public sealed partial class TwinTests(TwinCubes cubes) : IClassFixture<TwinCubes
         Assert.Contains("Clementine UVVIS", page, StringComparison.Ordinal);
     }
 
+    /// <summary>The sky behind a twin has its list; what is compared is the ground alone.</summary>
+    [RequiresFact(Part.Ldem4, Part.Numpy, Part.LroNac)]
+    public void Sky_IsBehindTheTwin()
+    {
+        Twin("clementine");
+        Twin(cubes["clementine"], "sky", ["--stars", "--earth"]);
+
+        Assert.StartsWith("id,h,v,", File.ReadAllText(_folder["sky/clementine.twin.stars.csv"]), StringComparison.Ordinal);
+        Assert.Equal(
+            File.ReadAllBytes(_folder["clementine/clementine.twin.radiance-factor.npy"]),
+            File.ReadAllBytes(_folder["sky/clementine.twin.radiance-factor.npy"]));
+    }
+
     /// <summary>Texts of equal length, so that the tables stay in their places.</summary>
     [RequiresTheory(Part.Ldem4, Part.Numpy, Part.LroNac)]
     [InlineData("TargetName = Moon", "TargetName = Mars", 2, "the image is of Mars, and the Moon is drawn. Give --body mars")]
