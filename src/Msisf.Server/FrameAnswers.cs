@@ -90,7 +90,7 @@ internal sealed class FrameAnswers(StreamPool pool)
         if (plan.Layers is { } layers)
         {
             AddLayers(answer, session, plan, layers, form, new LayersOf(
-                metadata, provenance, FrameNavigation.Mark(rendered.Truth!, metadata.Navigation, layers)), cancellation);
+                metadata, provenance, FrameNavigation.Mark(rendered.Truth!, metadata.Navigation, rendered.Sky, layers)), cancellation);
         }
 
         if (plan.HasNumbers)

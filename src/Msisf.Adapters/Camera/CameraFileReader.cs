@@ -90,6 +90,13 @@ public static class CameraFileReader
 
         CameraFileDetector? detector = DetectorSection.Read(
             file, new DetectorGeometry(path, width, height, metric?.FocalLength, metric?.Pitch, mayNameFiles));
+        CameraFileScan? scan = ScanSection.Read(file, height, detector);
+        if (scan is { Kind: not ScanKind.RollingShutter } && detector?.Settings.FarWings is not null)
+        {
+            throw file.Wrong(
+                "scan", "'psf-wings' spreads light over a whole image, and lines and framelets are images of their own. Leave one out");
+        }
+
         return new CameraFile(
             preset ?? Path.GetFileName(path), Checksum(content, detector), file.Text("description"), model,
             metric?.FocalLength, metric?.Pitch, path, content.Length, preset is not null,
@@ -98,7 +105,7 @@ public static class CameraFileReader
         {
             AddedWidth = ownWidth is null ? width : null,
             AddedHeight = ownHeight is null ? height : null,
-            Scan = ScanSection.Read(file, height, detector),
+            Scan = scan,
         };
 
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;

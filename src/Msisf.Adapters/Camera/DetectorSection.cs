@@ -18,7 +18,7 @@ internal static class DetectorSection
         "aperture", "f-number", "transmission", "quantum-efficiency", "wavelengths", "band", "exposure-time", "vignetting", "prnu",
         "dead-pixels", "dead-fraction", "cosmic-rays", "cosmic-ray-depth", "smear-row-time", "smear-direction", "smear-before-exposure",
         "full-well", "blooming", "gain", "read-noise", "bias", "column-offset", "adc-bits", "seed", "fits",
-        .. ShutterKeys.Keys, .. DarkCurrentKeys.Keys, .. PointSpreadKeys.Keys,
+        .. ShutterKeys.Keys, .. DarkCurrentKeys.Keys, .. PointSpreadKeys.Keys, .. FarWingKeys.Keys,
     ];
 
     /// <summary>Reads the section.</summary>
@@ -44,6 +44,7 @@ internal static class DetectorSection
             Shutter = ShutterKeys.Read(section),
             IsFlatFielded = section.Word("vignetting", ["natural", "none"]) == "none",
             PointSpread = psf.Read(),
+            FarWings = FarWingKeys.Read(section),
             ResponseNonuniformity = Range(section, "prnu", 0.0, MaxNonuniformity) ?? 0.0,
             Dark = DarkCurrentKeys.Read(section, geometry),
             DeadFraction = Range(section, "dead-fraction", 0.0, 1.0) ?? 0.0,

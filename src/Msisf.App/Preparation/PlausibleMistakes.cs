@@ -3,6 +3,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.Core.Attitude;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
+using Msisf.Core.Detector.Psf;
 using Msisf.Core.Ephemeris;
 using Msisf.Core.Orbit;
 using Msisf.Core.Terrain;
@@ -101,6 +102,17 @@ internal static class PlausibleMistakes
             yield return Invariant(
                 $"The detector's band is {band.Shortest:R} to {band.Longest:R} nm; what lies outside {UsualBand.Min} to "
                     + $"{UsualBand.Max:#,0} nm is less certain: the Sun is a black body there, and the Moon's own heat is left out.");
+        }
+    }
+
+    /// <summary>What far wings leave out.</summary>
+    /// <param name="wings">Of the detector; null for none.</param>
+    public static IEnumerable<string> Wings(FarWings? wings)
+    {
+        if (wings is not null)
+        {
+            yield return Invariant(
+                $"'psf-wings' spreads the light of the image up to {wings.Reach:R} px; light of ground beside the image is left out.");
         }
     }
 

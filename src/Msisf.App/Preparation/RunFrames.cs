@@ -1,6 +1,7 @@
 using Msisf.App.Host;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Detector;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -93,7 +94,8 @@ internal sealed record RunFrames(
     /// <param name="referenceRadius">m: radius of the sphere over which heights are counted.</param>
     public void WarnOfCamera(ProgramHost host, double referenceRadius)
     {
-        foreach (string note in PlausibleMistakes.Band(Settings.Native.Detector?.Settings.Response))
+        DetectorSettings? detector = Settings.Native.Detector?.Settings;
+        foreach (string note in PlausibleMistakes.Band(detector?.Response).Concat(PlausibleMistakes.Wings(detector?.FarWings)))
         {
             host.Log.Note(note);
         }

@@ -92,6 +92,7 @@ internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detecto
         {
             ApertureArea = detector.ApertureArea / (x * y),
             PointSpread = null,
+            FarWings = null,
             Shutter = null,
             CosmicRays = null,
             DeadPixels = [],

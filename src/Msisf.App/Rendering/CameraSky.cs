@@ -54,7 +54,8 @@ internal sealed class CameraSky(SkyInputs inputs, SpectralBand band)
         double reach = ScanReach + (turn * span) + (2.0 * ((detector?.PointReach ?? 0) + 1.0) * pixel);
         return new FrameLights(
             inputs.Stars is { } stars ? new StarLights(new FrameSky(stars, frame.Camera, frame.Sky, reach), tracer, brightness) : null,
-            frame.Sky[0].Bodies.Count > 0 ? new BodyLights(frame.Sky, tracer, sunlight) : null);
+            frame.Sky[0].Bodies.Count > 0 ? new BodyLights(frame.Sky, tracer, sunlight) : null,
+            frame.Sky);
     }
 
     /// <summary>Finds what a frame shows of the sky, when all its exposures are collected.</summary>
@@ -68,7 +69,7 @@ internal sealed class CameraSky(SkyInputs inputs, SpectralBand band)
         StarsOfFrame? stars = lights.Stars?.Find(camera, hasDetector, threads, cancellation);
         Dictionary<int, double> factors = [];
         BodiesOfFrame? bodies = lights.Bodies?.Find(camera, hasDetector, hasDetector ? null : factors, cancellation);
-        foreach (StarView view in hasDetector ? [] : stars?.Views.Where(view => view.HiddenBy is null) ?? [])
+        foreach (StarView view in hasDetector ? [] : stars?.Views.Where(view => view.IsVisible) ?? [])
         {
             (PixelRows rows, FrameCamera own) = camera.BandAt(view.Y);
             double solidAngle = own.SolidAngle(own.RayThrough(view.X, view.Y - rows.First).Direction.Normalized());
@@ -82,14 +83,18 @@ internal sealed class CameraSky(SkyInputs inputs, SpectralBand band)
         {
             double distance = sun((pair.Key / camera.Width) + 1).Length / AstronomicalConstants.AstronomicalUnit;
             return (pair.Key, pair.Value * distance * distance);
-        })]);
+        })])
+        {
+            Axes = lights.Axes,
+        };
     }
 }
 
 /// <summary>The lights of the sky in one frame.</summary>
 /// <param name="Stars">Null for none.</param>
 /// <param name="Bodies">Null for none.</param>
-internal sealed record FrameLights(StarLights? Stars, BodyLights? Bodies) : IPointLights
+/// <param name="Axes">How the sky lies, for each band of the frame's camera.</param>
+internal sealed record FrameLights(StarLights? Stars, BodyLights? Bodies, IReadOnlyList<SkyAxes> Axes) : IPointLights
 {
     public void Collect(PointExposure exposure, CameraDetector detector, DetectorImage image, CancellationToken cancellation)
     {
@@ -102,4 +107,8 @@ internal sealed record FrameLights(StarLights? Stars, BodyLights? Bodies) : IPoi
 /// <param name="Stars">Null where none are drawn.</param>
 /// <param name="Bodies">Null where none are drawn.</param>
 /// <param name="Factors">What the sky adds to radiance factors of pixels, by rows from 0; empty with a detector.</param>
-internal sealed record SkyOfFrame(StarsOfFrame? Stars, BodiesOfFrame? Bodies, IReadOnlyList<(int Pixel, double Factor)> Factors);
+internal sealed record SkyOfFrame(StarsOfFrame? Stars, BodiesOfFrame? Bodies, IReadOnlyList<(int Pixel, double Factor)> Factors)
+{
+    /// <summary>How the sky lies, for each band of the frame's camera.</summary>
+    public required IReadOnlyList<SkyAxes> Axes { get; init; }
+}

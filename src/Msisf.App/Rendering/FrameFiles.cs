@@ -131,7 +131,7 @@ internal sealed class FrameFiles(
         AtomicFileSet files, string stem, FrameMetadata metadata, RenderedFrame rendered, LayerSet layers, CancellationToken cancellation)
     {
         ArgumentNullException.ThrowIfNull(rendered.Truth);
-        IGroundTruth truth = FrameNavigation.Mark(rendered.Truth, metadata.Navigation, layers);
+        IGroundTruth truth = FrameNavigation.Mark(rendered.Truth, metadata.Navigation, rendered.Sky, layers);
         LayerProvenance provenance = description.Provenance(metadata, rendered);
         LayerPrecision precision = settings.Native.LayersPrecision;
         if (settings.Native.LayersFormat == LayersFormat.Npy)

@@ -8,6 +8,7 @@ using Msisf.Core.Layers;
 using Msisf.Core.Metadata;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
+using Msisf.Core.Sky;
 
 namespace Msisf.App.Rendering;
 
@@ -30,10 +31,16 @@ internal sealed class FrameNavigation(NavigationInputs inputs)
     }
 
     /// <summary>The frame's truth with what layers need of this one.</summary>
-    public static IGroundTruth Mark(IGroundTruth frame, NavigationTruth? navigation, LayerSet layers) =>
-        navigation?.Craters is { } craters && layers.Layers.Any(layer => layer.NeedsCraters)
-            ? new MarkedFrame(frame, CraterPixels.NumbersOf(craters, frame, threads: 1))
-            : frame;
+    public static IGroundTruth Mark(IGroundTruth frame, NavigationTruth? navigation, SkyOfFrame? sky, LayerSet layers)
+    {
+        int[] craters = navigation?.Craters is { } found && layers.Layers.Any(layer => layer.NeedsCraters)
+            ? CraterPixels.NumbersOf(found, frame, threads: 1)
+            : [];
+        int[] objects = sky is not null && layers.Layers.Any(layer => layer.NeedsSky)
+            ? SkyPixels.ObjectsOf(frame, sky.Axes, sky.Stars, sky.Bodies, threads: 1)
+            : [];
+        return craters.Length + objects.Length == 0 ? frame : new MarkedFrame(frame, craters, objects);
+    }
 
     /// <param name="stem">Path of the frame's files, without extension.</param>
     public static IReadOnlyList<string> Write(AtomicFileSet files, string stem, int step, FrameMetadata metadata)

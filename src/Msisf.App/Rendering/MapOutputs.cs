@@ -39,8 +39,8 @@ internal sealed class MapOutputs(MapSettings settings, NativeSettings native, st
         if (native.Layers is { } layers)
         {
             paths.AddRange(writer.WriteLayers(
-                files, stem, FrameNavigation.Mark(truth, metadata.Navigation, layers), provenance, layers, native.LayersPrecision,
-                cancellation));
+                files, stem, FrameNavigation.Mark(truth, metadata.Navigation, rendered.Sky, layers), provenance, layers,
+                native.LayersPrecision, cancellation));
         }
 
         return paths;

@@ -40,6 +40,14 @@ internal static class NativeSettingsReader
                 NavigationOptions.Craters);
         }
 
+        SkySettings? sky = SkySettings.Read(values);
+        if (sky is not { IsDrawn: true })
+        {
+            LeaveOut(
+                layer => layer.NeedsSky, $"needs something behind the ground. Add {SkyOptions.All.Name}, or leave the layer out.",
+                SkyOptions.All);
+        }
+
         IndirectLight? indirect = IndirectOptions.Read(values, scans);
         if (indirect is null)
         {
@@ -97,7 +105,7 @@ internal static class NativeSettingsReader
             Detector = detector,
             Refine = refine,
             Navigation = navigation,
-            Sky = SkySettings.Read(values),
+            Sky = sky,
             Layers = layers,
             LayersFormat = NativeOptions.LayersFormat.Read(values),
             LayersPrecision = NativeOptions.LayersPrecision.Read(values),

@@ -21,6 +21,7 @@ public sealed class CameraDetector
     private readonly DetectorPass _pass;
     private readonly ConcurrentBag<DetectorImage> _idle = [];
     private readonly Lazy<PointImage> _pointImage;
+    private readonly Lazy<WingConvolution>? _wings;
 
     /// <summary>Prepares a camera.</summary>
     /// <param name="camera">Size and geometry of the images; its states do not matter.</param>
@@ -30,6 +31,9 @@ public sealed class CameraDetector
         _settings = settings;
         Margin = settings.PointSpread?.Radius ?? 0;
         _pointImage = new Lazy<PointImage>(() => new PointImage(settings.PointSpread));
+        _wings = settings.FarWings is { } wings
+            ? new Lazy<WingConvolution>(() => new WingConvolution(wings, camera.Width, camera.Height, threads, CancellationToken.None))
+            : null;
         _ = WindowOf(camera);
         _electronsPerSteradian = settings.ApertureArea * settings.ExposureTime * settings.Response.ElectronRate(SolarSpectrum.IrradianceAt);
         _throughput = PixelThroughput.Of(camera, settings.IsFlatFielded, threads);
@@ -151,6 +155,7 @@ public sealed class CameraDetector
             : _settings.Seed is ulong number ? NoiseSource.OfFrame(number, FrameNumber.Of(time, camera))
             : null;
         image.Noise = seed;
+        image.LeftImage = _wings?.Value.Apply(image.Electrons, threads, cancellation) ?? 0.0;
         _pass.Read(image, noise, threads, cancellation);
     }
 

@@ -30,6 +30,9 @@ public sealed class DetectorImage
     /// </summary>
     public double[] Electrons { get; }
 
+    /// <summary>Electrons of light that far wings take out of the image; 0 without them.</summary>
+    public double LeftImage { get; internal set; }
+
     /// <summary>0 where the DN is in proportion to the light, 1 at the highest DN, 2 at the full well, 3 at both.</summary>
     public byte[] Saturated { get; }
 

@@ -27,6 +27,9 @@ public sealed record DetectorSettings
     /// <summary>How the image of a point spreads; null if it stays within its pixel.</summary>
     public PointSpreadKernel? PointSpread { get; init; }
 
+    /// <summary>Stray light over the whole image; null for none.</summary>
+    public FarWings? FarWings { get; init; }
+
     /// <summary>PRNU: standard deviation of the pixels' responses over their mean, 0 to 0.2.</summary>
     public double ResponseNonuniformity { get; init; }
 

@@ -58,6 +58,9 @@ public sealed class Layer
     /// <summary>Whether only a frame with a catalogue of craters has it.</summary>
     public bool NeedsCraters { get; init; }
 
+    /// <summary>Whether only a frame with stars or bodies of the sky has it.</summary>
+    public bool NeedsSky { get; init; }
+
     /// <summary>Whether only a frame with light that ground throws on ground has it.</summary>
     public bool NeedsIndirect { get; init; }
 

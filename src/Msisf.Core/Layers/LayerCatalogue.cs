@@ -139,6 +139,14 @@ public static class LayerCatalogue
             NeedsCraters = true,
         },
         new(
+            "object", LayerType.Signed32, string.Empty,
+            "What the pixel shows: 0 nothing, 1 ground, 2 a star, 10 the Sun, 399 the Earth, planets 199 to 899 (NAIF's numbers).",
+            SurfaceValues.ObjectNumber)
+        {
+            NeedsSky = true,
+            CoversImage = true,
+        },
+        new(
             "source", LayerType.Signed32, string.Empty,
             "Where the height comes from. Model: its number, 0 the coarsest; of a seam the finest one that it joins; invented ground "
                 + "has the number after the last. Kind: 1 measured, 2 blended (changed to meet another model), 3 seam, 4 invented.",

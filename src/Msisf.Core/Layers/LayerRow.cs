@@ -141,6 +141,9 @@ internal sealed class LayerRow(IGroundTruth frame, int? meshPixelsPerDegree, dou
     /// <summary>Number of the crater that each of the row's pixels shows; empty without a catalogue.</summary>
     public ReadOnlySpan<int> CraterNumbers => OfRow(frame.CraterNumbers);
 
+    /// <summary>Number of the object that each of the row's pixels shows; empty without a sky.</summary>
+    public ReadOnlySpan<int> ObjectNumbers => OfRow(frame.ObjectNumbers);
+
     /// <summary>Saturation of the detector's pixels; empty without a detector.</summary>
     public ReadOnlySpan<byte> Saturated => frame.SaturatedOf(Row);
 

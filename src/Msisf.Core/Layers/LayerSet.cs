@@ -13,7 +13,7 @@ public sealed class LayerSet
 
     /// <summary>Every layer that frames of one elevation model, without detector and without catalogue, have.</summary>
     public static LayerSet OfAnyFrame { get; } =
-        new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters && !layer.NeedsModels
+        new([.. LayerCatalogue.All.Where(layer => !layer.NeedsDetector && !layer.NeedsCraters && !layer.NeedsSky && !layer.NeedsModels
             && !layer.NeedsInventedGround && !layer.NeedsIndirect)]);
 
     /// <summary>For messages and help: the names that <see cref="Parse"/> knows.</summary>

@@ -129,6 +129,17 @@ internal static class SurfaceValues
         }
     }
 
+    /// <summary>0 also without a sky.</summary>
+    public static void ObjectNumber(LayerRow row, int plane, double[] values)
+    {
+        ReadOnlySpan<int> numbers = row.ObjectNumbers;
+        values.AsSpan(0, row.Camera.Width).Clear();
+        for (int i = 0; i < numbers.Length; i++)
+        {
+            values[i] = numbers[i];
+        }
+    }
+
     private static void Copy(VectorRow vectors, int plane, int count, double[] values)
     {
         double[] component = plane switch

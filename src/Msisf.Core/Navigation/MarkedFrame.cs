@@ -5,10 +5,11 @@ using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Navigation;
 
-/// <summary>Ground truth of a frame that also knows which crater each pixel shows.</summary>
+/// <summary>Ground truth of a frame that also knows which crater or object each pixel shows.</summary>
 /// <param name="frame">The frame; must live longer than this.</param>
-/// <param name="craterNumbers">The result of <see cref="CraterPixels.NumbersOf"/>.</param>
-public sealed class MarkedFrame(IGroundTruth frame, int[] craterNumbers) : IGroundTruth
+/// <param name="craterNumbers">The result of <see cref="CraterPixels.NumbersOf"/>; empty for none.</param>
+/// <param name="objectNumbers">The number of the object that each pixel shows, by rows; empty for none.</param>
+public sealed class MarkedFrame(IGroundTruth frame, int[] craterNumbers, int[] objectNumbers) : IGroundTruth
 {
     /// <inheritdoc/>
     public ICamera Camera => frame.Camera;
@@ -30,6 +31,9 @@ public sealed class MarkedFrame(IGroundTruth frame, int[] craterNumbers) : IGrou
 
     /// <inheritdoc/>
     public ReadOnlySpan<int> CraterNumbers => craterNumbers;
+
+    /// <inheritdoc/>
+    public ReadOnlySpan<int> ObjectNumbers => objectNumbers;
 
     /// <inheritdoc/>
     public bool TryGet(int x, int y, out SurfaceHit hit, out PixelIllumination light) => frame.TryGet(x, y, out hit, out light);

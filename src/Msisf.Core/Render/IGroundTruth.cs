@@ -31,6 +31,9 @@ public interface IGroundTruth
     /// <summary>Number of the crater that each pixel shows, by rows, 0 for none; empty without a catalogue of craters.</summary>
     ReadOnlySpan<int> CraterNumbers => [];
 
+    /// <summary>Number of the object that each pixel shows, by rows; empty without a sky.</summary>
+    ReadOnlySpan<int> ObjectNumbers => [];
+
     /// <summary>Rows that are known at once; rows are best asked for from the top, in parts of so many.</summary>
     int RowsAtOnce => Camera.Height;
 

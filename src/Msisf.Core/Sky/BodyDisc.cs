@@ -43,6 +43,14 @@ public sealed class BodyDisc
             : 2.0 / 3.0 * (Trigonometry.Sin(phase) + ((Math.PI - phase) * Trigonometry.Cos(phase))));
     }
 
+    /// <summary>Whether the disc, its lit part or the rest, lies in a direction.</summary>
+    /// <param name="direction">Length 1.</param>
+    public bool Covers(Vector3D direction)
+    {
+        double cosine = Vector3D.Dot(direction, _centre);
+        return cosine > 0.0 && PlaceOf(direction, cosine) is var (u, v) && (u * u) + (v * v) < 1.0;
+    }
+
     /// <summary>Part of the whole body's light that comes from a direction, per steradian; 0 beside the disc.</summary>
     /// <param name="direction">Length 1.</param>
     public double LightFrom(Vector3D direction)
@@ -53,8 +61,7 @@ public sealed class BodyDisc
             return 0.0;
         }
 
-        double u = Vector3D.Dot(direction, _across) / (cosine * _tangent);
-        double v = Vector3D.Dot(direction, _along) / (cosine * _tangent * _flattening);
+        (double u, double v) = PlaceOf(direction, cosine);
         double square = 1.0 - (u * u) - (v * v);
         if (square <= 0.0)
         {
@@ -67,4 +74,8 @@ public sealed class BodyDisc
             : Math.Max(0.0, (u * _toSun.X) + (v * _toSun.Y) + (emission * _toSun.Z));
         return brightness / (_whole * _tangent * _tangent * cosine * cosine * cosine);
     }
+
+    /// <summary>Where a direction meets the disc, in its radii: across, and along the pole in those of its flattened outline.</summary>
+    private (double Across, double Along) PlaceOf(Vector3D direction, double cosine) =>
+        (Vector3D.Dot(direction, _across) / (cosine * _tangent), Vector3D.Dot(direction, _along) / (cosine * _tangent * _flattening));
 }

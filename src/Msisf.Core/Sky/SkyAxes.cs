@@ -142,6 +142,29 @@ public sealed record SkyAxes
         };
     }
 
+    /// <summary>The nearest of <see cref="Bodies"/> whose disc, lit or not, lies in a direction; null for none.</summary>
+    /// <param name="drawn">Length 1, body-fixed.</param>
+    /// <param name="camera">The camera as it is drawn at that time.</param>
+    /// <param name="seconds">s after the image's time.</param>
+    internal SkyBody? BodyIn(Vector3D drawn, FrameCamera camera, double seconds)
+    {
+        BodyPlace? nearest = null;
+        foreach (BodyPlace body in Bodies)
+        {
+            BodyPlace place = Seen(body, camera.PositionBodyFixed, seconds);
+            Vector3D centre = Drawn(place.ApparentJ2000);
+            if (Vector3D.Dot(drawn, centre) >= Trigonometry.Cos(place.AngularRadius) && !(nearest?.Distance <= place.Distance)
+                && new BodyDisc(place, centre, Drawn).Covers(drawn))
+            {
+                nearest = place;
+            }
+        }
+
+        return nearest?.Body;
+
+        Vector3D Drawn(Vector3D inJ2000) => DrawnDirection(inJ2000, camera.MoonFromCamera, seconds);
+    }
+
     /// <summary>Where an observer sees a body.</summary>
     /// <param name="observer">m, from the solar system's barycentre, J2000.</param>
     private static BodyPlace PlaceOf(SkyBody body, TdbTime time, Vector3D observer, Vector3D velocityInC, IEphemeris ephemeris)

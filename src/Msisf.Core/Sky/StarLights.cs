@@ -65,12 +65,15 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
                 continue;
             }
 
-            double electrons = detector.PointElectrons(brightness.Of(star), middle, drawn);
+            // A body moves before the stars by little while a shutter is open.
+            double electrons = axes.BodyIn(drawn, middle, exposure.Middle) is null
+                ? detector.PointElectrons(brightness.Of(star), middle, drawn)
+                : 0.0;
             double added = 0.0;
             double ofGround = GroundAhead.Rate(middle.PositionBodyFixed, velocity, exposure.Span, drawn, 0.0, tracer.MaxRadius)
                 * exposure.Span / middle.PixelTangent;
             int checks = (int)Math.Clamp(Math.Ceiling(ofGround / (LongestGroundStep * Math.Max(1, segments))), 1.0, MaxChecks);
-            foreach ((RenderingPoint from, RenderingPoint to, double share) in track.Visible(checks))
+            foreach ((RenderingPoint from, RenderingPoint to, double share) in electrons == 0.0 ? [] : track.Visible(checks))
             {
                 added += Expose(spread, image, exposure.Rows, from, to, share * electrons);
             }
@@ -98,7 +101,10 @@ public sealed class StarLights(FrameSky sky, ITerrainTracer tracer, StarBrightne
                 if (Vector3D.Dot(drawn, band.ForwardBodyFixed) >= cosine && band.TryProject(drawn, out RenderingPoint point)
                     && IsInside(band, point))
                 {
-                    views[index].Add(View(index, band, rows, point, apparent, drawn, hasDetector));
+                    views[index].Add(View(index, band, rows, point, apparent, drawn, hasDetector) with
+                    {
+                        Behind = axes.BodyIn(drawn, band, band.State.Seconds),
+                    });
                 }
             }, cancellation);
         }

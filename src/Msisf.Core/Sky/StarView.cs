@@ -11,6 +11,12 @@ namespace Msisf.Core.Sky;
 /// <param name="HiddenBy">The facet that hides it in the middle of the exposure; null if it is visible.</param>
 public sealed record StarView(Star Star, double X, double Y, Vector3D ApparentJ2000, FacetId? HiddenBy)
 {
+    /// <summary>The body of the sky behind which it is; null for none that is drawn.</summary>
+    public SkyBody? Behind { get; init; }
+
+    /// <summary>Whether neither ground nor a body of the sky hides it in the middle of the exposure.</summary>
+    public bool IsVisible => HiddenBy is null && Behind is null;
+
     /// <summary>Electrons that it frees in the image; null without a detector.</summary>
     public double? Electrons { get; init; }
 

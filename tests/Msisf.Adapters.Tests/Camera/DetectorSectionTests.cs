@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using Msisf.Adapters.Camera;
 using Msisf.Core.Detector;
+using Msisf.Core.Detector.Psf;
 using Msisf.Core.Errors;
 using Msisf.TestSupport;
 using Xunit;
@@ -44,6 +45,23 @@ public sealed class DetectorSectionTests : IDisposable
         Assert.Equal(new CosmicRays { Rate = 5.0, Thickness = 12.0 }, settings.CosmicRays);
         Assert.Equal((30000.0, 50.0, 1.0, 16383, ulong.MaxValue), (
             settings.FullWell, settings.Bias, settings.ColumnOffset, settings.MaxNumber, settings.Seed));
+    }
+
+    [Fact]
+    public void Read_FarWings_BecomeTheSettings()
+    {
+        string[] wings = [.. Right, "psf-wings: 0.05", "psf-wings-radius: 1.5", "psf-wings-exponent: 2.4", "psf-wings-reach: 900"];
+
+        Assert.Null(Read(Right).Settings.FarWings);
+        Assert.Equal(new FarWings(0.05, 1.5, 2.4, 900.0), Read(wings).Settings.FarWings);
+        Assert.Contains(
+            "needs 'psf-wings-exponent'", Assert.Throws<BadInputException>(() => Read([.. Right, "psf-wings: 0.1"])).Message,
+            StringComparison.Ordinal);
+        Assert.Contains(
+            "'psf-wings-exponent' is 2; a number above 2",
+            Assert.Throws<BadInputException>(() => Read([.. wings.Select(line => line.Replace(": 2.4", ": 2", StringComparison.Ordinal))]))
+                .Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -167,6 +185,8 @@ public sealed class DetectorSectionTests : IDisposable
     [InlineData("psf: kernel", 6, "needs 'psf-kernel'")]
     [InlineData("psf-sigma: 1", 12, "'psf-sigma' has no meaning with the PSF 'none'")]
     [InlineData("psf-radius: 100", 12, "'psf-radius' has no meaning with the PSF 'none'")]
+    [InlineData("psf-wings: 1.5", 12, "a number from 0 to 1")]
+    [InlineData("psf-wings-reach: 500", 12, "'psf-wings-reach' has no meaning without 'psf-wings'")]
     [InlineData("prnu: 0.5", 12, "a number from 0 to 0.2")]
     [InlineData("dead-pixels: [1, 2, 3]", 12, "2 of each pixel are needed")]
     [InlineData("dead-pixels: [65, 1]", 12, "columns go from 1 to 64")]

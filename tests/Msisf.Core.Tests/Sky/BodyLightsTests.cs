@@ -63,6 +63,31 @@ public sealed class BodyLightsTests
         Assert.Equal(0.75, halved / whole, SameLight);
     }
 
+    /// <summary>The Earth's dark side hides stars: the Sun is behind it.</summary>
+    [Theory]
+    [InlineData(0.97, true)]
+    [InlineData(1.03, false)]
+    public void Collect_StarBehindTheEarth_IsHidden(double radii, bool isHidden)
+    {
+        FrameCamera camera = Model.At(new CameraState(2e6 * Vector3D.UnitX, UnitQuaternion.Identity));
+        SkyAxes axes = SkyAxes.At(
+            Moments.OfMjd(55289.0), camera.State, null, new FlyingEarth(default, -1.0), 1_737_400.0, [SkyBody.Earth]);
+        double aside = radii * Math.Asin(6_378_136.6 / Distance);
+        Star star = new("S", new Vector3D(-Math.Cos(aside), Math.Sin(aside), 0.0), default, 0.0, 0.0, 0.0, 0.0);
+        StarLights lights = new(
+            new FrameSky(new StarCatalogue([star]), camera, [axes], 0.1), new Ridge(0.0), new StarBrightness(static _ => 1e6));
+        DetectorImage image = new(Side, Side);
+
+        lights.Collect(
+            new PointExposure(new PixelRows(0, Side), _ => camera, 0.0, 0.0), new CameraDetector(Settings, camera, 1), image,
+            CancellationToken.None);
+        StarView view = Assert.Single(lights.Find(camera, hasDetector: true, threads: 1, CancellationToken.None).Views);
+
+        Assert.Equal(isHidden, image.Electrons.Sum() == 0.0);
+        Assert.Equal(isHidden ? SkyBody.Earth : null, view.Behind);
+        Assert.Equal(!isHidden, view.IsVisible);
+    }
+
     private static double Variance(IEphemeris ephemeris, double speed)
     {
         double[] electrons = Collect(ephemeris, speed, new Ridge(0.0));
@@ -100,8 +125,8 @@ public sealed class BodyLightsTests
         public bool IsHidden(Vector3D pointBodyFixed, FacetId facet, Vector3D lightBodyFixed) => throw new NotSupportedException();
     }
 
-    /// <summary>A Moon that stands still along J2000's axes, the Sun behind the camera, and the Earth in front of it.</summary>
-    private sealed class FlyingEarth(Vector3D velocity) : IEphemeris
+    /// <summary>A Moon that stands still along J2000's axes, the Earth before the camera, the Sun on either side.</summary>
+    private sealed class FlyingEarth(Vector3D velocity, double sunSide = 1.0) : IEphemeris
     {
         public string EngineName => "flying Earth";
 
@@ -116,7 +141,7 @@ public sealed class BodyLightsTests
         public StateVector StateOf(int naifNumber, TdbTime time) => naifNumber switch
         {
             399 => new StateVector((2e6 - Distance) * Vector3D.UnitX, velocity),
-            10 => new StateVector(1.5e11 * Vector3D.UnitX, default),
+            10 => new StateVector(sunSide * 1.5e11 * Vector3D.UnitX, default),
             _ => default,
         };
     }

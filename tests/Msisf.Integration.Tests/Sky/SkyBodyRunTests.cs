@@ -62,6 +62,36 @@ public sealed class SkyBodyRunTests : IDisposable
         Assert.InRange(Value("electrons"), 1e8, 1e10);
     }
 
+    /// <summary>The layer of objects: the Earth's whole disc, stars where their list has them, ground where there is a depth.</summary>
+    [RequiresFact(Part.Ldem4)]
+    public void Run_ObjectLayer_NamesWhatPixelsShow()
+    {
+        const int Width = 400;
+        Run(
+            "object", "--position", "5,125,400000", "--look-at", "horizon:274", "--sky", "--camera", _folder["camera.yaml"], "--layers",
+            "depth,object", "--layers-format", "npy");
+        string stem = Path.Combine(_folder["object"], "MoonSurfIllumSim_step_00001");
+        byte[] bytes = File.ReadAllBytes($"{stem}.object.npy");
+        int[] objects = new int[Width * 300];
+        Buffer.BlockCopy(bytes, bytes.Length - (sizeof(int) * objects.Length), objects, 0, sizeof(int) * objects.Length);
+        double[] depths = Reals($"{stem}.depth.npy");
+        string[][] bodies = [.. File.ReadLines($"{stem}.bodies.csv").Select(line => line.Split(','))];
+        string[][] stars = [.. File.ReadLines($"{stem}.stars.csv").Select(line => line.Split(','))];
+        string[] earth = bodies.Single(row => row[0] == "Earth");
+        double Number(string[][] rows, string[] row, string name) =>
+            double.Parse(row[Array.IndexOf(rows[0], name)], CultureInfo.InvariantCulture);
+
+        double radius = Number(bodies, earth, "radius");
+        double area = Math.PI * radius * radius * Number(bodies, earth, "visible");
+        Assert.Equal(1.0, objects.Count(number => number == 399) / area, 0.03);
+        Assert.All(objects.Zip(depths), pair => Assert.True(pair.First == 2 || (pair.First == 1) == !double.IsNaN(pair.Second)));
+        string[][] seen = [.. stars.Skip(1).Where(row => row[Array.IndexOf(stars[0], "visible")] == "yes")];
+        Assert.True(seen.Length > 10);
+        Assert.All(seen, row => Assert.Equal(
+            2, objects[(((int)Math.Round(Number(stars, row, "v")) - 1) * Width) + (int)Math.Round(Number(stars, row, "h")) - 1]));
+        Assert.InRange(objects.Count(number => number == 2), seen.Length - 1, seen.Length); // two may share a pixel
+    }
+
     /// <summary>Lambert's ground in the night: as bright as the Earth's light falls on it, in a frame and in a scan.</summary>
     [RequiresTheory(Part.Ldem4)]
     [InlineData("height: 64\n")]
