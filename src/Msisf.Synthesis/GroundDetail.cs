@@ -8,7 +8,8 @@ namespace Msisf.Synthesis;
 /// </summary>
 /// <remarks>
 /// With the finest model that has data at a place, its samples S and the detail D below its resolution, the height is I(S - D) + D, where
-/// I interpolates samples: so each sample keeps its height. Along borders it goes over into the same of the next coarser model.
+/// I interpolates samples: so each sample keeps its height. Beyond a map's border the same of the next coarser model goes on, changed so
+/// that it meets the map (<see cref="BorderGround"/>).
 /// </remarks>
 public sealed class GroundDetail : IGroundDetail
 {
@@ -23,7 +24,7 @@ public sealed class GroundDetail : IGroundDetail
 
     private readonly MareMask _maria;
     private readonly ModelGround[] _grounds;
-    private readonly ModelBorder?[] _borders;
+    private readonly BorderGround?[] _borders;
 
     /// <summary>Prepares the ground: reads the coarsest model once, coarsely, for its maria and its slopes.</summary>
     /// <param name="seed">Another seed gives other detail.</param>
@@ -33,8 +34,9 @@ public sealed class GroundDetail : IGroundDetail
     {
         _maria = new MareMask((IGlobalGrid)models[0], cancellation);
         GroundMemory memory = new();
-        _grounds = [.. models.Select(model => new ModelGround(model, seed, _maria, memory))];
-        _borders = [.. models.Select((model, index) => index == 0 ? null : new ModelBorder(model, _grounds[index - 1].Spacing))];
+        _borders = [.. models.Select((model, index) => index == 0 ? null
+            : new BorderGround(model, (direction, cell) => HeightAt(direction, cell, models: index)))];
+        _grounds = [.. models.Select((model, index) => new ModelGround(model, seed, _maria, memory, _borders[index]))];
         Name = Invariant($"REFINE_{seed}");
         RadiusLimits = (
             Math.Max(models.Min(model => model.RadiusLimits.Min) - MostDetail, MoonConstants.ReferenceRadius - MoonConstants.MaxRelief),
@@ -52,7 +54,7 @@ public sealed class GroundDetail : IGroundDetail
     {
         (MapFrame frame, float[] maria) = BlockOf(map, firstLine, firstSample, side);
         float[] detail = new float[maria.Length];
-        double[] heights = Heights(GroundPoints.Of(frame), map.MetresPerPixel, layer =>
+        double[] heights = Heights(GroundPoints.Of(frame), map.MetresPerPixel, _grounds.Length, layer =>
         {
             Array.Clear(detail);
             layer.AddTo(frame, maria, detail);
@@ -73,9 +75,14 @@ public sealed class GroundDetail : IGroundDetail
         (MapFrame frame, float[] maria) = BlockOf(map, firstLine, firstSample, side);
         float[] sums = new float[maria.Length];
         float[] own = new float[maria.Length];
-        foreach ((ModelGround ground, double[] weights) in CountingAt(GroundPoints.Of(frame)))
+        foreach ((int model, double[] weights) in CountingAt(GroundPoints.Of(frame), _grounds.Length))
         {
-            ground.LayerOf(map.MetresPerPixel).FindBrightness(frame, maria, own);
+            if (!Array.Exists(weights, weight => weight > 0.0))
+            {
+                continue;
+            }
+
+            _grounds[model].LayerOf(map.MetresPerPixel).FindBrightness(frame, maria, own);
             for (int i = 0; i < own.Length; i++)
             {
                 sums[i] += (float)weights[i] * (own[i] - sums[i]);
@@ -92,11 +99,15 @@ public sealed class GroundDetail : IGroundDetail
     }
 
     /// <inheritdoc/>
-    public double RadiusAt(Vector3D direction, double cell)
+    public double RadiusAt(Vector3D direction, double cell) => RadiusOf(HeightAt(direction, cell, _grounds.Length));
+
+    /// <summary>m over the reference radius: the ground of the coarsest models.</summary>
+    /// <param name="models">How many of them.</param>
+    private double HeightAt(Vector3D direction, double cell, int models)
     {
         GroundPoints point = GroundPoints.Of(direction);
         float mare = (float)_maria.At(point.Latitudes[0], point.Longitudes[0]);
-        return RadiusOf(Heights(point, cell, layer => [(float)layer.At(direction, mare)])[0]);
+        return Heights(point, cell, models, layer => [(float)layer.At(direction, mare)])[0];
     }
 
     private (MapFrame Frame, float[] MareFraction) BlockOf(PolarStereographic map, int firstLine, int firstSample, int side)
@@ -114,13 +125,21 @@ public sealed class GroundDetail : IGroundDetail
     /// <summary>Heights over the reference radius, m.</summary>
     /// <param name="points">The places.</param>
     /// <param name="cell">m: width of the cells.</param>
+    /// <param name="models">How many models count, the coarsest first.</param>
     /// <param name="detailOf">Computes the detail of a layer at the places, m.</param>
-    private double[] Heights(GroundPoints points, double cell, Func<DetailLayer, float[]> detailOf)
+    private double[] Heights(GroundPoints points, double cell, int models, Func<DetailLayer, float[]> detailOf)
     {
         double[] heights = new double[points.Count];
         double[] own = new double[points.Count];
-        foreach ((ModelGround ground, double[] weights) in CountingAt(points))
+        foreach ((int model, double[] weights) in CountingAt(points, models))
         {
+            ChangeAround(model, points, weights, heights);
+            if (!Array.Exists(weights, weight => weight > 0.0))
+            {
+                continue;
+            }
+
+            ModelGround ground = _grounds[model];
             ground.Interpolate(points, weights, cell, own);
             float[] detail = detailOf(ground.LayerOf(cell));
             for (int i = 0; i < heights.Length; i++)
@@ -133,18 +152,29 @@ public sealed class GroundDetail : IGroundDetail
         return heights;
     }
 
-    /// <summary>
-    /// The models that count anywhere, the coarsest first, and of those none under one that counts fully everywhere; with what they count.
-    /// </summary>
-    private List<(ModelGround Ground, double[] Weights)> CountingAt(GroundPoints points)
+    /// <summary>Changes the ground beyond a map's border so that it meets the map.</summary>
+    private void ChangeAround(int model, GroundPoints points, double[] weights, double[] heights)
     {
-        List<(ModelGround Ground, double[] Weights)> counting = [];
-        for (int model = _grounds.Length - 1; model >= 0; model--)
+        for (int i = 0; i < heights.Length && _borders[model] is not null; i++)
+        {
+            heights[i] += weights[i] < 1.0 ? _borders[model]!.ChangeAt(points[i]) : 0.0;
+        }
+    }
+
+    /// <summary>
+    /// The models that count anywhere, the coarsest first, with what they count: of these none under one that counts fully everywhere, and
+    /// also those that only change the ground around them.
+    /// </summary>
+    private List<(int Model, double[] Weights)> CountingAt(GroundPoints points, int models)
+    {
+        List<(int Model, double[] Weights)> counting = [];
+        (Vector3D middle, double around) = BallOf(points);
+        for (int model = models - 1; model >= 0; model--)
         {
             double[] weights = WeightsOf(model, points);
-            if (Array.Exists(weights, weight => weight > 0.0))
+            if (Array.Exists(weights, weight => weight > 0.0) || _borders[model]?.IsNear(middle, around) == true)
             {
-                counting.Add((_grounds[model], weights));
+                counting.Add((model, weights));
             }
 
             if (Array.TrueForAll(weights, weight => weight == 1.0))
@@ -157,15 +187,28 @@ public sealed class GroundDetail : IGroundDetail
         return counting;
     }
 
+    /// <summary>Direction of about the middle of places, and m: none of them is farther away.</summary>
+    private static (Vector3D Middle, double Around) BallOf(GroundPoints points)
+    {
+        Vector3D middle = points[points.Count / 2];
+        double squared = 0.0;
+        for (int i = 0; i < points.Count; i++)
+        {
+            squared = Math.Max(squared, (points[i] - middle).LengthSquared);
+        }
+
+        return (middle, MoonConstants.ReferenceRadius * Math.Sqrt(squared));
+    }
+
     private double[] WeightsOf(int model, GroundPoints points)
     {
         double[] weights = new double[points.Count];
         for (int i = 0; i < weights.Length; i++)
         {
-            if (_borders[model] is { } border)
+            if (_borders[model] is { } beyond)
             {
                 (double line, double sample) = _grounds[model].PixelOf(points, i);
-                weights[i] = border.WeightAt(line, sample);
+                weights[i] = beyond.Border.WeightAt(line, sample);
             }
             else
             {

@@ -28,10 +28,12 @@ internal sealed class ModelGround
     private readonly GroundMemory _memory;
     private readonly ModelSlopes _slopes;
     private readonly ITerrainGrid _model;
+    private readonly BorderGround? _beyond;
     private readonly BaseHeights? _base;
     private readonly int _around;
     private readonly ConcurrentDictionary<double, DetailLayer> _layers = new();
     private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), double> _known = new();
+    private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), double> _beyondHeights = new();
     private readonly ConcurrentDictionary<(double Cell, int Line, int Sample), MeanSpline> _splines = new();
 
     /// <summary>Takes a model.</summary>
@@ -39,9 +41,10 @@ internal sealed class ModelGround
     /// <param name="seed">The user's seed.</param>
     /// <param name="maria">Where the ground is smoother.</param>
     /// <param name="memory">Keeps what layers find.</param>
-    public ModelGround(ITerrainGrid model, ulong seed, MareMask maria, GroundMemory memory)
+    /// <param name="beyond">The ground around a map of a part of the Moon; null for a model of the whole Moon.</param>
+    public ModelGround(ITerrainGrid model, ulong seed, MareMask maria, GroundMemory memory, BorderGround? beyond)
     {
-        (_model, _seed, _maria, _memory) = (model, seed, maria, memory);
+        (_model, _seed, _maria, _memory, _beyond) = (model, seed, maria, memory, beyond);
         IGlobalGrid? moon = model as IGlobalGrid;
         _base = moon is null ? null : new BaseHeights(moon);
         _slopes = moon is null ? new ModelSlopes(null, null) : ModelSlopes.Of(moon, maria);
@@ -159,9 +162,10 @@ internal sealed class ModelGround
     /// <summary>The samples of a rectangle less the detail there, m over the reference radius, line by line.</summary>
     private double[] Rest(int firstLine, int lines, int firstSample, int samples, double cell)
     {
-        if (_known.Count > MostKnown)
+        if (_known.Count + _beyondHeights.Count > MostKnown)
         {
             _known.Clear();
+            _beyondHeights.Clear();
         }
 
         double[] rest = new double[lines * samples];
@@ -170,10 +174,10 @@ internal sealed class ModelGround
         {
             int line = firstLine + row;
             Span<double> own = rest.AsSpan(row * samples, samples);
-            double honoured = ReadHeights(line, firstSample, own);
+            double honoured = ReadHeights(line, firstSample, own, cell);
             for (int column = 0; column < samples && honoured > 0.0; column++)
             {
-                int sample = _around > 0 ? (((firstSample + column) % _around) + _around) % _around : firstSample + column;
+                int sample = Around(firstSample + column);
                 if (!_known.TryGetValue((cell, line, sample), out double detail))
                 {
                     detail = _model.HoldsMeans
@@ -196,51 +200,45 @@ internal sealed class ModelGround
             direction, (float)_maria.At(double.RadiansToDegrees(point.Latitude), double.RadiansToDegrees(point.Longitude)));
     }
 
-    /// <summary>Reads heights, and tells how much of the detail's own height at the samples is taken off.</summary>
-    private double ReadHeights(int line, int firstSample, Span<double> heights)
+    /// <summary>
+    /// Reads heights of a model, and tells how much of the detail's own height at the samples is taken off. Where a map has no data the
+    /// ground beyond it goes on, so that it is joined without a step and its own samples stay.
+    /// </summary>
+    private double ReadHeights(int line, int firstSample, Span<double> heights, double cell)
     {
-        if (_base is null)
+        if (_base is not null)
         {
-            ReadRing(firstSample, heights, (first, part) => ReadWithin(line, first, part));
-            for (int i = 0; i < heights.Length; i++)
-            {
-                heights[i] -= MoonConstants.ReferenceRadius;
-            }
-
-            return 1.0;
+            ReadRing(firstSample, heights, (first, part) => _base.ReadHeights(line, first, part));
+            return _base.HonouredPart(line);
         }
 
-        ReadRing(firstSample, heights, (first, part) => _base.ReadHeights(line, first, part));
-        return _base.HonouredPart(line);
-    }
-
-    /// <summary>Radii of a map; beyond its sides those of its outermost samples, which count little there.</summary>
-    private void ReadWithin(int line, int firstSample, Span<double> radii)
-    {
-        GridWindow window = _model.Window;
-        int row = Math.Clamp(line, window.FirstLine, window.EndLine - 1);
-        if (_around > 0)
+        for (int column = 0; column < heights.Length; column++)
         {
-            _model.ReadRadii(row, firstSample, radii);
-            return;
+            int sample = Around(firstSample + column);
+            heights[column] = _beyond!.Border.HasData(line, sample)
+                ? HeightOf(line, sample)
+                : _beyondHeights.GetOrAdd(
+                    (cell, line, sample), at => _beyond.HeightAt(_model.Projection.DirectionOf(at.Line, at.Sample), at.Cell));
         }
 
-        int first = Math.Clamp(firstSample, window.FirstSample, window.EndSample - 1);
-        int end = Math.Clamp(firstSample + radii.Length, first + 1, window.EndSample);
-        int before = Math.Clamp(first - firstSample, 0, radii.Length - 1);
-        int count = Math.Min(end - first, radii.Length - before);
-        _model.ReadRadii(row, first, radii.Slice(before, count));
-        radii[..before].Fill(radii[before]);
-        radii[(before + count)..].Fill(radii[before + count - 1]);
+        return 1.0;
     }
+
+    private double HeightOf(int line, int sample)
+    {
+        Span<double> radius = stackalloc double[1];
+        _model.ReadRadii(line, sample, radius);
+        return radius[0] - MoonConstants.ReferenceRadius;
+    }
+
+    private int Around(int sample) => _around > 0 ? (((sample % _around) + _around) % _around) : sample;
 
     private void ReadRing(int firstSample, Span<double> heights, ReadPart read)
     {
         int turn = _around > 0 ? _around : int.MaxValue;
         for (int done = 0; done < heights.Length; done += Math.Min(turn, heights.Length - done))
         {
-            int first = _around > 0 ? (((firstSample + done) % _around) + _around) % _around : firstSample;
-            read(first, heights.Slice(done, Math.Min(turn, heights.Length - done)));
+            read(Around(firstSample + done), heights.Slice(done, Math.Min(turn, heights.Length - done)));
         }
     }
 

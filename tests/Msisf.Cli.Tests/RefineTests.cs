@@ -166,6 +166,27 @@ public sealed class RefineTests : IDisposable
         Assert.False(Directory.Exists(_folder["out"]) && Directory.EnumerateFiles(_folder["out"]).Any());
     }
 
+    /// <summary>
+    /// The ground around a real map is invented at all heights, also where the camera stands over the map and looks beside it; what is left
+    /// are the rings between windows.
+    /// </summary>
+    [RequiresTheory(Part.Ldem4, Part.PolarPieces, Part.GdalLibrary)]
+    [InlineData(5_000, 60)]
+    [InlineData(2_500, 20)]
+    public void Run_AroundARealMap_ThereIsInventedGround(int height, int offNadir)
+    {
+        CommandLineRun run = Run(
+            [$"--position=-84.809,125.96,terrain+{height}", "--off-nadir", $"{offNadir},20", "--time", "61060.06223", "--batch", "--width",
+                "80", "--height", "60", "--fov", "60", "--renderer", "native", "--ldem", TestParts.Ldem4Label!, "--ldem",
+                TestParts.PolarPiece("NPC")!, "--refine", "1", "--layers", "source", "--layers-format", "npy"],
+            "site");
+
+        Assert.True(run.ExitCode == 0, run.Error);
+        byte[] file = File.ReadAllBytes(Path.Combine(_folder["out"], "site.source.npy"));
+        int[] kinds = [.. Enumerable.Range(0, 80 * 60).Select(pixel => BitConverter.ToInt32(file, file.Length - 4 - (8 * pixel)))];
+        Assert.InRange(kinds.Count(kind => kind == 4), 0.9 * kinds.Length, kinds.Length);
+    }
+
     private static string[] Rest { get; } =
         ["--ignore-sun", "--batch", "--width", "40", "--height", "40", "--fov", "40", "--renderer", "native", "--exposure", "2"];
 

@@ -9,6 +9,14 @@ public sealed class GroundDetailTests
 {
     private const ulong Seed = 20120222;
 
+    /// <summary>m: detail is kept as 32-bit floats, and is up to some km high.</summary>
+    private const double DetailInFloats = 2e-3;
+
+    /// <summary>
+    /// 17 degrees: the difference changes along the border as the ground does, whose slopes have a median of 7.5 degrees.
+    /// </summary>
+    private const double MostSlopeOfChange = 0.3;
+
     private static readonly FunctionGrid Moon = FunctionGrid.Hilly(4);
 
     private static readonly GroundDetail OfMoon = new(Seed, [Moon]);
@@ -55,35 +63,97 @@ public sealed class GroundDetailTests
         }
     }
 
-    [Fact]
-    public void RadiusAt_SampleOfAMapInside_IsItsOwn()
+    /// <summary>A map's samples keep their heights up to its border, and to the border of places without data.</summary>
+    [Theory]
+    [InlineData(0.5, false)]
+    [InlineData(32.0, false)]
+    [InlineData(32.0, true)]
+    public void RadiusAt_SampleOfAMapInside_IsItsOwn(double cell, bool hasGaps)
     {
-        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 100.0, 120, 59.5, 59.5);
-        GroundDetail ground = new(Seed, [Moon, map]);
+        const int Side = 120;
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 100.0, Side, 59.5, 59.5);
+        GroundDetail ground = new(Seed, [Moon, hasGaps ? new GridWithHole(map) : map]);
         double[] radius = new double[1];
-        foreach ((int line, int sample) in new[] { (59, 60), (45, 70), (70, 44) })
+        for (int place = 0; place < Side; place += 7)
         {
-            map.ReadRadii(line, sample, radius);
-            // m: means of detail, which are computed in floats
-            Assert.InRange(ground.RadiusAt(map.Polar.DirectionOf(line, sample), 0.5) - radius[0], -2e-3, 2e-3);
+            foreach ((int line, int sample) in new[]
+                { (0, place), (place, Side - 1), (place, 1), (59, place), (GridWithHole.First - 1, place) })
+            {
+                if (hasGaps && GridWithHole.IsHole(line, sample))
+                {
+                    continue;
+                }
+
+                map.ReadRadii(line, sample, radius);
+                Assert.InRange(ground.RadiusAt(map.Polar.DirectionOf(line, sample), cell) - radius[0], -DetailInFloats, DetailInFloats);
+            }
         }
     }
 
-    /// <summary>Beside a map, and on its outermost samples, the ground is that of the coarser model; there is no step between.</summary>
+    /// <summary>A map of means keeps them to a centimetre, also in its corner; here of 32 x 32 places a cell.</summary>
     [Fact]
-    public void RadiusAt_BorderOfAMap_GoesOverIntoTheCoarserModel()
+    public void RadiusAt_MapOfMeansInside_HasTheMeansOfItsCells()
+    {
+        PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 20.0, 60, 29.5, 29.5);
+        GroundDetail ground = new(Seed, [Moon, new GridWithHole(map, holdsMeans: true)]);
+        double[] radius = new double[1];
+        foreach ((int line, int sample) in new[] { (0, 0), (59, 20), (17, 31) })
+        {
+            const int Places = 32;
+            double sum = 0.0;
+            for (int i = 0; i < Places * Places; i++)
+            {
+                sum += ground.RadiusAt(
+                    map.Polar.DirectionOf(
+                        line - 0.5 + (((i / Places) + 0.5) / Places), sample - 0.5 + (((i % Places) + 0.5) / Places)), 8.0);
+            }
+
+            map.ReadRadii(line, sample, radius);
+            Assert.InRange((sum / (Places * Places)) - radius[0], -0.01, 0.01);
+        }
+    }
+
+    /// <summary>
+    /// The ground beside a map goes over into that of the coarser model without a step; far away it is that of the model alone.
+    /// </summary>
+    [Fact]
+    public void RadiusAt_BesideAMap_GoesOverIntoTheCoarserModel()
     {
         PolarFunctionGrid map = PolarFunctionGrid.Rugged(true, 100.0, 120, 59.5, 59.5);
         GroundDetail ground = new(Seed, [Moon, map]);
-        Assert.Equal(OfMoon.RadiusAt(map.Polar.DirectionOf(60.0, -3.0), 32.0), ground.RadiusAt(map.Polar.DirectionOf(60.0, -3.0), 32.0));
-        Assert.Equal(OfMoon.RadiusAt(map.Polar.DirectionOf(60.0, 0.5), 32.0), ground.RadiusAt(map.Polar.DirectionOf(60.0, 0.5), 32.0));
-        double before = ground.RadiusAt(map.Polar.DirectionOf(60.0, -1.0), 32.0);
-        for (double sample = -0.98; sample < 60.0; sample += 0.02)
+        Vector3D far = map.Polar.DirectionOf(60.0, -40_000.0);
+        Assert.Equal(OfMoon.RadiusAt(far, 32.0), ground.RadiusAt(far, 32.0));
+        double before = ground.RadiusAt(map.Polar.DirectionOf(60.0, -20.0), 32.0);
+        for (double sample = -19.98; sample < 20.0; sample += 0.02)
         {
             double here = ground.RadiusAt(map.Polar.DirectionOf(60.0, sample), 32.0);
-            Assert.InRange(here - before, -4.0, 4.0); // m in 2 m: slopes up to some 60 degrees where the models differ by hundreds of m
+            Assert.InRange(here - before, -4.0, 4.0); // m in 2 m: slopes up to some 60 degrees, which the map has
             before = here;
         }
+    }
+
+    /// <summary>
+    /// What a flat map in a flat Moon changes around it is no steeper than the ground itself, and dies away within the map's own width.
+    /// </summary>
+    [Fact]
+    public void RadiusAt_BesideAFlatMap_IsTheGroundOfTheMoonAndASmoothChange()
+    {
+        FunctionGrid flat = new(4, (_, _) => MoonConstants.ReferenceRadius);
+        PolarFunctionGrid map = new(new PolarStereographic(true, 5.0, 99.5, 99.5), 200, 200, (_, _) => 0.0);
+        GroundDetail alone = new(Seed, [flat]);
+        GroundDetail ground = new(Seed, [flat, map]);
+        double[] changes = [.. Enumerable.Range(0, 250).Select(number =>
+        {
+            Vector3D place = map.Polar.DirectionOf(100.0, -4.0 - (4.0 * number));
+            return ground.RadiusAt(place, 1.0) - alone.RadiusAt(place, 1.0);
+        })];
+        Assert.Contains(changes, change => Math.Abs(change) > 1.0);
+        for (int number = 1; number < changes.Length; number++)
+        {
+            Assert.InRange(Math.Abs(changes[number] - changes[number - 1]), 0.0, 4.0 * MostSlopeOfChange);
+        }
+
+        Assert.Equal(0.0, changes[^1]);
     }
 
     /// <summary>A block has the heights of its places, and so of any other block that holds them.</summary>
@@ -207,6 +277,46 @@ public sealed class GroundDetailTests
         public bool HoldsMeans => true;
 
         public void ReadRadii(int line, int firstSample, Span<double> radii) => grid.ReadRadii(line, firstSample, radii);
+    }
+
+    /// <summary>A map with a square hole, or of means.</summary>
+    private sealed class GridWithHole(ITerrainGrid grid, bool holdsMeans = false) : ITerrainGrid
+    {
+        public const int First = 40;
+
+        public string ProductId => grid.ProductId;
+
+        public MapProjection Projection => grid.Projection;
+
+        public int Lines => grid.Lines;
+
+        public int Samples => grid.Samples;
+
+        public (double Min, double Max) RadiusLimits => grid.RadiusLimits;
+
+        public bool HoldsMeans => holdsMeans;
+
+        public bool MayHaveGaps => !holdsMeans;
+
+        public static bool IsHole(int line, int sample) => line is >= First and < First + 10 && sample is >= First and < First + 10;
+
+        public void ReadGaps(int line, int firstSample, Span<bool> isGap)
+        {
+            for (int i = 0; i < isGap.Length; i++)
+            {
+                isGap[i] = IsHole(line, firstSample + i);
+            }
+        }
+
+        public void ReadRadii(int line, int firstSample, Span<double> radii)
+        {
+            for (int i = 0; i < radii.Length && MayHaveGaps; i++)
+            {
+                Assert.False(IsHole(line, firstSample + i));
+            }
+
+            grid.ReadRadii(line, firstSample, radii);
+        }
     }
 
     /// <summary>Rays make no ground brighter in the mean; on highlands and maria, and at all widths of cells.</summary>

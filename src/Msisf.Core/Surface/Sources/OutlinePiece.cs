@@ -72,10 +72,19 @@ internal sealed class OutlinePiece
             return true;
         }
 
-        bool isFound = false;
+        // The nearest part first: it mostly leaves nothing to be found in the others.
+        OutlinePiece first = _parts[0];
+        double nearest = first.Distance(place);
+        for (int i = 1; i < _parts.Count; i++)
+        {
+            double away = _parts[i].Distance(place);
+            (first, nearest) = away < nearest ? (_parts[i], away) : (first, nearest);
+        }
+
+        bool isFound = first.FindNearest(place, ref distance);
         foreach (OutlinePiece part in _parts)
         {
-            isFound |= part.FindNearest(place, ref distance);
+            isFound |= part != first && part.FindNearest(place, ref distance);
         }
 
         return isFound;

@@ -26,7 +26,13 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     private const int MostCells = 768;
 
     /// <summary>Cells along a side of a map that a window is made to hold at most.</summary>
-    private const double MostHeld = 1280.0;
+    private const double MostHeld = 2048.0;
+
+    /// <summary>
+    /// Cells of the narrowest window that is seen, along a side, from the nearest ground to the far end of a map that is held: the margins
+    /// of the windows between come to these, and the window stays below the size of one that holds a map.
+    /// </summary>
+    private const double MostAway = MostHeld - (4 * (Margin + Snap));
 
     /// <summary>Cells of a window around a map that it holds: where finer facets join wider ones the map has ended.</summary>
     private const int HeldMargin = 4;
@@ -66,24 +72,19 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
         LatticeFace face = LatticeFace.Of(nearest);
         List<WindowPlace> places = [];
         int finest = seen.Min(ground => ground.Level);
-        foreach (FacetMesh mesh in _maps)
-        {
-            // Around a map that is seen from afar there is ground too, beyond a window as narrow as the map needs.
-            int level = WidestIn(mesh.Grid);
-            finest = level < finest && ToHold(mesh, face.Map(level), level, nearest).Length > 0 ? level : finest;
-        }
+        List<FacetMesh> toHold = MapsToHold(face, nearest, finest);
 
-        for (int level = finest; level <= _widestLevel; level++)
+        // Around a map that is seen from afar, or lies beside the image, there is ground too, beyond a window as narrow as the map needs.
+        for (int level = toHold.Select(mesh => WidestIn(mesh.Grid)).Append(finest).Min(); level <= _widestLevel; level++)
         {
             PolarStereographic map = face.Map(level);
-            (double, double)[] held = [.. _maps.SelectMany(mesh => ToHold(mesh, map, level, nearest))];
+            (double, double)[] held =
+                [.. toHold.Where(mesh => WidestIn(mesh.Grid) == level).SelectMany(CornersOf).Select(map.PixelOf)];
             (double, double)[] wanted =
-            [
-                .. seen.Where(ground => ground.Level <= level).Select(ground => map.PixelOf(ground.Direction)),
-                .. held,
-            ];
+                [.. seen.Where(ground => ground.Level <= level).Select(ground => map.PixelOf(ground.Direction))];
             CellRange? finer = places.Count == 0 ? null : places[^1].Cells;
-            WindowPlace place = Around(face, level, wanted, map.PixelOf(nearest), finer, held.Length > 0);
+            WindowPlace place = Around(
+                face, level, wanted, held, level < finest ? null : map.PixelOf(nearest), finer);
             bool isAtMapsEnd = places.Count > 0 && !HasMarginAround(place.Cells, places[^1].Cells);
             if (isAtMapsEnd || _maps.Any(mesh => level > WidestIn(mesh.Grid) && Meets(mesh, place) && !IsHeld(mesh, places)))
             {
@@ -118,20 +119,34 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     }
 
     /// <summary>
-    /// Corners of a map that is small enough for the widest window that may lie over it to hold it: wider windows around that one leave
-    /// the map as it is.
+    /// The maps that are small and near enough to be held: the widest window that may lie over a map holds it, and wider ones around that
+    /// leave the map as it is.
     /// </summary>
-    private static (double Line, double Sample)[] ToHold(FacetMesh mesh, PolarStereographic map, int level, Vector3D nearest)
+    /// <param name="nearest">The nearest ground that is seen.</param>
+    /// <param name="finest">Level of the narrowest cells that are seen.</param>
+    private List<FacetMesh> MapsToHold(LatticeFace face, Vector3D nearest, int finest)
     {
-        if (level != WidestIn(mesh.Grid))
+        List<FacetMesh> held = [];
+        foreach (FacetMesh mesh in _maps)
         {
-            return [];
+            int level = WidestIn(mesh.Grid);
+            Vector3D[] corners = [.. held.Where(other => WidestIn(other.Grid) == level).Append(mesh).SelectMany(CornersOf)];
+            double size = level < finest ? SizeOf(corners, face.Map(level)) : SizeOf([.. corners, nearest], face.Map(level));
+            if (size <= MostHeld && (level >= finest || SizeOf([.. corners, nearest], face.Map(finest)) <= MostAway))
+            {
+                held.Add(mesh);
+            }
         }
 
-        (double Line, double Sample)[] corners = [.. CornersOf(mesh).Append(nearest).Select(map.PixelOf)];
-        double lines = corners.Max(at => at.Line) - corners.Min(at => at.Line);
-        double samples = corners.Max(at => at.Sample) - corners.Min(at => at.Sample);
-        return Math.Max(lines, samples) <= MostHeld ? corners : [];
+        return held;
+    }
+
+    /// <summary>Cells along the longer side of a rectangle around places.</summary>
+    private static double SizeOf(Vector3D[] places, PolarStereographic map)
+    {
+        (double Line, double Sample)[] at = [.. places.Select(map.PixelOf)];
+        return Math.Max(
+            at.Max(place => place.Line) - at.Min(place => place.Line), at.Max(place => place.Sample) - at.Min(place => place.Sample));
     }
 
     private static IEnumerable<Vector3D> CornersOf(FacetMesh mesh)
@@ -162,39 +177,57 @@ internal sealed class WindowPlan(IGroundDetail detail, IReadOnlyList<ITerrainGri
     }
 
     private static WindowPlace Around(
-        LatticeFace face, int level, (double Line, double Sample)[] wanted, (double Line, double Sample) nearest, CellRange? finer,
-        bool isHolding)
+        LatticeFace face, int level, (double Line, double Sample)[] wanted, (double Line, double Sample)[] held,
+        (double Line, double Sample)? nearest, CellRange? finer)
     {
         (int Low, int High)? holeLines = finer is { } a ? (a.FirstLine / 2, a.EndLine / 2) : null;
         (int Low, int High)? holeSamples = finer is { } b ? (b.FirstSample / 2, b.EndSample / 2) : null;
         int most = (int)(Extent * MoonConstants.ReferenceRadius / Math.ScaleB(1.0, level)) / Snap * Snap;
-        (int firstLine, int endLine) = Side([.. wanted.Select(at => at.Line)], nearest.Line, holeLines, most, isHolding);
-        (int firstSample, int endSample) = Side([.. wanted.Select(at => at.Sample)], nearest.Sample, holeSamples, most, isHolding);
+        (int firstLine, int endLine) = Side(
+            [.. wanted.Select(at => at.Line)], [.. held.Select(at => at.Line)], nearest?.Line, holeLines, most);
+        (int firstSample, int endSample) = Side(
+            [.. wanted.Select(at => at.Sample)], [.. held.Select(at => at.Sample)], nearest?.Sample, holeSamples, most);
         return new WindowPlace(face, level, new CellRange(firstLine, endLine, firstSample, endSample));
     }
 
     /// <summary>One side of a window.</summary>
     /// <param name="wanted">Where it is wanted.</param>
-    /// <param name="nearest">The place that must be in it.</param>
+    /// <param name="held">Corners of the models' maps that it has to hold, as wide as they are.</param>
+    /// <param name="nearest">The place that must be in it; null if it is there only to hold maps.</param>
     /// <param name="hole">The finer window in it.</param>
     /// <param name="most">The farthest line from the middle of the map.</param>
-    /// <param name="isHolding">Whether it has to hold a model's map, as wide as that is.</param>
     private static (int First, int End) Side(
-        double[] wanted, double nearest, (int Low, int High)? hole, int most, bool isHolding)
+        double[] wanted, double[] held, double? nearest, (int Low, int High)? hole, int most)
     {
-        double low = wanted.Append(hole?.Low ?? nearest).Min() - Margin;
-        double high = wanted.Append(hole?.High ?? nearest).Max() + Margin;
-        if (high - low > Math.Max(MostCells, isHolding ? MostHeld + (2 * Margin) : 0.0))
+        double mostCells = held.Length > 0 ? MostHeld + (2 * Margin) : MostCells;
+        (double low, double high) = EndsOf([.. wanted, .. held]);
+        (double leastLow, double leastHigh) = EndsOf(held);
+        if (high - low > mostCells && (held.Length > 0 || leastHigh - leastLow > mostCells || nearest is null))
         {
-            double part = Math.Clamp((nearest - low) / (high - low), 0.0, 1.0);
-            low = Math.Min(nearest - (part * MostCells), (hole?.Low ?? nearest) - Margin);
-            low = Math.Max(low, (hole?.High ?? nearest) + Margin - MostCells);
+            (low, high) = (leastLow, leastHigh); // wider windows around this one have the rest
+        }
+        else if (high - low > mostCells && nearest is { } inAnyCase)
+        {
+            double part = Math.Clamp((inAnyCase - low) / (high - low), 0.0, 1.0);
+            low = Math.Min(inAnyCase - (part * MostCells), (hole?.Low ?? inAnyCase) - Margin);
+            low = Math.Max(low, (hole?.High ?? inAnyCase) + Margin - MostCells);
             high = low + MostCells;
         }
 
         return (
             Math.Max(-most, (int)Math.Floor(low / Snap) * Snap),
             Math.Min(most, (int)Math.Ceiling(high / Snap) * Snap));
+
+        (double Low, double High) EndsOf(double[] places)
+        {
+            IEnumerable<double> all = (hole, nearest) switch
+            {
+                ({ } inner, _) => [.. places, inner.Low, inner.High],
+                (null, { } place) => [.. places, place],
+                _ => places,
+            };
+            return (all.Min() - Margin, all.Max() + Margin);
+        }
     }
 
     /// <summary>Directions of the ground that rays through the image meet, its distance, and the level that a pixel needs there.</summary>
