@@ -45,6 +45,8 @@ public sealed class WrongValueTests : IDisposable
         ["--instrument-axes"] = ["x", "+x", "+x,+x"],
         ["--flow"] = ["x", "{1,2}"],
         ["--flow-format"] = ["x", "fits,x"],
+        ["--sensitivity"] = ["x", "turn-x,x", "turn-x,turn-x", "pose"],
+        ["--information"] = ["x", "pose,turn-x", "turn-x,turn-x"],
         ["--center"] = ["x", "1", "91,0", "1,2,3"],
         ["--size"] = ["x", "-1", "0", "1,2,3"],
         ["--corners"] = ["x", "1,2,3", "91,0,0,0"],

@@ -9,12 +9,14 @@ import in_time
 import latency
 import numpy as np
 import pose_from_craters
+import pose_information
 import pytest
 import soak
 import visual_odometry
 
 
-@pytest.mark.parametrize("example", [closed_loop, data_set, in_time, latency, pose_from_craters, soak, visual_odometry])
+@pytest.mark.parametrize(
+    "example", [closed_loop, data_set, in_time, latency, pose_from_craters, pose_information, soak, visual_odometry])
 def test_help_helps(example, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])

@@ -1,6 +1,7 @@
 using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Maps;
 using Msisf.Core.Layers;
+using Msisf.Core.Sensitivity;
 
 namespace Msisf.Adapters.Manifest;
 
@@ -11,11 +12,12 @@ public static class FrameFileNames
     private static readonly string[] Endings =
     [
         ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".rowstates.npy", ".craters.csv", ".craters.json",
-        ".landmarks.csv", ".stars.csv", ".bodies.csv",
+        ".landmarks.csv", ".stars.csv", ".bodies.csv", ".information.csv", ".sensitivity.fits", ".sensitivity.layers.json",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
         .. ImageMapFiles.Endings, .. CameraFormat.All.SelectMany(format => format.Endings),
         .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+        .. Parameter.All.Select(parameter => $".sensitivity.{SensitivityLayers.NameOf(parameter)}.npy"),
     ];
 
     /// <summary>All names that files of a frame can have.</summary>

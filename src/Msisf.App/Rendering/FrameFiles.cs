@@ -27,6 +27,9 @@ internal sealed class FrameFiles(
     private readonly FrameNavigation? _navigation = navigation is null ? null : new FrameNavigation(navigation);
     private readonly FlowOutputs? _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
 
+    private readonly SensitivityOutputs? _sensitivities =
+        settings.Native.Navigation is null ? null : new SensitivityOutputs(settings.Native);
+
     /// <summary>A file for an image that is written as it is drawn; it goes when it is closed.</summary>
     public FileStream OpenTemporary() => new(
         Path.Combine(ledger.Staging, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.None, 1 << 16,
@@ -98,6 +101,12 @@ internal sealed class FrameFiles(
         {
             paths.AddRange(times.Measure(Phase.Navigation, () => _flows.Write(
                 files, stem, frame, rendered, metadata, description.Provenance(metadata, rendered), cancellation)));
+        }
+
+        if (_sensitivities is not null)
+        {
+            paths.AddRange(times.Measure(Phase.Navigation, () => _sensitivities.Write(
+                files, stem, rendered, metadata, description.Provenance(metadata, rendered), cancellation)));
         }
 
         if (maps is not null)

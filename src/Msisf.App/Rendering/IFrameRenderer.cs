@@ -3,6 +3,7 @@ using Msisf.App.Preparation;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
+using Msisf.Core.Sensitivity;
 using Msisf.Core.Terrain;
 
 namespace Msisf.App.Rendering;
@@ -59,6 +60,9 @@ internal sealed record RenderedFrame(
 {
     /// <summary>Draws the frame again with other lights; null if the renderer can't.</summary>
     public FrameRedraw? Redraw { get; init; }
+
+    /// <summary>Finds the derivatives of the frame; null if the renderer can't.</summary>
+    public Func<CancellationToken, ImageSensitivity>? FindSensitivity { get; init; }
 
     /// <summary>The detector's numbers as a file has them: of an image that is drawn in strips without <see cref="Detected"/>.</summary>
     public DetectorNumbers? Numbers { get => field ?? (Detected is null ? null : DetectorNumbers.Of(Detected)); init; }

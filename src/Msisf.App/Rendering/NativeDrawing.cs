@@ -122,7 +122,8 @@ internal sealed class NativeDrawing(
         }
     }
 
-    private NativeRenderOptions OptionsOf(Frame frame) => frame.Earth is { } earth ? _options with { Second = earth } : _options;
+    /// <summary>The renderer's options, with the maps and the lights of a frame.</summary>
+    internal NativeRenderOptions OptionsOf(Frame frame) => frame.Earth is { } earth ? _options with { Second = earth } : _options;
 
     private NativeFrame Draw(
         NativeRenderer renderer, ICamera camera, Frame frame, NativeRenderOptions options, int threads,

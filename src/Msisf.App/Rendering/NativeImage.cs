@@ -6,6 +6,7 @@ using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Sensitivity;
 
 namespace Msisf.App.Rendering;
 
@@ -154,12 +155,28 @@ internal sealed class NativeImage(
         drawing.Settings.Render.KeepGroundTruth ? _truth : null,
         Detected)
     {
-        Redraw = new FrameRedraw(renderer, drawn.Camera, detector?.Margin ?? 0, drawing.Settings.Render),
+        Redraw = Redraw,
+        FindSensitivity = cancellation => FindSensitivity(threads, cancellation),
         Threads = threads,
         Terrain = renderer.Terrain,
         PartResolutions = renderer.PartResolutions,
         Sky = sky,
     };
+
+    private FrameRedraw Redraw => new(renderer, drawn.Camera, detector?.Margin ?? 0, drawing.OptionsOf(frame));
+
+    private ImageSensitivity FindSensitivity(int threads, CancellationToken cancellation)
+    {
+        SensitivityField factors = Redraw.Sensitivities(frame.Light, threads, cancellation);
+        if (detector is null || Detected is null)
+        {
+            return new ImageSensitivity(factors, string.Empty, InformationOf: null);
+        }
+
+        SensitivityField electrons = detector.ElectronsOf(factors, drawn, threads, cancellation);
+        return new ImageSensitivity(
+            electrons, "electron", parameters => detector.InformationOf(electrons, parameters, Detected));
+    }
 
     public void Dispose()
     {

@@ -56,6 +56,7 @@ internal static class NativeSettingsReader
                 IndirectOptions.Bounces);
         }
 
+        navigation?.RefuseWithoutDerivatives(values, detector, indirect, scans);
         RefineSettings? refine = RefineSettings.Read(values);
         if (refine is null)
         {

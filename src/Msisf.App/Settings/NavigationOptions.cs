@@ -1,5 +1,6 @@
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Navigation;
+using Msisf.Core.Sensitivity;
 
 namespace Msisf.App.Settings;
 
@@ -79,13 +80,36 @@ internal static class NavigationOptions
         Words = ["fits", "npy", "flo", "kitti"],
     };
 
+    /// <summary>The word for the camera's position and orientation.</summary>
+    public const string Pose = "pose";
+
+    public static TextSpec Sensitivity { get; } = new(
+        "--sensitivity",
+        DecidesBytes.As(frame => frame.Native?.Navigation?.Sensitivity?.Select(parameter => parameter.Name)).OfRuns(), "LIST|all",
+        "Derivatives of every pixel by the camera's position and orientation, its focal length and principal point, the Sun's direction "
+            + "and the albedo, as names separated by commas: position-x,turn-y, ...")
+    {
+        Separator = ",",
+        Words = [Parameter.AllText, .. Parameter.All.Select(parameter => parameter.Name)],
+    };
+
+    public static TextSpec Information { get; } = new(
+        "--information",
+        DecidesBytes.As(frame => frame.Native?.Navigation?.Information?.Select(parameter => parameter.Name)).OfRuns(), $"{Pose}|LIST|all",
+        "How accurately the image of a camera with a detector can tell its pose, or the numbers of a list as in --sensitivity: Fisher "
+            + "information and Cramer-Rao bound as CSV")
+    {
+        Separator = ",",
+        Words = [Pose, Parameter.AllText, .. Parameter.All.Select(parameter => parameter.Name)],
+    };
+
     /// <summary>The options that name a list of places; in a request it is a name of the server's.</summary>
     public static IReadOnlyList<PathSpec> Lists => [Craters, Landmarks];
 
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     public static OptionGroup Group { get; } = new(
-        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat])
+        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat, Sensitivity, Information])
     {
         Note = "Only with --renderer native.",
     };

@@ -1,6 +1,9 @@
+using Msisf.Adapters.Camera;
 using Msisf.Adapters.Catalogues;
 using Msisf.App.Settings.Specs;
 using Msisf.Core.Navigation;
+using Msisf.Core.Render.Options;
+using Msisf.Core.Sensitivity;
 
 namespace Msisf.App.Settings;
 
@@ -29,6 +32,12 @@ internal sealed record NavigationSettings
 
     public FlowFormats FlowFormats { get; init; }
 
+    /// <summary>The numbers by which pixels are differentiated; null for none.</summary>
+    public IReadOnlyList<Parameter>? Sensitivity { get; init; }
+
+    /// <summary>The numbers of which the image's information is found; null for none.</summary>
+    public IReadOnlyList<Parameter>? Information { get; init; }
+
     /// <summary>Their names in the order of the option; null without flow.</summary>
     public IEnumerable<string>? FlowFormatNames => Flow is null && Stereo is null
         ? null
@@ -55,7 +64,14 @@ internal sealed record NavigationSettings
                 $"is given, but no {NavigationOptions.Flow.Name} that it is for. Add that, or leave it out.");
         }
 
-        return craters is null && landmarks is null && flow is null && stereo is null
+        IReadOnlyList<Parameter>? sensitivity = NavigationOptions.Sensitivity.ReadIfGiven(values) is { } derivatives
+            ? NavigationOptions.Sensitivity.Named(() => Parameter.ParseList(derivatives))
+            : null;
+        IReadOnlyList<Parameter>? information = NavigationOptions.Information.ReadIfGiven(values) is { } known
+            ? NavigationOptions.Information.Named(
+                () => ChoiceSpec.IsSame(NavigationOptions.Pose, known) ? Parameter.Pose : Parameter.ParseList(known))
+            : null;
+        return craters is null && landmarks is null && flow is null && stereo is null && sensitivity is null && information is null
             ? null
             : new NavigationSettings
             {
@@ -67,9 +83,61 @@ internal sealed record NavigationSettings
                 Flow = flow,
                 Stereo = stereo,
                 FlowFormats = formats,
+                Sensitivity = sensitivity,
+                Information = information,
                 Rim = NavigationOptions.Rim.Read(values),
                 LeastDiameter = NavigationOptions.CraterSize.Read(values),
             };
+    }
+
+    /// <summary>Refuses derivatives where a part of the image has none here.</summary>
+    /// <param name="detector">The camera's detector; null without one.</param>
+    /// <param name="indirect">Light from the ground; null without it.</param>
+    /// <param name="scans">Whether the camera's rows have times of their own.</param>
+    /// <exception cref="UsageException">An option has no meaning here.</exception>
+    public void RefuseWithoutDerivatives(OptionValues values, CameraFileDetector? detector, IndirectLight? indirect, bool scans)
+    {
+        if (Sensitivity is null && Information is null)
+        {
+            return;
+        }
+
+        OptionSpec option = Information is null ? NavigationOptions.Sensitivity : NavigationOptions.Information;
+        if (Information is not null && detector is null)
+        {
+            throw option.Wrong(
+                "needs the noise of a camera with a detector. Name a --camera file that has the section 'detector'.", ImageOptions.Camera);
+        }
+
+        if (scans)
+        {
+            throw option.Wrong(
+                "is not for cameras that scan: each of their rows has a pose of its own. Leave it out.", ImageOptions.Camera);
+        }
+
+        if (detector?.Settings.Shutter is not null)
+        {
+            throw option.Wrong(
+                "is not for cameras that move while the shutter is open. Leave it out, or remove 'shutter' from the camera file.",
+                ImageOptions.Camera);
+        }
+
+        if (indirect is not null)
+        {
+            throw option.Wrong(
+                $"does not know how light from the ground changes. Leave {IndirectOptions.Bounces.Name} out.", IndirectOptions.Bounces);
+        }
+
+        if (LightOptions.IgnoreSun.Read(values))
+        {
+            throw option.Wrong(
+                "needs the Sun: a lamp at the camera moves with it. Leave --ignore-sun out.", LightOptions.IgnoreSun);
+        }
+
+        if (SkyOptions.Group.Options.FirstOrDefault(values.IsGiven) is { } sky)
+        {
+            throw option.Wrong($"does not know how the sky and its light change. Leave {sky.Name} out.", sky);
+        }
     }
 
     private static FlowFormats Formats(string text)

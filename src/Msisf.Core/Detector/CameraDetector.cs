@@ -4,6 +4,7 @@ using Msisf.Core.Detector.Noise;
 using Msisf.Core.Detector.Psf;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
+using Msisf.Core.Sensitivity;
 using Msisf.Core.Scene;
 using Msisf.Core.Time;
 
@@ -14,6 +15,9 @@ public sealed class CameraDetector
 {
     /// <summary>Maximum number of instants for which one frame is drawn; odd.</summary>
     public const int MaxSubExposures = 999;
+
+    /// <summary>Part of the focal length by which a camera is changed for the slope of its throughput.</summary>
+    private const double ThroughputStep = 1e-4;
 
     private readonly DetectorSettings _settings;
     private readonly double _electronsPerSteradian;
@@ -157,6 +161,59 @@ public sealed class CameraDetector
         image.Noise = seed;
         image.LeftImage = _wings?.Value.Apply(image.Electrons, threads, cancellation) ?? 0.0;
         _pass.Read(image, noise, threads, cancellation);
+    }
+
+    /// <summary>The derivatives of the electrons of an image, from those of its radiance factors.</summary>
+    /// <param name="factors">Of the frame, drawn with <see cref="WindowOf"/>.</param>
+    /// <param name="middle">The frame.</param>
+    public SensitivityField ElectronsOf(SensitivityField factors, NativeFrame middle, int threads, CancellationToken cancellation)
+    {
+        (int width, int height) = (factors.Width - (2 * Margin), factors.Height - (2 * Margin));
+        SensitivityField electrons = factors.Map(width, height, plane =>
+        {
+            DetectorImage image = new(width, height);
+            _pass.Expose(
+                plane, _throughput, row => PerSteradian(middle, row), _ => 1.0, new PixelRows(0, height), image, threads, cancellation);
+            return image.Electrons;
+        });
+
+        // A pixel covers another part of the sky if the focal length or the principal point is another.
+        FrameCamera camera = (FrameCamera)middle.Camera.Window(Margin, Margin, width, height);
+        foreach (Parameter parameter in Parameter.All.Where(
+            parameter => parameter.Kind is ParameterKind.FocalLength or ParameterKind.Principal))
+        {
+            double step = ThroughputStep * camera.Model.FocalX;
+            double[] more = ThroughputOf(ChangedCamera.By(camera.Model, parameter, step));
+            double[] less = ThroughputOf(ChangedCamera.By(camera.Model, parameter, -step));
+            double[] plane = electrons.Of(parameter);
+            for (int i = 0; i < plane.Length; i++)
+            {
+                plane[i] += electrons.Mean[i] * (more[i] - less[i]) / (2.0 * step * _throughput[i]);
+            }
+        }
+
+        return electrons;
+
+        double[] ThroughputOf(CameraModel model) => PixelThroughput.Of(model.At(camera.State), _settings.IsFlatFielded, threads);
+    }
+
+    /// <summary>What an image tells of some parameters, with the noise of this detector; the fixed pattern is known.</summary>
+    /// <param name="electrons">The derivatives of its electrons.</param>
+    /// <param name="image">The image; saturated pixels tell nothing.</param>
+    public FisherInformation InformationOf(SensitivityField electrons, IReadOnlyList<Parameter> parameters, DetectorImage image)
+    {
+        ReadOnlySpan<float> response = _pass.Response;
+        double[] variances = new double[electrons.Mean.Length];
+        for (int i = 0; i < variances.Length; i++)
+        {
+            // The derivatives are those of electrons before the pixel's own response.
+            double own = response[i];
+            variances[i] = image.Saturated[i] == 0 && own > 0.0
+                ? _pass.VarianceOf(electrons.Mean[i], i) / (own * own)
+                : double.PositiveInfinity;
+        }
+
+        return FisherInformation.Of(parameters, [.. parameters.Select(electrons.Of)], variances);
     }
 
     /// <summary>Electrons that a pixel of a drawn row, from 0 behind the margin, collects at a radiance factor of 1, a steradian.</summary>

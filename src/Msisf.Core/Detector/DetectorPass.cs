@@ -66,6 +66,19 @@ internal sealed class DetectorPass(DetectorSettings settings, FixedPattern patte
         }, cancellation);
     }
 
+    /// <summary>The response of each pixel to light, 1 on average.</summary>
+    public ReadOnlySpan<float> Response => pattern.Response;
+
+    /// <summary>
+    /// The variance of the electrons that a pixel is read out with: shot noise of light and dark current, read noise, and that of rounding
+    /// to whole numbers.
+    /// </summary>
+    /// <param name="electrons">Mean number of electrons that light frees in the pixel.</param>
+    /// <param name="pixel">By rows from the top.</param>
+    public double VarianceOf(double electrons, int pixel) =>
+        (electrons * pattern.Response[pixel]) + pattern.DarkElectrons[pixel] + (settings.ReadNoise * settings.ReadNoise)
+            + (settings.Gain * settings.Gain / 12.0);
+
     /// <summary>Computes the digital numbers and the saturation from <see cref="DetectorImage.Electrons"/>.</summary>
     /// <param name="noise">Random numbers of the frame; null for an image without noise.</param>
     public void Read(DetectorImage image, NoiseSource? noise, int threads, CancellationToken cancellation)

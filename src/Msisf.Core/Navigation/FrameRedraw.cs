@@ -2,8 +2,10 @@ using Msisf.Core.Camera;
 using Msisf.Core.Render;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
+using Msisf.Core.Sensitivity;
 using Msisf.Core.Surface;
 using Msisf.Core.Terrain;
+using Msisf.Core.Tracing;
 
 namespace Msisf.Core.Navigation;
 
@@ -41,6 +43,12 @@ public sealed class FrameRedraw(NativeRenderer renderer, ICamera camera, int mar
         },
         threads,
         cancellation);
+
+    /// <summary>The derivatives of the radiance factors of what was drawn.</summary>
+    /// <param name="light">The Sun.</param>
+    public SensitivityField Sensitivities(SceneLight light, int threads, CancellationToken cancellation) =>
+        new SensitivityFinder(renderer, new TerrainTracer(renderer.Terrain), options)
+            .Find((FrameCamera)camera, light, threads, cancellation);
 
     /// <summary>The outward normal of a facet, body-fixed, of any length.</summary>
     internal Vector3D NormalOf(FacetId facet)

@@ -1,5 +1,6 @@
 using Msisf.Core.Camera;
 using Msisf.Core.Ephemeris;
+using Msisf.Core.Numerics;
 using Msisf.Core.Parallel;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Scene;
@@ -59,6 +60,9 @@ public sealed class NativeRenderer
             ? Render(only.Camera, light, options, threads, cancellation)
             : RenderBands(camera, light, options, threads, cancellation);
     }
+
+    /// <summary>The corners of a facet, m, body-fixed.</summary>
+    internal (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => _surface.CornersOf(facet);
 
     private NativeFrame Render(
         FrameCamera camera, SceneLight light, NativeRenderOptions options, int threads, CancellationToken cancellation)
