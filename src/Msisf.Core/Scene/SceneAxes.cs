@@ -13,11 +13,12 @@ public sealed record SceneAxes(Vector3D OriginBodyFixed, double UnitsPerKilometr
     private const double MetresPerKilometre = 1000.0;
 
     /// <summary>
-    /// POV-Ray takes nothing within a thousandth of a unit from a point for a caster of its shadow (SMALL_TOLERANCE), here 16 millionths of
+    /// POV-Ray takes nothing within a thousandth of a unit from a point for a caster of its shadow (SMALL_TOLERANCE), here 63 millionths of
     /// a cell: with a unit of half a cell 2 of 65,536 pixels were lit at the foot of slopes that shade them. The planes of its triangles
-    /// are wrong by a millionth of a cell.
+    /// are wrong by a millionth of a cell. With four times as many units blocks were infinite: POV-Ray 3.7 takes boxes above 2e10 cubic
+    /// units (INFINITE_VOLUME) out of its tree and tests every ray against each.
     /// </summary>
-    private const double UnitsPerCell = 64.0;
+    private const double UnitsPerCell = 16.0;
 
     /// <summary>Units: half of what POV-Ray 3.7 draws at most (its MAX_DISTANCE).</summary>
     private const double FarthestGround = 5e6;
