@@ -181,6 +181,74 @@ public sealed class StarRunTests : IDisposable
         Assert.Equal(exitCode, run.ExitCode);
     }
 
+    /// <summary>
+    /// The middle of a star's electrons in a rolling shutter that moves, and in TDI: where its list has it, at the time of the row that it
+    /// is in. In a TDI that moves with the scene, rows above see what is below.
+    /// </summary>
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("height: 400\nscan: {kind: rolling-shutter, period: 0.001}", "{0,0,0,0,0.02,0.01}")]
+    [InlineData(
+        "height: 8\nscan: {kind: line-scan, period: 0.001, tdi: 8, tdi-direction: down}", "{0,0,0,0,0.34375,0}", "--lines", "400")]
+    public void Run_ScannedStars_AreWhereTheirListSays(string camera, string motion, params string[] options)
+    {
+        const int Side = 400;
+        const int Reach = 9; // px: further than the PSF
+        const double SamePlace = 0.01; // px: the turn of the sky over the rows of a star
+        bool isRolling = camera.Contains("rolling", StringComparison.Ordinal);
+        string file = _folder.Write(
+            "scan.yaml",
+            $"width: {Side}\nfocal-length: 16\npixel-pitch: 0.0055\n{camera}\n"
+                + Detector.Replace("exposure-time: 0.2", "exposure-time: 0.001, shutter: global", StringComparison.Ordinal));
+        Run(
+            "scan",
+            [
+                "--position=-29.83,164.74,400000", "--off-nadir", "100,30", "--motion", motion, "--camera", file, "--layers", "electrons",
+                "--layers-format", "npy", .. options,
+            ]);
+        double[] electrons = Reals("scan");
+        string[][] rows = [.. File.ReadLines(FileOf("scan", ".stars.csv")).Select(line => line.Split(','))];
+        string Text(string[] row, string name) => row[Array.IndexOf(rows[0], name)];
+        double Value(string[] row, string name) => double.Parse(Text(row, name), CultureInfo.InvariantCulture);
+
+        // A streak that lies in a single exposure is the way from row to row.
+        (double right, double down) = rows.Skip(1).Where(row => Text(row, "visible") == "yes").Select(Way).MinBy(way => Math.Abs(way.Down));
+        int found = 0;
+        foreach (string[] row in rows.Skip(1).Where(row => Text(row, "visible") == "yes"))
+        {
+            (double h, double v) = (Value(row, "h"), Value(row, "v"));
+            (int x, int y) = ((int)Math.Round(h), (int)Math.Round(v));
+            if (x <= Reach || x > Side - Reach || y <= Reach || y > Side - Reach)
+            {
+                continue;
+            }
+
+            (double sum, double sumX, double sumY) = (0.0, 0.0, 0.0);
+            for (int line = y - Reach; line <= y + Reach; line++)
+            {
+                for (int sample = x - Reach; sample <= x + Reach; sample++)
+                {
+                    double light = electrons[((line - 1) * Side) + sample - 1];
+                    (sum, sumX, sumY) = (sum + light, sumX + (light * sample), sumY + (light * line));
+                }
+            }
+
+            // From row to row a star moves on; it is in the middle of the row that it is in when that is exposed.
+            double shift = isRolling ? (v - y) / (1.0 - down) : y - v;
+            Assert.Equal(isRolling ? h + (right * shift) : h, sumX / sum, SamePlace);
+            Assert.Equal(y + shift, sumY / sum, SamePlace);
+            found++;
+        }
+
+        Assert.True(found >= 4, $"{found}");
+
+        (double Right, double Down) Way(string[] row)
+        {
+            double[] ends = [.. $"{Text(row, "start")} {Text(row, "end")}".Split(' ')
+                .Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+            return (ends[2] - ends[0], ends[3] - ends[1]);
+        }
+    }
+
     /// <summary>What a script beside this file prints.</summary>
     private string Python(string script, string[] arguments) => ChildRun.Of(
         TestParts.Python!,

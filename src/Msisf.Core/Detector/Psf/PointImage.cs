@@ -1,3 +1,5 @@
+using System.Runtime.Intrinsics;
+
 namespace Msisf.Core.Detector.Psf;
 
 /// <summary>The image of a point anywhere in a pixel: how much of its light each pixel around it gets. Immutable.</summary>
@@ -73,7 +75,8 @@ public sealed class PointImage
     /// <summary>One function of several that share the light.</summary>
     private sealed class Part
     {
-        private readonly double[] _table; // [row, column]: the pixel's centre, in nodes from the point
+        private readonly double[] _table; // [row, column modulo nodes, column over nodes]: the pixel's centre, in nodes from the point
+        private readonly int _stride; // from one column modulo nodes to the next: the same node of neighbouring pixels lie side by side
         private readonly int _nodes; // a pixel
         private readonly int _reach; // nodes from the middle of the table to its border
         private readonly int _order; // nodes along an axis that are interpolated
@@ -91,7 +94,8 @@ public sealed class PointImage
             int cellReach = ((int)Math.Round(Math.Sqrt(cells.Length)) - 1) / 2;
             Radius = ((cellReach + (_nodes / 2) + _order) / _nodes) + 1;
             _reach = (Radius + 1) * _nodes;
-            _table = Sums(cells, cellReach, part.Fraction / cells.Sum());
+            _stride = (((2 * _reach) + 1) / _nodes) + 1;
+            _table = SideBySide(Sums(cells, cellReach, part.Fraction / cells.Sum()));
         }
 
         public int Radius { get; }
@@ -107,35 +111,62 @@ public sealed class PointImage
             Span<double> down = stackalloc double[_order];
             int firstX = Weights(offset.X, across);
             int firstY = Weights(offset.Y, down);
-            int size = (2 * _reach) + 1;
+            Span<int> places = stackalloc int[_order]; // of the nodes of the pixel 'left' in a row of the table
             int top = Math.Max(rows.First, middle.Row - Radius);
             int bottom = Math.Min(rows.End - 1, middle.Row + Radius);
             int left = Math.Max(0, middle.Column - Radius);
             int right = Math.Min(width - 1, middle.Column + Radius);
+            for (int i = 0; i < _order; i++)
+            {
+                int node = ((left - middle.Column) * _nodes) + firstX + _reach + i;
+                places[i] = (node % _nodes * _stride) + (node / _nodes);
+            }
+
             for (int row = top; row <= bottom; row++)
             {
                 int nodeY = ((row - middle.Row) * _nodes) + firstY + _reach;
-                for (int column = left; column <= right; column++)
+                for (int column = left; column <= right; column += Vector256<double>.Count)
                 {
-                    int node = (nodeY * size) + ((column - middle.Column) * _nodes) + firstX + _reach;
-                    double sum = 0.0;
-                    for (int j = 0; j < _order; j++, node += size)
+                    Vector256<double> sums = Vector256<double>.Zero;
+                    for (int j = 0; j < _order; j++)
                     {
-                        double ofRow = 0.0;
+                        ReadOnlySpan<double> ofNode = _table.AsSpan(((nodeY + j) * _nodes * _stride) + column - left);
+                        Vector256<double> ofRow = Vector256<double>.Zero;
                         for (int i = 0; i < _order; i++)
                         {
-                            ofRow += across[i] * _table[node + i];
+                            ofRow += Vector256.Create(across[i]) * Vector256.Create(ofNode[places[i]..]);
                         }
 
-                        sum += down[j] * ofRow;
+                        sums += Vector256.Create(down[j]) * ofRow;
                     }
 
-                    pixels[(row * width) + column] += light * sum;
-                    added += light * sum;
+                    int count = Math.Min(Vector256<double>.Count, right - column + 1);
+                    for (int lane = 0; lane < count; lane++)
+                    {
+                        double part = light * sums[lane];
+                        pixels[(row * width) + column + lane] += part;
+                        added += part;
+                    }
                 }
             }
 
             return added;
+        }
+
+        /// <summary>The table in the order in which it is read, with room for the last vector.</summary>
+        private double[] SideBySide(double[] table)
+        {
+            int size = (2 * _reach) + 1;
+            double[] ordered = new double[(size * _nodes * _stride) + Vector256<double>.Count];
+            for (int row = 0; row < size; row++)
+            {
+                for (int column = 0; column < size; column++)
+                {
+                    ordered[(((row * _nodes) + (column % _nodes)) * _stride) + (column / _nodes)] = table[(row * size) + column];
+                }
+            }
+
+            return ordered;
         }
 
         /// <summary>Lagrange's weights of the nodes around a pixel's centre that lies so far before the point.</summary>
