@@ -65,11 +65,13 @@ internal sealed record NavigationSettings
         }
 
         IReadOnlyList<Parameter>? sensitivity = NavigationOptions.Sensitivity.ReadIfGiven(values) is { } derivatives
-            ? NavigationOptions.Sensitivity.Named(() => Parameter.ParseList(derivatives))
+            ? NavigationOptions.Sensitivity.NamedInErrors(() => Parameter.ParseList(derivatives, NavigationOptions.Sensitivity.Name))
             : null;
         IReadOnlyList<Parameter>? information = NavigationOptions.Information.ReadIfGiven(values) is { } known
-            ? NavigationOptions.Information.Named(
-                () => ChoiceSpec.IsSame(NavigationOptions.Pose, known) ? Parameter.Pose : Parameter.ParseList(known))
+            ? NavigationOptions.Information.NamedInErrors(
+                () => ChoiceSpec.IsSame(NavigationOptions.Pose, known)
+                    ? Parameter.Pose
+                    : Parameter.ParseList(known, NavigationOptions.Information.Name))
             : null;
         return craters is null && landmarks is null && flow is null && stereo is null && sensitivity is null && information is null
             ? null

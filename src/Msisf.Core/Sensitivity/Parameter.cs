@@ -56,9 +56,10 @@ public sealed class Parameter
 
     /// <summary>Reads the value of an option.</summary>
     /// <param name="text">"all", or names with commas between; capitals and blanks around names don't matter.</param>
+    /// <param name="option">What messages call the list.</param>
     /// <returns>In the order of <see cref="All"/>, each once; at least one.</returns>
     /// <exception cref="UsageException">A name is unknown, empty or given twice.</exception>
-    public static IReadOnlyList<Parameter> ParseList(string text)
+    public static IReadOnlyList<Parameter> ParseList(string text, string option = "parameters")
     {
         string[] names = text.Split(',', StringSplitOptions.TrimEntries);
         if (names is [var only] && string.Equals(only, AllText, StringComparison.OrdinalIgnoreCase))
@@ -70,10 +71,10 @@ public sealed class Parameter
         foreach (string name in names)
         {
             Parameter found = All.FirstOrDefault(parameter => string.Equals(parameter.Name, name, StringComparison.OrdinalIgnoreCase))
-                ?? throw new UsageException($"'{name}' is not a parameter. Give {ValidValues}.");
+                ?? throw new UsageException($"{option} {text}: '{name}' is not a parameter. Give {ValidValues}.");
             if (!wanted.Add(found))
             {
-                throw new UsageException($"'{name}' is given twice. Give each parameter once.");
+                throw new UsageException($"{option} {text}: '{name}' is given twice. Give each parameter once.");
             }
         }
 
