@@ -179,8 +179,8 @@ public class LayerSamplerTests
 
         double[][] planes = Sample(new SphereTruth(away, Sun, 4), [.. LayerCatalogue.All.Select(layer => layer.Name)]);
 
-        Assert.Equal(33, planes.Length);
-        Assert.Equal(2, planes.Count(plane => plane.All(value => value == 0.0))); // mask and saturated
+        Assert.Equal(34, planes.Length);
+        Assert.Equal(3, planes.Count(plane => plane.All(value => value == 0.0))); // mask, saturated and object
         Assert.Equal(31, planes.Count(plane => plane.All(double.IsNaN)));
     }
 

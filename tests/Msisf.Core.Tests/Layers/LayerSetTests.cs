@@ -13,8 +13,8 @@ public class LayerSetTests
     {
         string[] names = [.. LayerSet.Parse(text).Layers.Select(layer => layer.Name)];
 
-        Assert.Equal(27, names.Length);
-        Assert.Equal(27, names.Distinct().Count());
+        Assert.Equal(28, names.Length);
+        Assert.Equal(28, names.Distinct().Count());
     }
 
     [Fact]
