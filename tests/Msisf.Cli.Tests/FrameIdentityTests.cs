@@ -145,6 +145,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--layers-compression", "--layers depth", "--layers-compression gzip" },
         { "--craters", "", "--craters FILE:craters.csv" },
         { "--craters", "--craters FILE:craters.csv", "--craters FILE:more.csv" },
+        { "--sensitivity", "", "--sensitivity albedo" },
+        { "--information", "--camera FILE:detector.yaml", "--information pose" },
         { "--crater-rim", "--craters FILE:craters.csv", "--crater-rim terrain" },
         { "--crater-size", "--craters FILE:craters.csv", "--crater-size 1" },
         { "--landmarks", "", "--landmarks FILE:landmarks.csv" },

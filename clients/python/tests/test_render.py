@@ -421,7 +421,7 @@ def test_trajectory_of_an_oem_is_that_of_its_states(tmp_path):
 
 
 def test_every_layer_is_an_attribute_or_warns(moon):
-    of_options = ("all", "electrons", "saturated", "crater", "rays", "indirect")
+    of_options = ("all", "electrons", "saturated", "crater", "rays", "indirect", "object")
     names = [layer for layer in moon.models()["layers"] if layer not in of_options]
     assert not any(hasattr(msisf.Frame, layer) for layer in of_options)
     frame = moon.render((1.9e6, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), 55289.0, camera=msisf.Camera(4, 3, 1.0), layers=names)
