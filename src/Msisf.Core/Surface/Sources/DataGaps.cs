@@ -71,84 +71,35 @@ internal sealed class DataGaps
         }
     }
 
-    /// <summary>
-    /// Number of samples from each sample of a tile to the nearest place without data, along lines, samples or diagonals; 0 for one without
-    /// data itself. More than one beyond the width is not told apart.
-    /// </summary>
+    /// <summary>Which samples of a tile have data, and beside them, along lines, samples or diagonals, a place without.</summary>
     /// <param name="firstDown">The tile's first line, from the model's first.</param>
     /// <param name="firstRight">Its first sample, from the model's first.</param>
-    public byte[] DistancesAround(int firstDown, int firstRight, int width) =>
-        _gaps.Count == 0 ? DistancesFromSides(firstDown, firstRight, width) : DistancesFromGaps(firstDown, firstRight, width);
-
-    private byte[] DistancesFromSides(int firstDown, int firstRight, int width)
+    public bool[] OutermostIn(int firstDown, int firstRight)
     {
-        byte[] own = new byte[Side * Side];
-        for (int row = 0; row < Side; row++)
+        bool[] outermost = new bool[Side * Side];
+        for (int at = 0; at < outermost.Length; at++)
         {
-            int vertical = Math.Min(firstDown + row + 1, _window.Lines - firstDown - row);
-            for (int column = 0; column < Side; column++)
-            {
-                int right = firstRight + column;
-                int distance = _isRing ? vertical : Math.Min(vertical, Math.Min(right + 1, _window.Samples - right));
-                own[(row * Side) + column] = (byte)Math.Clamp(distance, 0, width + 1);
-            }
+            (int down, int right) = (firstDown + (at / Side), firstRight + (at % Side));
+            outermost[at] = HasData(down, right) && !HaveData(down - 1, down + 1, right - 1, right + 1);
         }
 
-        return own;
+        return outermost;
     }
 
-    private byte[] DistancesFromGaps(int firstDown, int firstRight, int width)
+    private bool HaveData(int firstDown, int lastDown, int firstRight, int lastRight)
     {
-        int around = width + 1;
-        int side = Side + (2 * around);
-        byte[] distances = new byte[side * side];
-        for (int row = 0; row < side; row++)
+        for (int down = firstDown; down <= lastDown; down++)
         {
-            for (int column = 0; column < side; column++)
+            for (int right = firstRight; right <= lastRight; right++)
             {
-                At(row, column) = HasData(firstDown + row - around, firstRight + column - around) ? (byte)around : (byte)0;
+                if (!HasData(down, right))
+                {
+                    return false;
+                }
             }
         }
 
-        for (int row = 0; row < side; row++)
-        {
-            for (int column = 0; column < side; column++)
-            {
-                Lower(row, column, row, column - 1);
-                Lower(row, column, row - 1, column - 1);
-                Lower(row, column, row - 1, column);
-                Lower(row, column, row - 1, column + 1);
-            }
-        }
-
-        for (int row = side - 1; row >= 0; row--)
-        {
-            for (int column = side - 1; column >= 0; column--)
-            {
-                Lower(row, column, row, column + 1);
-                Lower(row, column, row + 1, column + 1);
-                Lower(row, column, row + 1, column);
-                Lower(row, column, row + 1, column - 1);
-            }
-        }
-
-        byte[] own = new byte[Side * Side];
-        for (int row = 0; row < Side; row++)
-        {
-            distances.AsSpan(((row + around) * side) + around, Side).CopyTo(own.AsSpan(row * Side));
-        }
-
-        return own;
-
-        ref byte At(int row, int column) => ref distances[(row * side) + column];
-
-        void Lower(int row, int column, int besideRow, int besideColumn)
-        {
-            if (besideRow >= 0 && besideRow < side && besideColumn >= 0 && besideColumn < side)
-            {
-                At(row, column) = (byte)Math.Min(At(row, column), At(besideRow, besideColumn) + 1);
-            }
-        }
+        return true;
     }
 
     private static int PlaceOf(int down, int right) => (down % Side * Side) + (right % Side);

@@ -52,13 +52,13 @@ internal sealed class Outline
     {
         GridWindow window = _grid.Window;
         (int down, int right) = (tile / _columns * Side, tile % _columns * Side);
-        byte[] distances = _gaps.DistancesAround(down, right, 1);
+        bool[] outermost = _gaps.OutermostIn(down, right);
         List<OutlineSample> samples = [];
         double[] radius = new double[1];
-        for (int at = 0; at < distances.Length; at++)
+        for (int at = 0; at < outermost.Length; at++)
         {
             (int line, int sample) = (window.FirstLine + down + (at / Side), window.FirstSample + right + (at % Side));
-            if (distances[at] == 1 && sample < window.EndSample)
+            if (outermost[at] && sample < window.EndSample)
             {
                 _grid.ReadRadii(line, sample, radius);
                 samples.Add(new OutlineSample(line, sample, _grid.Projection.DirectionOf(line, sample), radius[0], step));
