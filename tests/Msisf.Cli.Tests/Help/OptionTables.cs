@@ -13,6 +13,7 @@ internal static class OptionTables
     public static string Text()
     {
         StringBuilder page = new();
+        Dictionary<string, string> described = [];
         foreach (OptionGroup group in CommandTable.Render.Groups)
         {
             page.Append(CultureInfo.InvariantCulture, $"### {group.Title}\n\n{(group.Note is null ? string.Empty : $"{group.Note}\n\n")}");
@@ -25,11 +26,27 @@ internal static class OptionTables
             string call = HelpText.UsageOf(path, command).First().Replace(" [OPTIONS]", string.Empty, StringComparison.Ordinal);
             page.Append(CultureInfo.InvariantCulture, $"### {call}\n\n");
             page.Append(CultureInfo.InvariantCulture, $"{Cell($"{command.Summary} {command.Details}".TrimEnd())}\n\n");
-            AppendTable(page, [.. command.Options.Except(CommandTable.Render.Options)]);
+            ILookup<string?, OptionSpec> options = command.Options.Except(CommandTable.Render.Options)
+                .ToLookup(option => described.GetValueOrDefault(RowOf(option)));
+            AppendTable(page, [.. options[null]]);
+            foreach (IGrouping<string?, OptionSpec> repeated in options.Where(group => group.Key is not null))
+            {
+                string names = string.Join(", ", repeated.Select(option => $"`{option.Name}`"));
+                page.Append(CultureInfo.InvariantCulture, $"As for [{repeated.Key}](#{AnchorOf(repeated.Key!)}): {names}.\n\n");
+            }
+
+            foreach (OptionSpec option in options[null])
+            {
+                described.Add(RowOf(option), call);
+            }
         }
 
         return page.ToString();
     }
+
+    /// <summary>GitHub's anchor of a heading.</summary>
+    private static string AnchorOf(string heading) =>
+        string.Concat(heading.ToLowerInvariant().Where(letter => char.IsLetterOrDigit(letter) || letter is ' ' or '-')).Replace(' ', '-');
 
     private static void AppendTable(StringBuilder page, IReadOnlyList<OptionSpec> options)
     {
@@ -41,13 +58,18 @@ internal static class OptionTables
         page.Append("| option | value | what it does |\n|---|---|---|\n");
         foreach (OptionSpec option in options)
         {
-            string names = string.Join(", ", option.Aliases.Prepend(option.Name).Select(name => $"`{name}`"));
-            string value = option.ValueName is null ? string.Empty : $"`{option.ValueName}`";
-            string notes = option.Notes.Length == 0 ? string.Empty : $" ({option.Notes})";
-            page.Append(CultureInfo.InvariantCulture, $"| {names} | {Cell(value)} | {Cell(option.Help + notes)} |\n");
+            page.Append(RowOf(option));
         }
 
         page.Append('\n');
+    }
+
+    private static string RowOf(OptionSpec option)
+    {
+        string names = string.Join(", ", option.Aliases.Prepend(option.Name).Select(name => $"`{name}`"));
+        string value = option.ValueName is null ? string.Empty : $"`{option.ValueName}`";
+        string notes = option.Notes.Length == 0 ? string.Empty : $" ({option.Notes})";
+        return $"| {names} | {Cell(value)} | {Cell(option.Help + notes)} |\n";
     }
 
     private static string Cell(string text) => text.Replace("|", "\\|", StringComparison.Ordinal);
