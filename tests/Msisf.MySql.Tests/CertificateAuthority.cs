@@ -4,7 +4,7 @@ using System.Security.Cryptography.X509Certificates;
 
 namespace Msisf.MySql.Tests;
 
-/// <summary>An authority of the tests' own, as docs/database.md makes one with openssl; all texts are PEM.</summary>
+/// <summary>An authority of the tests' own; all texts are PEM.</summary>
 internal sealed class CertificateAuthority : IDisposable
 {
     private static readonly DateTimeOffset From = DateTimeOffset.UtcNow.AddDays(-1);
