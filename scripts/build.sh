@@ -3,9 +3,8 @@
 #     scripts/build.sh             as publish/ was built; at first --dotnet
 #     scripts/build.sh --dotnet    the program and the .NET that it runs on
 #     scripts/build.sh --native    one program for command line and server, compiled ahead of time: starts at once and needs no .NET;
-#                                  takes minutes. For processors with AVX2 (x86-64-v3); where this one has AVX-512 (x86-64-v4), a
-#                                  second program for those beside it
-#     scripts/build.sh --native-all    both of these, whatever this processor has
+#                                  takes minutes. For processors such as this one: with AVX-512 (x86-64-v4), or with AVX2 (x86-64-v3)
+#     scripts/build.sh --native-all    a program for each of these
 #     scripts/build.sh --for NAME  the program of the packages for a system, e.g. win-x64, into obj/programs/NAME
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." >/dev/null && pwd -P)
@@ -27,7 +26,7 @@ case "${1:-} $#" in
     '--dotnet 1') ;;
     '--native 1')
         levels=(x86-64-v3)
-        ! grep -qw avx512vl /proc/cpuinfo || levels+=(x86-64-v4)
+        ! grep -qw avx512vl /proc/cpuinfo || levels=(x86-64-v4)
         ;;
     '--native-all 1') levels=(x86-64-v3 x86-64-v4) ;;
     '--for 2')

@@ -83,6 +83,19 @@ test_launcher_on_a_processor_without_avx2_says_what_to_run() {
         'msis: error: this program needs a processor with AVX2 (x86-64-v3). Build it here from its source: scripts/build.sh --dotnet.'
 }
 
+test_launcher_with_the_program_for_avx512_alone_says_what_to_run_elsewhere() {
+    make_native_clone 'avx2 avx512vl'
+    rm clone/publish/msis-x86-64-v3
+    ln -sf msis-x86-64-v4 clone/publish/msis
+    run clone/msis a
+    assert_same "$output" 'program of x86-64-v4: a'
+    printf 'flags\t\t: avx2\n' >cpuinfo
+    run clone/msis a
+    assert_code 1
+    assert_same "$output" \
+        'msis: error: this program needs a processor with AVX-512 (x86-64-v4). Build it for both kinds: scripts/build.sh --native-all.'
+}
+
 test_launcher_dotnet_noted_by_the_build_is_used_unless_the_user_names_one() {
     make_clone_with_program
     make_executable "$PWD/my dotnet/dotnet" </dev/null

@@ -75,7 +75,7 @@ msisf_${version}_amd64.deb"
 }
 
 test_release_real_program_runs_where_there_is_no_dotnet() {
-    [ -e "$MSISF_TESTED_ROOT/publish/libcoreclr.so" ] || [ -e "$MSISF_TESTED_ROOT/publish/msis-x86-64-v3" ] || {
+    [ -e "$MSISF_TESTED_ROOT/publish/libcoreclr.so" ] || compgen -G "$MSISF_TESTED_ROOT/publish/msis-x86-64-v*" >/dev/null || {
         echo 'missing: a program that brings .NET along or needs none'
         exit 77
     }
