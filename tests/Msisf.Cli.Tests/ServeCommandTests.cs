@@ -18,14 +18,13 @@ public sealed class ServeCommandTests
         Assert.StartsWith(error, run.Error, StringComparison.Ordinal);
     }
 
-    /// <summary>The server's program does not lie beside these tests.</summary>
     [Fact]
     public void Run_WithoutTheServersProgram_NamesWhatIsMissing()
     {
-        CommandLineRun run = CommandLineRun.Of(["serve"]);
+        CommandLineRun run = CommandLineRun.Of(["serve"], environment: new() { ["MSISF_SERVER"] = "/nowhere" });
 
         Assert.Equal(3, run.ExitCode);
-        Assert.StartsWith("msis: error: msis-server is not in ", run.Error, StringComparison.Ordinal);
+        Assert.StartsWith("msis: error: msis-server is not in /nowhere, ", run.Error, StringComparison.Ordinal);
         Assert.Contains("scripts/build.sh", run.Error, StringComparison.Ordinal);
     }
 }

@@ -7,6 +7,8 @@ public sealed class ConfigCommandTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
+    private Dictionary<string, string> Settings => new() { ["XDG_CONFIG_HOME"] = _folder.Path };
+
     public void Dispose() => _folder.Dispose();
 
     [Fact]
@@ -14,7 +16,7 @@ public sealed class ConfigCommandTests : IDisposable
     {
         string user = _folder.Write("msisf/config.yaml", "fov: 41\nbatch: true\n");
         string given = _folder.Write("a.yaml", "# mine\nfov: 42\nlayers:\n  - depth\n  - mask\n");
-        CommandLineRun run = CommandLineRun.Of(["config", "show", "--config", given], configHome: _folder.Path);
+        CommandLineRun run = CommandLineRun.Of(["config", "show", "--config", given], environment: Settings);
 
         Assert.True(run.ExitCode == 0, run.Error);
         Assert.Equal($"msis: {given}: read (--config).\nmsis: {user}: read (the user's file).\n", run.Error);
@@ -35,7 +37,7 @@ public sealed class ConfigCommandTests : IDisposable
     [Fact]
     public void Show_NoFile_SaysWhereItLooked()
     {
-        CommandLineRun run = CommandLineRun.Of(["config", "show"], configHome: _folder.Path);
+        CommandLineRun run = CommandLineRun.Of(["config", "show"], environment: Settings);
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal($"msis: {_folder["msisf/config.yaml"]}: not there (the user's file).\n", run.Error);

@@ -10,6 +10,8 @@ public sealed class ConfigurationTests : IDisposable
 
     private readonly TemporaryFolder _folder = new();
 
+    private Dictionary<string, string> Settings => new() { ["XDG_CONFIG_HOME"] = _folder.Path };
+
     public void Dispose() => _folder.Dispose();
 
     [Theory]
@@ -109,7 +111,7 @@ public sealed class ConfigurationTests : IDisposable
         Assert.Contains(
             "--config",
             ErrorOf(CommandLineRun.Of(
-                [.. Fixed.Split(' '), "--config", _folder.Write("a.yaml", ""), "--config", _folder["a.yaml"]], configHome: _folder.Path)),
+                [.. Fixed.Split(' '), "--config", _folder.Write("a.yaml", ""), "--config", _folder["a.yaml"]], environment: Settings)),
             StringComparison.Ordinal);
 
     /// <summary>Each file has another wrong value, so that the error shows which one is used.</summary>
@@ -236,11 +238,11 @@ public sealed class ConfigurationTests : IDisposable
     {
         _folder.Write("msisf/config.yaml", "batch: true");
 
-        Assert.Equal(0, CommandLineRun.Of([], configHome: _folder.Path).ExitCode);
+        Assert.Equal(0, CommandLineRun.Of([], environment: Settings).ExitCode);
     }
 
     private CommandLineRun Run(string words, string? last = null) =>
-        CommandLineRun.Of(last is null ? words.Split(' ') : [.. words.Split(' '), last], configHome: _folder.Path);
+        CommandLineRun.Of(last is null ? words.Split(' ') : [.. words.Split(' '), last], environment: Settings);
 
     private static string ErrorOf(CommandLineRun run) =>
         Assert.Single(

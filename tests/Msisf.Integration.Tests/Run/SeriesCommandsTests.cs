@@ -100,7 +100,7 @@ public sealed class SeriesCommandsTests : SeriesRuns
     public void Merge_VideoWithoutFfmpeg_IsAnError()
     {
         Run("out");
-        CommandLineRun merge = CommandLineRun.Of(["merge", Folder["out"], "--video", "10"], searchPath: "/nowhere");
+        CommandLineRun merge = CommandLineRun.Of(["merge", Folder["out"], "--video", "10"], environment: new() { ["PATH"] = "/nowhere" });
 
         Assert.Equal(3, merge.ExitCode);
         Assert.Contains("error: no ffmpeg on the PATH: no video is made.", merge.Error, StringComparison.Ordinal);
@@ -117,7 +117,7 @@ public sealed class SeriesCommandsTests : SeriesRuns
         File.WriteAllBytes(Image("out", 4), image);
         string program = Folder.Write("programs/ffmpeg", "#!/bin/sh\nexit 0\n");
         File.SetUnixFileMode(program, UnixFileMode.UserRead | UnixFileMode.UserExecute);
-        CommandLineRun merge = CommandLineRun.Of(["merge", Folder["out"], .. wish], searchPath: Folder["programs"]);
+        CommandLineRun merge = CommandLineRun.Of(["merge", Folder["out"], .. wish], environment: new() { ["PATH"] = Folder["programs"] });
 
         Assert.Equal(2, merge.ExitCode);
         Assert.Contains($"{Path.GetFullPath(Image("out", 4))}: not a whole PNG image: ", merge.Error, StringComparison.Ordinal);

@@ -16,30 +16,24 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     /// <exception cref="TimeoutException">It did not end in time; the message has what it was called with.</exception>
     /// <param name="arguments">As <c>main</c> gets them.</param>
     /// <param name="standardInput">What stands on standard input.</param>
-    /// <param name="configHome">
-    /// XDG_CONFIG_HOME; by default a folder that is not there, so that the settings of whoever runs the tests play no part.
+    /// <param name="environment">
+    /// Variables other than those of the tests. Without XDG_CONFIG_HOME it is a folder that is not there, so that the settings of whoever
+    /// runs the tests play no part.
     /// </param>
-    /// <param name="searchPath">PATH, if it is not that of the tests.</param>
     public static CommandLineRun Of(
-        IReadOnlyList<string> arguments, string standardInput = "", string configHome = "/no-settings", string? searchPath = null)
+        IReadOnlyList<string> arguments, string standardInput = "", Dictionary<string, string>? environment = null)
     {
+        Dictionary<string, string> variables = new(environment ?? []);
+        variables.TryAdd("XDG_CONFIG_HOME", "/no-settings");
         if (TestedProgram.Named is { } built)
         {
-            Dictionary<string, string> variables = new() { ["XDG_CONFIG_HOME"] = configHome };
-            if (searchPath is not null)
-            {
-                variables["PATH"] = searchPath;
-            }
-
             ChildRun run = ChildRun.Of(built, arguments, Environment.CurrentDirectory, standardInput, variables);
             return new CommandLineRun(run.ExitCode, run.Output, run.Error);
         }
 
         using StringWriter output = new();
         using StringWriter error = new();
-        string? Variable(string name) => name == "XDG_CONFIG_HOME" ? configHome
-            : name == "PATH" && searchPath is not null ? searchPath
-            : Environment.GetEnvironmentVariable(name);
+        string? Variable(string name) => variables.GetValueOrDefault(name) ?? Environment.GetEnvironmentVariable(name);
         ProgramHost host = ConsoleHost.Create(output, error, () => new StringReader(standardInput), TimeProvider.System, Variable);
         int exitCode = Within.Seconds(
             LimitSeconds, $"msis {string.Join(' ', arguments)}", Task.Run(() => CommandLineProgram.RunAsync(arguments, host)))
