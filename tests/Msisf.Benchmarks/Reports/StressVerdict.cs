@@ -26,8 +26,10 @@ internal sealed record StressVerdict(StressFigure? Figure, string Word, string L
     private static StressVerdict Of(StressFigure figure)
     {
         string word = figure.Limit is null ? "stated" : figure.IsKept ? "met" : "missed";
-        string limit = figure.Limit is null ? string.Empty : $", {LimitOf(figure)}";
-        return new StressVerdict(figure, word, $"{figure.Quantity}: {WorstOf(figure)}{limit}: {word} ({figure.WorstInput})");
+        string found = figure is { Unit: "1", Limit: 1.0 } ? $"{Text(figure.Worst)} of the allowed"
+            : figure.Limit is null ? WorstOf(figure)
+            : $"{WorstOf(figure)}, {LimitOf(figure)}";
+        return new StressVerdict(figure, word, $"{figure.Quantity}: {found}: {word} (worst input: {figure.WorstInput})");
     }
 
     /// <summary>A number alone has the unit "1", which nobody writes.</summary>
