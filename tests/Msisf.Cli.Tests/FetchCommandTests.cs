@@ -48,7 +48,7 @@ public sealed class FetchCommandTests : IDisposable
         CommandLineRun run = Fetch("ldem", site);
 
         Assert.Equal(3, run.ExitCode);
-        Assert.Contains("LDEM_4.IMG has 4 bytes, but its label says 2073600.", run.Error, StringComparison.Ordinal);
+        Assert.Contains("LDEM_4.IMG has 4 bytes, not 2073600.", run.Error, StringComparison.Ordinal);
         Assert.Contains("No place has the elevation model LDEM_4. Put LDEM_4.LBL and LDEM_4.IMG of", run.Error, StringComparison.Ordinal);
         Assert.Empty(Files());
     }
@@ -76,7 +76,7 @@ public sealed class FetchCommandTests : IDisposable
         List<string?> ranges = [];
         using HttpListener server = new();
         string address = Listen(server);
-        Task serving = ServeAsync(server, site, image.Length / 2, ranges);
+        Task serving = ServeAsync(server, site, "LDEM_4.IMG", image.Length / 2, ranges);
 
         CommandLineRun first = Fetch("ldem", address);
         CommandLineRun second = Fetch("ldem", address);
@@ -87,6 +87,52 @@ public sealed class FetchCommandTests : IDisposable
         Assert.Contains($"bytes={image.Length / 2}-", ranges);
         Assert.Equal(image, File.ReadAllBytes(Path.Combine(Own, "LDEM_4.IMG")));
         Assert.Equal(["LDEM_4.IMG", "LDEM_4.LBL"], Files());
+    }
+
+    /// <summary>The program's kernels, of which one is cut off and one damaged afterwards. NAIF may be out of reach for the sixth.</summary>
+    [Fact]
+    public async Task Fetch_KernelsCutOffAndDamaged_AreMadeWhole()
+    {
+        const string Cut = "moon_pa_de421_1900-2050.bpc";
+        string site = Path.Combine(TestParts.RepositoryRoot, "kernels");
+        string[] names = ["naif0012.tls", "moon_080317.tf", "moon_assoc_me.tf", Cut, "de421.bsp"];
+        List<string?> ranges = [];
+        using HttpListener server = new();
+        string address = Listen(server);
+        Task serving = ServeAsync(server, site, Cut, firstBytes: 1_000_000, ranges);
+
+        CommandLineRun first = Fetch("kernels", address);
+        string[] afterTheCut = Files();
+        CommandLineRun second = Fetch("kernels", address);
+        File.WriteAllBytes(Path.Combine(Own, "naif0012.tls"), new byte[5_257]);
+        CommandLineRun third = Fetch("kernels", address);
+        server.Stop();
+        await serving;
+
+        Assert.Contains("bytes=1000000-", ranges);
+        Assert.DoesNotContain("de421.bsp", afterTheCut);
+        Assert.Contains("moon_assoc_me.tf is in place.", second.Error, StringComparison.Ordinal);
+        Assert.Contains($"{Cut} comes from {address}.", second.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            "naif0012.tls: its SHA-256 is not that of the published file. It is replaced.", third.Error, StringComparison.Ordinal);
+        Assert.Equal(names.Select(name => Path.Combine(Own, name)), third.Output.Split('\n').Take(names.Length));
+        Assert.All(names, name => Assert.Equal(
+            File.ReadAllBytes(Path.Combine(site, name)), File.ReadAllBytes(Path.Combine(Own, name))));
+        Assert.Equal(File.Exists(Path.Combine(Own, "pck00011.tpc")) ? 0 : 3, third.ExitCode);
+        Assert.Equal(3, first.ExitCode);
+    }
+
+    [Fact]
+    public void Fetch_FileThatIsNotTheCatalogue_IsNotTaken()
+    {
+        string site = Path.Combine(_folder.Path, "site");
+        Directory.CreateDirectory(site);
+        File.WriteAllText(Path.Combine(site, "hip_main.dat"), "half");
+
+        CommandLineRun run = CommandLineRun.Of(["fetch", "stars", "--from", site, "--to", Own]);
+
+        Assert.Contains("hip_main.dat has 4 bytes, not 53316318.", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain(Files(), name => name == "hip_main.dat" && new FileInfo(Path.Combine(Own, name)).Length == 4);
     }
 
     [Fact]
@@ -166,8 +212,8 @@ public sealed class FetchCommandTests : IDisposable
         }
     }
 
-    /// <summary>Answers until it is stopped; of the first image only the first bytes.</summary>
-    private static async Task ServeAsync(HttpListener server, string folder, int firstBytes, List<string?> ranges)
+    /// <summary>Answers until it is stopped; the first time that a file is asked for with its first bytes only.</summary>
+    private static async Task ServeAsync(HttpListener server, string folder, string cutFile, int firstBytes, List<string?> ranges)
     {
         bool isCut = false;
         while (server.IsListening)
@@ -201,7 +247,7 @@ public sealed class FetchCommandTests : IDisposable
                 context.Response.Headers["Content-Range"] = $"bytes {start}-{bytes.Length - 1}/{bytes.Length}";
             }
 
-            bool cut = !isCut && path.EndsWith(".IMG", StringComparison.Ordinal);
+            bool cut = !isCut && path.EndsWith(cutFile, StringComparison.Ordinal);
             isCut |= cut;
             await context.Response.OutputStream.WriteAsync(bytes.AsMemory(start, cut ? firstBytes : bytes.Length - start));
             if (cut)

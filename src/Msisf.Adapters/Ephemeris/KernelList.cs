@@ -164,12 +164,12 @@ public static class KernelList
         return ((string[])[
             besideMetaKernel, inWorkingFolder, Path.GetFullPath(withSlashes, folder), Path.GetFullPath(withSlashes)])
             .FirstOrDefault(File.Exists) ?? throw new BadInputException(
-                $"{besideMetaKernel}: no such kernel, which {metaKernel} lists{also}. Mend the name, or get the kernel "
-                    + "(kernels/README.md says where).");
+                $"{besideMetaKernel}: no such kernel, which {metaKernel} lists{also}. Correct the name, or get the kernel "
+                    + "('msis fetch kernels' gets those of msis).");
     }
 
     /// <summary>The absolute path of a kernel that the user names.</summary>
     internal static string Existing(string file) => Path.GetFullPath(file) is var path && File.Exists(path)
         ? path
-        : throw new BadInputException($"{path}: no such kernel. Mend the name, or get the kernel (kernels/README.md says where).");
+        : throw new BadInputException($"{path}: no such kernel. Correct the name, or get the kernel ('msis fetch kernels' gets those of msis).");
 }

@@ -40,7 +40,7 @@ public static class PoleKernel
     /// <summary>The error for a body without a text kernel.</summary>
     public static BadInputException Missing(CelestialBody body) => new(Invariant(
         $"No text kernel gives the orientation of {body.Name} ({Name(body.NaifNumber, PoleItem)} and others), from which {body.Frame} is "
-            + $"made. Name a meta-kernel that lists one, such as NAIF's pck00011.tpc, with --kernels."));
+            + $"made. Give one to --kernels: 'msis fetch kernels' gets NAIF's pck00011.tpc, which has all bodies."));
 
     private static PoleSeries SeriesOf(KernelPool pool, CelestialBody body, string item, string periodic) => new(
         NumbersOf(pool.Existing(Name(body.NaifNumber, item)), item),

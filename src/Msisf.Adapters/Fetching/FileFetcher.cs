@@ -48,7 +48,7 @@ public sealed class FileFetcher(string folder, string? curl)
         if (bytes is { } expected && size != expected)
         {
             File.Delete(part);
-            throw new ExternalPartException(Invariant($"{place}: {name} has {size} bytes, but its label says {expected}."));
+            throw new ExternalPartException(Invariant($"{place}: {name} has {size} bytes, not {expected}."));
         }
 
         return part;

@@ -46,12 +46,15 @@ internal sealed class PieceArguments
     /// position.
     /// </param>
     /// <param name="exposureTime">s: the exposure time of the run, so that no piece looks for it again; null for the camera file's.</param>
-    public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine, double? exposureTime) =>
+    /// <param name="exposure">The exposure that was found for the run; null for that of the options.</param>
+    public IReadOnlyList<string> OfPiece(string batchFile, EphemerisChoice? engine, double? exposureTime, double? exposure) =>
     [
         .. WordsOf(CameraOptions.BatchFile, batchFile),
         .. CommandTable.OptionsOfRun.Except(
             [.. CameraOptions.Group.Options, RunOptions.Frames, LightOptions.Ephemeris, RunOptions.Config,
-                NativeOptions.ExposureTime]).SelectMany(Words),
+                NativeOptions.ExposureTime, .. exposure is null ? Array.Empty<OptionSpec>() : [NativeOptions.Exposure]])
+            .SelectMany(Words),
+        .. exposure is { } grey ? WordsOf(NativeOptions.Exposure, NumberSpec.TextOf(grey)) : [],
         .. Engine(engine),
         .. exposureTime is { } seconds ? WordsOf(NativeOptions.ExposureTime, NumberSpec.TextOf(seconds)) : [],
     ];

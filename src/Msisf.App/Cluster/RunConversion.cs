@@ -57,12 +57,13 @@ internal sealed class RunConversion(ProgramHost host)
         if (settings is { Rig: not null, Native.FindsExposureTime: true })
         {
             throw NativeOptions.ExposureTime.Wrong(
-                $"{NativeOptions.AutomaticTime} finds a time for each camera of a rig, and pieces take one. Give seconds, or "
+                $"{NativeOptions.Automatic} finds a time for each camera of a rig, and pieces take one. Give seconds, or "
                     + "'exposure-time' in the camera files.", RigOptions.Rig);
         }
 
         using EphemerisSource ephemeris = new(settings, host);
         using PreparedRun run = PreparedRun.Of(trajectory, cameras, ephemeris, host, cancellation);
+        bool findsExposure = settings is { Rig: null, Native.FindsExposure: true }; // the cameras of a rig find their own in each piece
         using (SurfaceInputs maps = SurfaceInputs.Open(settings, host))
         {
             settings = ExposureSearch.Resolve(
@@ -82,7 +83,8 @@ internal sealed class RunConversion(ProgramHost host)
             Version = host.Version,
             Launcher = host.Installation.Launcher,
             WorkingFolder = Directory.GetCurrentDirectory(),
-            Arguments = arguments.OfPiece(batchFile, engine, settings.Native.ExposureTime),
+            Arguments = arguments.OfPiece(
+                batchFile, engine, settings.Native.ExposureTime, findsExposure ? settings.Native.Grey.Exposure : null),
             HasJobs = settings.Jobs is not null,
             NeedsPatterns = settings.Renderer == RendererKind.PovRay,
             PatternArguments = arguments.OfPatterns(batchFile, engine),

@@ -1,7 +1,7 @@
 namespace Msisf.App.Host;
 
 /// <summary>Where data of one kind is searched, and where <c>msis fetch</c> puts it.</summary>
-/// <param name="kind">Name of its folder: ldem or albedo.</param>
+/// <param name="kind">Name of its folder: ldem, albedo, stars or kernels.</param>
 internal sealed class DataFolders(string kind, ProgramHost host)
 {
     /// <summary>Elevation models.</summary>
@@ -9,6 +9,12 @@ internal sealed class DataFolders(string kind, ProgramHost host)
 
     /// <summary>Maps of the reflectance.</summary>
     public const string Albedo = "albedo";
+
+    /// <summary>Catalogues of stars.</summary>
+    public const string Stars = "stars";
+
+    /// <summary>SPICE kernels.</summary>
+    public const string Kernels = "kernels";
 
     /// <summary>The folders in which it is searched if no path is given, first choice first; they need not exist.</summary>
     public IReadOnlyList<string> Searched =>
@@ -20,7 +26,9 @@ internal sealed class DataFolders(string kind, ProgramHost host)
     /// <summary>The folder that <c>msis fetch</c> fills: the installation's or, if that can't be written, the user's.</summary>
     public string Fetched => OfUser is { } own && !CanBeWritten(Installed) ? own : Installed;
 
-    private string Installed => Path.Combine(host.Installation.Root, "input", kind);
+    private string Installed => kind == Kernels
+        ? Path.Combine(host.Installation.Root, kind)
+        : Path.Combine(host.Installation.Root, "input", kind);
 
     private string? OfUser => host.DataFolder is { } folder ? Path.Combine(folder, kind) : null;
 

@@ -2,7 +2,6 @@ using System.Buffers.Binary;
 using System.Security.Cryptography;
 using Msisf.Adapters.Fetching;
 using Msisf.Adapters.Input;
-using Msisf.Adapters.Programs;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.App.Host;
@@ -31,14 +30,8 @@ internal sealed class DataFetch
     private DataFetch(OptionValues values, ProgramHost host, string kind)
     {
         _host = host;
-        _folder = FetchOptions.To.ReadIfGiven(values) ?? new DataFolders(kind, host).Fetched;
-        _from = FetchOptions.From.ReadIfGiven(values);
-        if (_from is not null && !FileFetcher.IsAddress(_from) && !Directory.Exists(_from))
-        {
-            throw FetchOptions.From.Wrong($"{_from}: there is no such folder. Name one, or the address of one, or leave the option out.");
-        }
-
-        _files = new FileFetcher(_folder, SearchPath.Find(host.Environment("PATH") ?? string.Empty, "curl", "curl.exe"));
+        FetchTarget target = new(values, host, kind);
+        (_folder, _from, _files) = (target.Folder, target.From, target.Files);
     }
 
     /// <summary>Gets all files of an elevation model.</summary>

@@ -85,7 +85,7 @@ internal sealed record RunFrames(
         if (cameras.Any(settings => settings.Native.FindsExposureTime) && trajectory is BatchFileSettings { IsStandardInput: true })
         {
             throw NativeOptions.ExposureTime.Wrong(
-                $"{NativeOptions.AutomaticTime} reads the whole run again in each call, and standard input can be read once. Give seconds, "
+                $"{NativeOptions.Automatic} reads the whole run again in each call, and standard input can be read once. Give seconds, "
                     + "or save the states to a file.", CameraOptions.BatchFile);
         }
     }

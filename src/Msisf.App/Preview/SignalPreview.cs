@@ -81,7 +81,7 @@ internal readonly record struct SignalLevels(int Median, int High);
 internal sealed record ReducedCamera(CameraModel Model, DetectorSettings Detector)
 {
     /// <summary>px: longer side of the small image.</summary>
-    private const int LongerSide = 96;
+    public const int LongerSide = 96;
 
     /// <summary>Reduces a camera; a small one keeps its size.</summary>
     public static ReducedCamera Of(CameraModel model, DetectorSettings detector)

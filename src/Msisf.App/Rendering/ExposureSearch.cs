@@ -9,7 +9,7 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Finds the exposure time of <c>--exposure-time auto</c> from frames spread over the whole run, whichever of its frames a call makes, so
+/// Finds the exposure time of <c>--exposure-time auto</c>, or the exposure of <c>--exposure auto</c>, from frames spread over the whole run, whichever of its frames a call makes, so
 /// that pieces and restarts find the same.
 /// </summary>
 internal static class ExposureSearch
@@ -25,6 +25,12 @@ internal static class ExposureSearch
         RenderSettings settings, IReadOnlyList<SpacecraftState> states, IReadOnlyList<Frame> frames, ElevationModel model,
         SurfaceInputs maps, Func<IEphemeris> sun, ProgramHost host, CancellationToken cancellation)
     {
+        if (settings.Native.FindsExposure)
+        {
+            Frame[] seen = Looked(settings, states, sun, cancellation);
+            return settings with { Native = GreySearch.Resolve(settings, seen, model, maps, host, cancellation) };
+        }
+
         if (!settings.Native.FindsExposureTime)
         {
             return settings;
@@ -32,17 +38,23 @@ internal static class ExposureSearch
 
         ResourceCheck.Check(
             [(settings, 1)], atOnce: 1, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes, diskThere: long.MaxValue);
-        RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
-        string[] names = [.. states.Select((_, index) => Invariant($"step {index + 1}"))];
-        Frame[] looked = FrameSetup.Of(states, names, sampled, new SunPositions(sun, settings.Aberration), cancellation);
+        Frame[] looked = Looked(settings, states, sun, cancellation);
         GroundCheck.Refuse(looked, model, span: 0.0, cancellation, settings.Body);
         double seconds = Find(settings, looked, model, maps, host, cancellation);
         host.Log.Note(Invariant(
-            $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}: {seconds:R} s, from {looked.Length} of {states.Count} "
+            $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}: {seconds:R} s, from {looked.Length} of {states.Count} "
                 + $"{(states.Count == 1 ? "frame" : "frames")} of the run."));
         RenderSettings found = settings with { Native = settings.Native.WithExposureTime(seconds) };
         GroundCheck.Refuse(frames, model, found.ShutterSpan, cancellation, settings.Body);
         return found;
+    }
+
+    private static Frame[] Looked(
+        RenderSettings settings, IReadOnlyList<SpacecraftState> states, Func<IEphemeris> sun, CancellationToken cancellation)
+    {
+        RenderSettings sampled = settings with { Frames = StepRanges.Of(StepsOf(states.Count)) };
+        string[] names = [.. states.Select((_, index) => Invariant($"step {index + 1}"))];
+        return FrameSetup.Of(states, names, sampled, new SunPositions(sun, settings.Aberration), cancellation);
     }
 
     /// <summary>Steps at equal distances, the first and the last among them.</summary>
@@ -77,7 +89,7 @@ internal static class ExposureSearch
                 + "bias, gain, full well and dark current of the camera file, or give seconds.").About(NativeOptions.ExposureTime);
     }
 
-    private static string Asked => $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}";
+    private static string Asked => $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}";
 }
 
 /// <summary>Watches how the exposure suits the frames of a run, and notes once if it does not. Thread-safe.</summary>

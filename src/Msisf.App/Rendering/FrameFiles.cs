@@ -22,7 +22,7 @@ namespace Msisf.App.Rendering;
 /// </summary>
 internal sealed class FrameFiles(
     RenderSettings settings, FrameDescription description, InputComparison comparison, FrameLedger ledger, RunTimes times, ILog log,
-    NavigationInputs? navigation = null, IEphemeris? ephemeris = null, MapOutputs? maps = null)
+    NavigationInputs? navigation = null, IEphemeris? ephemeris = null, MapOutputs? maps = null, CraterNote? craters = null)
 {
     private readonly FrameNavigation? _navigation = navigation is null ? null : new FrameNavigation(navigation);
     private readonly FlowOutputs? _flows = settings.Native.Navigation is { } wanted ? new FlowOutputs(wanted) : null;
@@ -46,6 +46,11 @@ internal sealed class FrameFiles(
             Stars = rendered.Sky?.Stars,
             Bodies = rendered.Sky?.Bodies,
         };
+        if (metadata.Navigation?.Craters is { } listed)
+        {
+            craters?.Add(listed);
+        }
+
         PixelSampler pixels = description.Sampler(frame, rendered);
         comparison.Compare($"{stem}.xml", metadata.Inputs);
         string? annotated = settings.Annotate ? $"{stem}.annotated.png" : null;

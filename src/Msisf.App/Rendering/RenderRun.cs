@@ -124,11 +124,13 @@ internal sealed class RenderRun
         int atOnce = AtOnce(missing);
 
         InputComparison comparison = new(_host.Log);
+        CraterNote craters = new(run.Model.Grid.Resolution.OnSphere(run.Model.Grid.ReferenceRadius).MetresPerPixel);
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
             settings,
             new FrameDescription(settings, run.Model, plan.Version, () => inputs.All(settings.Camera)) { Orientation = run.Orientation },
             comparison, ledger, _times, _host.Log, truth.Navigation, truth.OfModels,
-            settings.Map is { } map ? new MapOutputs(map, settings.Native, _host.Environment("MSISF_GDAL"), _host.Log) : null))];
+            settings.Map is { } map ? new MapOutputs(map, settings.Native, _host.Environment("MSISF_GDAL"), _host.Log) : null,
+            craters))];
         ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)
             : null)];
@@ -154,6 +156,8 @@ internal sealed class RenderRun
             {
                 exposure.Write(_host.Log);
             }
+
+            craters.Write(_host.Log);
         }
     }
 

@@ -81,7 +81,7 @@ internal sealed class JsonOptions
     {
         OptionValues values = LookOptions.Behind(new OptionValues(_values));
         _values.Remove(LookOptions.Look.Name);
-        foreach (OptionSpec option in LookOptions.Options)
+        foreach (OptionSpec option in LookOptions.Options.Where(option => option != NativeOptions.Exposure)) // found for whole runs only
         {
             if (values.Words(option) is { } words)
             {
@@ -134,10 +134,16 @@ internal sealed class JsonOptions
         {
             Jitter = _jitter,
         };
+        if (settings.Native.FindsExposure)
+        {
+            throw NativeOptions.Exposure.Wrong(
+                $"{NativeOptions.Automatic} is found from the images of a whole run, and a request is one image. Give a number.");
+        }
+
         if (settings.Native.FindsExposureTime)
         {
             throw NativeOptions.ExposureTime.Wrong(
-                $"{NativeOptions.AutomaticTime} is found from the images of a whole run, and a request is one image. Give seconds.");
+                $"{NativeOptions.Automatic} is found from the images of a whole run, and a request is one image. Give seconds.");
         }
 
         return new RequestedFrame(

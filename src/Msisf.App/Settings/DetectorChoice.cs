@@ -54,7 +54,7 @@ internal static class DetectorChoice
             return native;
         }
 
-        if (ChoiceSpec.IsSame(text, NativeOptions.AutomaticTime))
+        if (ChoiceSpec.IsSame(text, NativeOptions.Automatic))
         {
             return native with { FindsExposureTime = true };
         }
@@ -62,6 +62,6 @@ internal static class DetectorChoice
         return NumberText.TryParse(text, out double seconds) && LimitsOfTime.Contains(seconds)
             ? native.WithExposureTime(seconds)
             : throw NativeOptions.ExposureTime.Wrong(
-                $"is {NumberText.Shown(text)}; seconds {LimitsOfTime}, or {NativeOptions.AutomaticTime}, are needed.");
+                $"is {NumberText.Shown(text)}; seconds {LimitsOfTime}, or {NativeOptions.Automatic}, are needed.");
     }
 }

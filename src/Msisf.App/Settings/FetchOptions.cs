@@ -24,11 +24,12 @@ internal static class FetchOptions
     };
 
     public static TextSpec From { get; } = new(
-        "--from", DecidesBytes.OfNoFrame, "DIR|URL", "Another place of the files, which is asked before NASA: a folder, or its address");
+        "--from", DecidesBytes.OfNoFrame, "DIR|URL", "Another place of the files, which is asked first: a folder, or its address");
 
     public static PathSpec To { get; } = new("--to", OptionRole.HowItRuns, PathKind.Folder, "Where to put the files")
     {
-        DefaultNote = "where msis looks for them: input/ldem and input/albedo of the installation, or below ~/.local/share/msisf",
+        DefaultNote = "where msis looks for them: input/ldem, input/albedo, input/stars and kernels of the installation, or below "
+            + "~/.local/share/msisf",
     };
 
     public static CommandSpec Ldem { get; } = new("ldem", "Get an elevation model of the whole Moon (LRO LOLA).")
@@ -45,11 +46,26 @@ internal static class FetchOptions
         MakeGroups = () => [new OptionGroup("The map", [Size, From, To]), OnlyHelp],
     };
 
-    public static CommandSpec Command { get; } = new("fetch", "Get NASA's elevation models and maps.")
+    public static CommandSpec Stars { get; } = new("stars", "Get the stars of Hipparcos (CDS I/239, 53 MB).")
+    {
+        Details = "Prints the path that --stars takes. The stars to V 6.0 come with msis, for --stars without a file.",
+        Examples = [("Into the folder in which --stars is given:", "msis fetch stars --to .")],
+        MakeGroups = () => [new OptionGroup("The catalogue", [From, To]), OnlyHelp],
+    };
+
+    public static CommandSpec Kernels { get; } = new("kernels", "Get the SPICE kernels of msis, and those of other bodies.")
+    {
+        Details = "Kernels that are there and whole are left alone; damaged ones are replaced. pck00011.tpc has the orientations of all "
+            + "bodies of --body: give its path to --kernels.",
+        Examples = [("Damaged kernels anew:", "msis fetch kernels")],
+        MakeGroups = () => [new OptionGroup("The kernels", [From, To]), OnlyHelp],
+    };
+
+    public static CommandSpec Command { get; } = new("fetch", "Get elevation models, maps, stars and kernels.")
     {
         Details = "Files are downloaded by curl. A download that was cut off goes on when the command is repeated.",
         MakeGroups = () => [OnlyHelp],
-        Commands = [Ldem, Albedo],
+        Commands = [Ldem, Albedo, Stars, Kernels],
     };
 
     /// <summary>Reads the resolution of a product of NASA.</summary>

@@ -20,6 +20,7 @@ internal static class LookOptions
         new(NativeOptions.Samples, SamplesReader.Auto), new(NativeOptions.Shading, "smooth"), new(NativeOptions.Sun, "disc"),
         new(NativeOptions.Reflectance, "moon", NativeOptions.Albedo),
         new(NativeOptions.Refine, "1", SurfaceOptions.LevelOfDetailError, SurfaceOptions.Body),
+        new(NativeOptions.Exposure, NativeOptions.Automatic),
     ]);
 
     public static ChoiceSpec<Look> Look { get; } = new(
@@ -27,7 +28,7 @@ internal static class LookOptions
         [new Choice("thesis", Settings.Look.Thesis), new Choice("truth", Settings.Look.Truth), new Choice("photo", Settings.Look.Photo)],
         "Set several options at once; those that are given stay. thesis: what the thesis draws (POV-Ray, the whole model); truth: native, "
             + "flat facets, one sample a pixel, for comparisons; photo: what a camera would take (native, samples auto, smooth ground, "
-            + "the Sun's disc, the map of the reflectance, invented detail)")
+            + "the Sun's disc, the map of the reflectance, invented detail, exposure auto)")
     {
         DefaultNote = "none",
     };

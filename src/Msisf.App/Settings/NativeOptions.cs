@@ -63,9 +63,15 @@ internal static class NativeOptions
         DefaultNote = NumberSpec.TextOf(ReflectanceFactory.DefaultAlbedo),
     };
 
-    public static NumberSpec Exposure { get; } = new(
-        "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), "X", "Linear grey of a radiance factor of 1, where 1 is white")
+    /// <summary>Word that asks for the exposure, or the exposure time, to be found.</summary>
+    public const string Automatic = "auto";
+
+    public static TextSpec Exposure { get; } = new(
+        "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), $"X|{Automatic}",
+        "Linear grey of a radiance factor of 1, where 1 is white; auto: so bright that 99.5 % of the lit pixels stay below white, and half of "
+            + "them at level 159 or below, found from small images of 32 frames spread over the whole run")
     {
+        Words = [Automatic],
         DefaultNote = Invariant($"{ExposureOfMoon} for moon, nac and hapke with w, otherwise {ExposureOfOtherLaws}"),
     };
 
@@ -84,15 +90,12 @@ internal static class NativeOptions
         Default = 8,
     };
 
-    /// <summary>Word that asks for the exposure time to be found.</summary>
-    public const string AutomaticTime = "auto";
-
     public static TextSpec ExposureTime { get; } = new(
-        "--exposure-time", DecidesBytes.As(frame => frame.Native?.ExposureTime), $"SECONDS|{AutomaticTime}",
+        "--exposure-time", DecidesBytes.As(frame => frame.Native?.ExposureTime), $"SECONDS|{Automatic}",
         "Exposure time of a camera file with a detector; auto: so long that 99.5 % of the lit pixels stay below full well and highest DN, "
             + "found from 32 images spread over the whole run")
     {
-        Words = [AutomaticTime],
+        Words = [Automatic],
         DefaultNote = "the camera file's",
     };
 

@@ -33,6 +33,9 @@ internal sealed record NativeSettings
     /// <summary>Whether the exposure time is still to be found.</summary>
     public bool FindsExposureTime { get; init; }
 
+    /// <summary>Whether the exposure of the grey levels is still to be found; <see cref="Grey"/> has that of the law.</summary>
+    public bool FindsExposure { get; init; }
+
     /// <summary>Invented detail below the elevation models; null for none.</summary>
     public RefineSettings? Refine { get; init; }
 
@@ -49,6 +52,19 @@ internal sealed record NativeSettings
     public required LayerPrecision LayersPrecision { get; init; }
 
     public required LayerCompression LayersCompression { get; init; }
+
+    /// <summary>These settings with another exposure of the grey levels.</summary>
+    /// <param name="exposure">Linear grey of I/F = 1.</param>
+    public NativeSettings WithExposure(double exposure)
+    {
+        GreyScale grey = new(exposure, Grey.Transfer);
+        return this with
+        {
+            Grey = grey,
+            FindsExposure = false,
+            Render = Render.Adaptive is { } sampling ? Render with { Adaptive = new AdaptiveSampling(sampling.Error, grey) } : Render,
+        };
+    }
 
     /// <summary>These settings with another exposure time than the camera file's.</summary>
     /// <param name="seconds">s, above 0.</param>

@@ -75,9 +75,10 @@ internal static class NativeSettingsReader
             layers = layers!.Without(layer => layer.NeedsModels);
         }
 
+        double? exposure = Exposure(values, out bool findsExposure);
         GreyScale grey = NativeOptions.Exposure.Named(
             () => new GreyScale(
-                NativeOptions.Exposure.ReadIfGiven(values) ?? (ReflectanceFactory.IsAbsolute(law, parameters.Keys)
+                exposure ?? (ReflectanceFactory.IsAbsolute(law, parameters.Keys)
                     ? NativeOptions.ExposureOfMoon
                     : NativeOptions.ExposureOfOtherLaws),
                 NativeOptions.Transfer.Read(values)));
@@ -102,6 +103,7 @@ internal static class NativeSettingsReader
             HapkeMap = HapkeMap(values, law, map),
             Albedo = albedo,
             Grey = grey,
+            FindsExposure = findsExposure && detector is null,
             BitDepth = NativeOptions.BitDepth.Read(values),
             Detector = detector,
             Refine = refine,
@@ -118,6 +120,18 @@ internal static class NativeSettingsReader
             layers = isAll || layers?.Layers.FirstOrDefault(needs) is not { } named
                 ? layers?.Without(needs)
                 : throw new UsageException($"--layers: {named.Name} {reason}").About(NativeOptions.Layers, missing);
+    }
+
+    /// <summary>The exposure that was given; null if none was, or if it is to be found.</summary>
+    /// <exception cref="UsageException">It is no number.</exception>
+    private static double? Exposure(OptionValues values, out bool isFound)
+    {
+        string? text = NativeOptions.Exposure.ReadIfGiven(values);
+        isFound = text is not null && ChoiceSpec.IsSame(text, NativeOptions.Automatic);
+        return text is null || isFound ? null
+            : NumberText.TryParse(text, out double exposure) ? exposure
+            : throw new UsageException($"{NativeOptions.Exposure.Name}: {NumberText.ProblemWith(text)}, or {NativeOptions.Automatic}.")
+                .About(NativeOptions.Exposure);
     }
 
     private static string? HapkeMap(OptionValues values, string law, AlbedoSettings map)

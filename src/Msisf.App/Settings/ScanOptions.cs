@@ -176,7 +176,7 @@ internal static class StripRules
             : settings.Map is not null ? MapOptions.Map.Name
             : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
                 ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
-            : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.AutomaticTime}"
+            : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}"
             : null;
         if (wrong is not null)
         {

@@ -80,6 +80,6 @@ internal sealed record SkySettings
             : File.Exists(catalogue) ? catalogue
             : throw SkyOptions.Stars.Wrong(
                 $"is '{catalogue}', which is neither a file nor '{StarCatalogueReader.BuiltIn}'. Give a catalogue: hip_main.dat of "
-                    + "Hipparcos, tyc2.dat of Tycho-2, or CSV with the columns ra_deg, dec_deg and v_mag.");
+                    + "Hipparcos ('msis fetch stars' gets it), tyc2.dat of Tycho-2, or CSV with the columns ra_deg, dec_deg and v_mag.");
     }
 }

@@ -8,6 +8,7 @@ using Msisf.App.Settings.Specs;
 using Msisf.App.States;
 using Msisf.App.Twins;
 using Msisf.Adapters.Camera;
+using Msisf.Adapters.Fetching;
 using Msisf.Adapters.Input;
 using Msisf.Cli.Completion;
 using Msisf.Cli.Help;
@@ -38,6 +39,10 @@ internal static class CommandActions
         [CommandTable.Merge] = InBackground(SeriesCommands.MergeAsync),
         [FetchOptions.Ldem] = InBackground((call, cancellation) => DataFetch.LdemAsync(call.Values, call.Host, cancellation)),
         [FetchOptions.Albedo] = InBackground((call, cancellation) => DataFetch.AlbedoAsync(call.Values, call.Host, cancellation)),
+        [FetchOptions.Stars] = InBackground((call, cancellation) =>
+            PublicFileFetch.GetAsync([PublicFile.Hipparcos], DataFolders.Stars, call.Values, call.Host, cancellation)),
+        [FetchOptions.Kernels] = InBackground((call, cancellation) =>
+            PublicFileFetch.GetAsync(PublicFile.Kernels, DataFolders.Kernels, call.Values, call.Host, cancellation)),
         [CommandTable.Synthesize] = InBackground(Synthesize),
         [CommandTable.Pyramid] = InBackground(MakePyramid),
         [CommandTable.View] = ViewAsync,
