@@ -61,7 +61,12 @@ internal static class GreySearch
             using NativeImage image = drawing.Draw(
                 frame with
                 {
-                    Camera = small.At(frame.Camera.State), Motion = null, Noise = null, Scan = null, Path = null, ExposureFactor = null,
+                    Camera = small.At(frame.Camera.State),
+                    Motion = null,
+                    Noise = null,
+                    Scan = null,
+                    Path = null,
+                    ExposureFactor = null,
                 },
                 Environment.ProcessorCount, cancellation);
             foreach (double radianceFactor in image.RadianceFactors)
