@@ -21,7 +21,7 @@ namespace Msisf.Architecture.Tests
             "Render.Visibility", "Render.Photometry", "Render.Options", "Render.Shadows", "Render.Shading", "Render.Indirect",
             "Render.Sampling", "Render",
             "Blocks", "Tiles.Selection", "Preview",
-            "Sensitivity",
+            "Certainty", "Sensitivity",
             "Detector.Noise", "Detector.Psf", "Detector",
             "Navigation", "Sky",
             "Maps",

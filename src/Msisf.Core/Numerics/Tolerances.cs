@@ -112,4 +112,9 @@ public static class Tolerances
     /// above rounding.
     /// </summary>
     public const double FacingOfFacet = 1e-6;
+
+    /// <summary>
+    /// 1, parts of an interval's greatest number: what rounding may add to its ends, of which a few thousand operations use a millionth.
+    /// </summary>
+    public const double IntervalRounding = 1e-9;
 }

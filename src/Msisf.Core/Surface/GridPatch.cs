@@ -100,6 +100,31 @@ internal sealed class GridPatch : Patch
 
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => Corners(facet.Line, facet.Sample).Facet(facet.Half);
 
+    public override IEnumerable<FacetId> FacetsOf(NodePlace node)
+    {
+        CellRange cells = Layout.Cells(node.Level, node.Row, node.Column);
+        for (int line = cells.FirstLine; line < cells.EndLine; line++)
+        {
+            for (int sample = cells.FirstSample; sample < cells.EndSample; sample++)
+            {
+                if (!Has(line, sample))
+                {
+                    continue;
+                }
+
+                if (line < Mesh.SouthFanLine)
+                {
+                    yield return new FacetId(line, sample, FacetHalf.SouthWest);
+                }
+
+                if (line >= 0 || !Mesh.IsClosed)
+                {
+                    yield return new FacetId(line, sample, FacetHalf.NorthEast);
+                }
+            }
+        }
+    }
+
     public override long CountFacets(CellRange cells) => 2L * cells.Lines * cells.Samples;
 
     public override void Load(BlockVertices vertices, Vector3D originBodyFixed)

@@ -59,6 +59,9 @@ internal abstract class Patch
     /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>
     public abstract (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet);
 
+    /// <summary>The facets of a node of the finest level, without those that finer models replace.</summary>
+    public abstract IEnumerable<FacetId> FacetsOf(NodePlace node);
+
     /// <summary>Number of facets of some cells; at poles, and beside finer models, an upper bound.</summary>
     public abstract long CountFacets(CellRange cells);
 

@@ -109,6 +109,9 @@ internal sealed class SeamPatch : Patch
 
     public override (Vector3D A, Vector3D B, Vector3D C) CornersOf(FacetId facet) => CornersOf(facet.Sample);
 
+    public override IEnumerable<FacetId> FacetsOf(NodePlace node) => Enumerable
+        .Range(node.Column * BlockFacets, FacetsOf(node.Column)).Select(facet => new FacetId(0, facet, FacetHalf.SouthWest));
+
     public override long CountFacets(CellRange cells) => FacetsOf(cells.FirstSample / CellBlock.Size);
 
     /// <summary>The corners of a facet, m, body-fixed, counter-clockwise seen from outside.</summary>

@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>Hapke's law (Theory of Reflectance and Emittance Spectroscopy, 2nd ed., 2012, eq. 12.55 with K = 1 and B_C0 = 0).</summary>
-public sealed class HapkeReflectance : IReflectance
+public sealed class HapkeReflectance : IReflectance, IEnclosedLaw
 {
     private readonly double _scale;
     private readonly double _w;
@@ -16,6 +16,7 @@ public sealed class HapkeReflectance : IReflectance
     private readonly double _surgeWidth;
     private readonly HapkeRoughness _roughness;
     private readonly HapkeLanes _lanes;
+    private readonly HapkeEnclosure _enclosure;
 
     /// <summary>Makes the law with the brightness that follows from its parameters.</summary>
     public HapkeReflectance(HapkeParameters parameters)
@@ -36,6 +37,7 @@ public sealed class HapkeReflectance : IReflectance
         _surgeAmplitude = parameters.SurgeAmplitude;
         _surgeWidth = parameters.SurgeWidth;
         _roughness = new HapkeRoughness(double.DegreesToRadians(parameters.MeanSlopeDegrees));
+        _enclosure = new HapkeEnclosure(parameters, scale);
         _lanes = new HapkeLanes(
             Vector512.Create(scale),
             Vector512.Create(_w),
@@ -91,6 +93,9 @@ public sealed class HapkeReflectance : IReflectance
         double seeliger = surface.CosIncidence / (surface.CosIncidence + surface.CosEmission);
         return _scale * 0.25 * _w * seeliger * (single + multiple) * surface.Shadowing;
     }
+
+    Sloped IEnclosedLaw.Enclose(in Sloped cosIncidence, in Sloped cosEmission, in Sloped phaseHaversine) =>
+        _enclosure.Of(in cosIncidence, in cosEmission, in phaseHaversine);
 
     /// <inheritdoc/>
     /// <remarks>Within 1e-12 of <see cref="RadianceFactor"/>.</remarks>

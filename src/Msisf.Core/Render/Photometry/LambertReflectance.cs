@@ -1,7 +1,7 @@
 namespace Msisf.Core.Render.Photometry;
 
 /// <summary>Lambert's law, which POV-Ray's scene uses: the radiance is the same in all viewing directions.</summary>
-public sealed class LambertReflectance : IReflectance
+public sealed class LambertReflectance : IReflectance, IEnclosedLaw
 {
     /// <summary>Makes the law.</summary>
     /// <param name="albedo">I/F with the Sun at the zenith, 0 to 1.</param>
@@ -21,4 +21,6 @@ public sealed class LambertReflectance : IReflectance
 
     /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine) => Albedo * cosIncidence;
+
+    Sloped IEnclosedLaw.Enclose(in Sloped cosIncidence, in Sloped cosEmission, in Sloped phaseHaversine) => Albedo * cosIncidence;
 }

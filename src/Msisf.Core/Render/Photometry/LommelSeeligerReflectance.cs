@@ -4,7 +4,7 @@ namespace Msisf.Core.Render.Photometry;
 /// The Lommel-Seeliger law: single scattering by isotropic grains (Hapke 2012, section 8.7). Like the Moon it gives a full disc of equal
 /// brightness, but it has no opposition surge.
 /// </summary>
-public sealed class LommelSeeligerReflectance : IReflectance
+public sealed class LommelSeeligerReflectance : IReflectance, IEnclosedLaw
 {
     private readonly double _twiceAlbedo;
 
@@ -24,4 +24,7 @@ public sealed class LommelSeeligerReflectance : IReflectance
     /// <inheritdoc/>
     public double RadianceFactor(double cosIncidence, double cosEmission, double phaseHaversine) =>
         _twiceAlbedo * cosIncidence / (cosIncidence + cosEmission);
+
+    Sloped IEnclosedLaw.Enclose(in Sloped cosIncidence, in Sloped cosEmission, in Sloped phaseHaversine) =>
+        _twiceAlbedo / (1.0 + (cosEmission / cosIncidence));
 }
