@@ -146,6 +146,8 @@ public sealed class FrameIdentityTests(IdentityRuns runs) : IClassFixture<Identi
         { "--craters", "", "--craters FILE:craters.csv" },
         { "--craters", "--craters FILE:craters.csv", "--craters FILE:more.csv" },
         { "--sensitivity", "", "--sensitivity albedo" },
+        { "--certify", "", "--certify height=1" },
+        { "--certify-sigmas", "--certify height=1", "--certify height=1 --certify-sigmas 2" },
         { "--information", "--camera FILE:detector.yaml", "--information pose" },
         { "--crater-rim", "--craters FILE:craters.csv", "--crater-rim terrain" },
         { "--crater-size", "--craters FILE:craters.csv", "--crater-size 1" },

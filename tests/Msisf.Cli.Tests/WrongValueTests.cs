@@ -45,6 +45,8 @@ public sealed class WrongValueTests : IDisposable
         ["--instrument-axes"] = ["x", "+x", "+x,+x"],
         ["--flow"] = ["x", "{1,2}"],
         ["--flow-format"] = ["x", "fits,x"],
+        ["--certify"] = ["x", "height=x", "height=-1", "roll=1", "height=1,height=2", ""],
+        ["--certify-sigmas"] = ["x", "-1", "1000"],
         ["--sensitivity"] = ["x", "turn-x,x", "turn-x,turn-x", "pose"],
         ["--information"] = ["x", "pose,turn-x", "turn-x,turn-x"],
         ["--center"] = ["x", "1", "91,0", "1,2,3"],

@@ -13,10 +13,12 @@ public static class FrameFileNames
     [
         ".png", ".annotated.png", ".pov", ".xml", ".fits", ".dn.fits", ".layers.json", ".rowstates.npy", ".craters.csv", ".craters.json",
         ".landmarks.csv", ".stars.csv", ".bodies.csv", ".information.csv", ".sensitivity.fits", ".sensitivity.layers.json",
+        ".certain.fits", ".certain.layers.json",
         ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png", ".stereo.fits",
         ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png",
         .. ImageMapFiles.Endings, .. CameraFormat.All.SelectMany(format => format.Endings),
         .. LayerCatalogue.All.Select(layer => $".{layer.Name}.npy"),
+        .. CertainLayers.Names.Select(name => $".certain.{name}.npy"),
         .. Parameter.All.Select(parameter => $".sensitivity.{SensitivityLayers.NameOf(parameter)}.npy"),
     ];
 

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Layers;
 using Msisf.App.Preparation;
+using Msisf.Core.Certainty;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
@@ -63,6 +64,9 @@ internal sealed record RenderedFrame(
 
     /// <summary>Finds the derivatives of the frame; null if the renderer can't.</summary>
     public Func<CancellationToken, ImageSensitivity>? FindSensitivity { get; init; }
+
+    /// <summary>Finds what is certain of the frame's pixels; null if the renderer can't.</summary>
+    public Func<Uncertainty, CancellationToken, CertainImage>? FindCertain { get; init; }
 
     /// <summary>The detector's numbers as a file has them: of an image that is drawn in strips without <see cref="Detected"/>.</summary>
     public DetectorNumbers? Numbers { get => field ?? (Detected is null ? null : DetectorNumbers.Of(Detected)); init; }

@@ -2,6 +2,8 @@ using System.Buffers;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
+using Msisf.Core.Camera;
+using Msisf.Core.Certainty;
 using Msisf.Core.Detector;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render;
@@ -157,6 +159,8 @@ internal sealed class NativeImage(
     {
         Redraw = Redraw,
         FindSensitivity = cancellation => FindSensitivity(threads, cancellation),
+        FindCertain = (limits, cancellation) => new CertainPixels(renderer.Terrain, drawing.OptionsOf(frame), limits)
+            .Find((FrameCamera)frame.Camera, frame.Light, threads, cancellation),
         Threads = threads,
         Terrain = renderer.Terrain,
         PartResolutions = renderer.PartResolutions,

@@ -8,7 +8,7 @@ using Msisf.Core.Sensitivity;
 
 namespace Msisf.App.Rendering;
 
-/// <summary>Finds and writes the derivatives of frames, and what their images tell. Thread-safe.</summary>
+/// <summary>Finds and writes the derivatives of frames, what their images tell, and what is certain of them. Thread-safe.</summary>
 /// <param name="settings">Settings of the native renderer, with what is wanted.</param>
 internal sealed class SensitivityOutputs(NativeSettings settings)
 {
@@ -18,37 +18,42 @@ internal sealed class SensitivityOutputs(NativeSettings settings)
         CancellationToken cancellation)
     {
         NavigationSettings wanted = settings.Navigation!;
-        if (wanted.Sensitivity is null && wanted.Information is null)
-        {
-            return [];
-        }
-
-        ImageSensitivity found = rendered.FindSensitivity!(cancellation);
         List<string> paths = [];
-        if (wanted.Sensitivity is { } parameters)
+        if (wanted.Sensitivity is not null || wanted.Information is not null)
         {
-            LayerSet layers = SensitivityLayers.Of(found.Field, parameters, found.Signal);
-            if (settings.LayersFormat == LayersFormat.Npy)
+            ImageSensitivity found = rendered.FindSensitivity!(cancellation);
+            if (wanted.Sensitivity is { } parameters)
             {
-                paths.AddRange(NpyLayerWriter.Write(
-                    files, $"{stem}.sensitivity", metadata, provenance, rendered.Truth!, layers, settings.LayersPrecision, cancellation));
+                WriteLayers("sensitivity", SensitivityLayers.Of(found.Field, parameters, found.Signal));
             }
-            else
+
+            if (wanted.Information is { } unknowns)
             {
-                files.Write($"{stem}.sensitivity.fits", stream => FitsLayerWriter.Write(
-                    stream, metadata, provenance, rendered.Truth!, layers, settings.LayersPrecision, settings.LayersCompression,
-                    cancellation));
-                paths.Add($"{stem}.sensitivity.fits");
+                FisherInformation information = found.InformationOf!(unknowns);
+                files.WriteText($"{stem}.information.csv", writer => InformationCsvWriter.Write(writer, information));
+                paths.Add($"{stem}.information.csv");
             }
         }
 
-        if (wanted.Information is { } unknowns)
+        if (wanted.Limits is { } limits)
         {
-            FisherInformation information = found.InformationOf!(unknowns);
-            files.WriteText($"{stem}.information.csv", writer => InformationCsvWriter.Write(writer, information));
-            paths.Add($"{stem}.information.csv");
+            WriteLayers("certain", CertainLayers.Of(rendered.FindCertain!(limits, cancellation)));
         }
 
         return paths;
+
+        void WriteLayers(string name, LayerSet layers)
+        {
+            if (settings.LayersFormat == LayersFormat.Npy)
+            {
+                paths.AddRange(NpyLayerWriter.Write(
+                    files, $"{stem}.{name}", metadata, provenance, rendered.Truth!, layers, settings.LayersPrecision, cancellation));
+                return;
+            }
+
+            files.Write($"{stem}.{name}.fits", stream => FitsLayerWriter.Write(
+                stream, metadata, provenance, rendered.Truth!, layers, settings.LayersPrecision, settings.LayersCompression, cancellation));
+            paths.Add($"{stem}.{name}.fits");
+        }
     }
 }

@@ -16,6 +16,9 @@ internal static class NavigationOptions
     /// <summary>m: a rig as large as the Moon's orbit.</summary>
     private const double MaxBaseline = 1e9;
 
+    /// <summary>1: far more than any estimate is sure of.</summary>
+    private const double MaxSigmas = 100.0;
+
     private const string DefaultFlowFormat = "fits";
 
     public static PathSpec Craters { get; } = new(
@@ -103,13 +106,29 @@ internal static class NavigationOptions
         Words = [Pose, Parameter.AllText, .. Parameter.All.Select(parameter => parameter.Name)],
     };
 
+    public static TextSpec Certify { get; } = new(
+        "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Limits).OfRuns(), "KEY=SIGMA,...",
+        "The least and greatest brightness of each pixel, and which are lit or dark for certain, while the ground's heights (height, in m; "
+            + "step: that of their model, in m), the camera (position, in m; turn, in degrees) and the Sun (sun, in degrees) are off "
+            + "by up to --certify-sigmas standard deviations: height=1,position=10,turn=0.01,sun=0.05")
+    {
+        Separator = ",",
+    };
+
+    public static NumberSpec Sigmas { get; } = new(
+        "--certify-sigmas", DecidesBytes.ByOthers, "K", "How many standard deviations --certify allows; a model's step counts half, once")
+    {
+        Default = 3.0,
+        Limits = new NumberRange(0.0, MaxSigmas),
+    };
+
     /// <summary>The options that name a list of places; in a request it is a name of the server's.</summary>
     public static IReadOnlyList<PathSpec> Lists => [Craters, Landmarks];
 
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     public static OptionGroup Group { get; } = new(
-        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat, Sensitivity, Information])
+        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat, Sensitivity, Information, Certify, Sigmas])
     {
         Note = "Only with --renderer native.",
     };

@@ -1,6 +1,7 @@
 using Msisf.Adapters.Camera;
 using Msisf.Adapters.Catalogues;
 using Msisf.App.Settings.Specs;
+using Msisf.Core.Certainty;
 using Msisf.Core.Navigation;
 using Msisf.Core.Render.Options;
 using Msisf.Core.Sensitivity;
@@ -38,6 +39,9 @@ internal sealed record NavigationSettings
     /// <summary>The numbers of which the image's information is found; null for none.</summary>
     public IReadOnlyList<Parameter>? Information { get; init; }
 
+    /// <summary>The limits within which pixels are bounded; null for none.</summary>
+    public Uncertainty? Limits { get; init; }
+
     /// <summary>Their names in the order of the option; null without flow.</summary>
     public IEnumerable<string>? FlowFormatNames => Flow is null && Stereo is null
         ? null
@@ -73,7 +77,15 @@ internal sealed record NavigationSettings
                     ? Parameter.Pose
                     : Parameter.ParseList(known, NavigationOptions.Information.Name))
             : null;
+        string? certify = NavigationOptions.Certify.ReadIfGiven(values);
+        values.Refuse(
+            certify is null ? [NavigationOptions.Sigmas] : [],
+            $"is given, but no {NavigationOptions.Certify.Name}. Give that, or leave it out.");
+        Uncertainty? limits = certify is null
+            ? null
+            : NavigationOptions.Certify.NamedInErrors(() => LimitsText.Parse(certify, NavigationOptions.Sigmas.Read(values)));
         return craters is null && landmarks is null && flow is null && stereo is null && sensitivity is null && information is null
+            && limits is null
             ? null
             : new NavigationSettings
             {
@@ -87,6 +99,7 @@ internal sealed record NavigationSettings
                 FlowFormats = formats,
                 Sensitivity = sensitivity,
                 Information = information,
+                Limits = limits,
                 Rim = NavigationOptions.Rim.Read(values),
                 LeastDiameter = NavigationOptions.CraterSize.Read(values),
             };
@@ -99,12 +112,15 @@ internal sealed record NavigationSettings
     /// <exception cref="UsageException">An option has no meaning here.</exception>
     public void RefuseWithoutDerivatives(OptionValues values, CameraFileDetector? detector, IndirectLight? indirect, bool scans)
     {
-        if (Sensitivity is null && Information is null)
+        OptionSpec? option = Information is not null ? NavigationOptions.Information
+            : Sensitivity is not null ? NavigationOptions.Sensitivity
+            : Limits is not null ? NavigationOptions.Certify
+            : null;
+        if (option is null)
         {
             return;
         }
 
-        OptionSpec option = Information is null ? NavigationOptions.Sensitivity : NavigationOptions.Information;
         if (Information is not null && detector is null)
         {
             throw option.Wrong(

@@ -37,7 +37,10 @@ internal static class RendererOptions
                     + "--renderer povray.",
             Renderer);
         values.Refuse(
-            values.Text(NativeOptions.Layers) is null && values.Text(NavigationOptions.Sensitivity) is null ? NativeOptions.OfLayers : [],
+            values.Text(NativeOptions.Layers) is null && values.Text(NavigationOptions.Sensitivity) is null
+                && values.Text(NavigationOptions.Certify) is null
+                    ? NativeOptions.OfLayers
+                    : [],
             "is given, but no --layers. Name the layers, or leave it out.");
         if (NativeOptions.LayersCompression.Read(values) != LayerCompression.None
             && NativeOptions.LayersFormat.Read(values) != LayersFormat.Fits)

@@ -20,12 +20,16 @@ internal readonly record struct AngleForm(double Middle, double Rest)
     public static AngleForm operator *(double factor, in AngleForm form) =>
         new(factor * form.Middle, Math.Abs(factor) * form.Rest)
         {
-            ByHeights = factor * form.ByHeights, BySun = factor * form.BySun, ByView = factor * form.ByView,
+            ByHeights = factor * form.ByHeights,
+            BySun = factor * form.BySun,
+            ByView = factor * form.ByView,
         };
 
     public static AngleForm operator +(in AngleForm a, in AngleForm b) => new(a.Middle + b.Middle, a.Rest + b.Rest)
     {
-        ByHeights = a.ByHeights + b.ByHeights, BySun = a.BySun + b.BySun, ByView = a.ByView + b.ByView,
+        ByHeights = a.ByHeights + b.ByHeights,
+        BySun = a.BySun + b.BySun,
+        ByView = a.ByView + b.ByView,
     };
 
     /// <summary>How far it can be from its middle.</summary>

@@ -23,6 +23,9 @@ public sealed class CertainImage
 
     /// <summary>What is certain of each pixel.</summary>
     public CertainState[] States { get; }
+
+    /// <summary>Their numbers.</summary>
+    internal byte[] StateNumbers => [.. States.Select(state => (byte)state)];
 }
 
 /// <summary>What is certain of a pixel; the numbers are those of the layer.</summary>

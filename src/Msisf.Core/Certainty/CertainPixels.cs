@@ -45,21 +45,22 @@ public sealed class CertainPixels(ITerrain terrain, NativeRenderOptions options,
 
     private void Refuse(SceneLight light)
     {
-        string? what =
-            !_surface.IsClosed ? "a model of a part of the Moon: rays pass beside it"
-            : !light.IsSun ? "--ignore-sun: a lamp at the camera moves with it"
-            : options.Hapke is not null ? "--hapke-map"
-            : options.Reflectance is not IEnclosedLaw ? "this law: only those of moon, hapke, lunar-lambert, lommel-seeliger and lambert"
-            : options.Adaptive is not null ? "--samples auto: which samples are drawn depends on the image"
-            : options.Normals == NormalModel.Smooth ? "--shading smooth"
-            : options.Indirect is not null ? "light from the ground"
-            : options.Second is not null ? "earthshine"
-            : _surface.Brightness is not null ? "--refine"
-            : options.HasMap ? "--albedo-map"
+        (string What, string ToDo)? refused =
+            !_surface.IsClosed ? ("maps without a model of the whole Moon", "Add one by --ldem")
+            : !light.IsSun ? ("a lamp at the camera", "Leave --ignore-sun out")
+            : options.Hapke is not null ? ("a law that differs from place to place", "Leave --hapke-map out")
+            : options.Reflectance is not IEnclosedLaw
+                ? ("this law", "Choose moon, hapke, lunar-lambert, lommel-seeliger or lambert by --reflectance")
+            : options.Adaptive is not null ? ("samples that depend on the image", "Give --samples a number")
+            : options.Normals == NormalModel.Smooth ? ("smooth ground", "Give --shading facet")
+            : options.Indirect is not null ? ("light from the ground", "Leave --indirect out")
+            : options.Second is not null ? ("earthshine", "Leave --earthshine out")
+            : _surface.Brightness is not null ? ("invented detail", "Leave --refine out")
+            : options.AlbedoSites.Count > 0 ? ("maps of the reflectance of a part of the Moon", "Give one of the whole Moon by --albedo-map")
             : null;
-        if (what is not null)
+        if (refused is { } reason)
         {
-            throw new BadInputException($"Certain pixels are not known for {what}.");
+            throw new BadInputException($"Which pixels are certain is not known with {reason.What}. {reason.ToDo}, or leave --certify out.");
         }
     }
 }

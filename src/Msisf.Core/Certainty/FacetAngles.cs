@@ -28,17 +28,20 @@ internal readonly struct FacetAngles
         _incidence = new AngleForm(
             Vector3D.Dot(facet.Normal, toSun), facet.Rest + sunRest + (facet.Tilt * sunChange))
         {
-            ByHeights = ByHeights(facet, toSun), BySun = Across(facet.Normal, toSun),
+            ByHeights = ByHeights(facet, toSun),
+            BySun = Across(facet.Normal, toSun),
         };
         _emission = new AngleForm(
             Vector3D.Dot(facet.Normal, toCamera), facet.Rest + viewRest + (facet.Tilt * viewChange))
         {
-            ByHeights = ByHeights(facet, toCamera), ByView = Across(facet.Normal, toCamera),
+            ByHeights = ByHeights(facet, toCamera),
+            ByView = Across(facet.Normal, toCamera),
         };
         _phase = new AngleForm(
             0.25 * (toSun - toCamera).LengthSquared, 0.5 * (sunRest + viewRest + (sunChange * viewChange)))
         {
-            BySun = -0.5 * Across(toCamera, toSun), ByView = -0.5 * Across(toSun, toCamera),
+            BySun = -0.5 * Across(toCamera, toSun),
+            ByView = -0.5 * Across(toSun, toCamera),
         };
         CosIncidence = Interval.Around(_incidence.Middle, _incidence.Radius(_sun, _view)).Clamp(-1.0, 1.0);
     }

@@ -22,6 +22,7 @@ internal sealed class SampleBounds(
     private readonly IEnclosedLaw _law = (IEnclosedLaw)options.Reflectance;
     private readonly SamplePattern _pattern = SamplePattern.Grid(options.SubsamplesPerAxis);
     private readonly double _discSlope = DiscSlopeOf(light, options);
+    private readonly MapRange? _map = options.Albedo is { } map ? new MapRange(camera, map, options, uncertainty) : null;
     private readonly List<Meeting> _seen = [];
     private readonly List<Meeting> _casters = [];
     private readonly List<double> _ends = [];
@@ -124,6 +125,7 @@ internal sealed class SampleBounds(
 
         bool isLit = isFacing && _casters.Count == 0;
         Interval factors = angles.RadianceFactors(_law, isLit ? 0.0 : 2.0 * _discSlope);
+        factors *= _map?.Of(point, radius) ?? 1.0;
         return isLit ? new Found(factors, CertainState.Lit) : new Found(factors with { Low = 0.0 }, CertainState.Undecided);
     }
 

@@ -35,7 +35,7 @@ public sealed class EnclosedLawTests
 
         IReflectance law = ReflectanceFactory.Create(name, parameters);
         Random random = new(51);
-        for (int box = 0; box < TestLength.Of(3_000, 300_000); box++)
+        for (int box = 0; box < TestLength.Of(1_000, 300_000); box++)
         {
             (double i, double e, double psi) = (random.NextDouble() * 1.55, random.NextDouble() * 1.55, random.NextDouble() * Math.PI);
             double width = 0.3 * Math.Pow(random.NextDouble(), 4.0);
