@@ -6,6 +6,7 @@ import xml.etree.ElementTree
 import closed_loop
 import data_set
 import in_time
+import information_descent
 import latency
 import numpy as np
 import pose_from_craters
@@ -16,7 +17,7 @@ import visual_odometry
 
 
 @pytest.mark.parametrize(
-    "example", [closed_loop, data_set, in_time, latency, pose_from_craters, pose_information, soak, visual_odometry])
+    "example", [closed_loop, data_set, in_time, information_descent, latency, pose_from_craters, pose_information, soak, visual_odometry])
 def test_help_helps(example, monkeypatch, capsys, tmp_path):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "argv", [f"{example.__name__}.py", "--help"])
@@ -26,6 +27,13 @@ def test_help_helps(example, monkeypatch, capsys, tmp_path):
     help_text = capsys.readouterr().out
     assert help_text.startswith(f"usage: {example.__name__}.py [-h]") and example.__doc__.splitlines()[0][:40] in help_text
     assert not list(tmp_path.iterdir())
+
+
+def test_information_descent_leaves_out_what_an_image_does_not_tell(tmp_path):
+    table = tmp_path / "frame.information.csv"
+    table.write_text("row,unit,deviation\nposition-axis-1,m,9.5\nposition-axis-3,m,\nturn-axis-1,rad,0.001\n")
+    assert information_descent.bounds(table) == {
+        "position-axis-1": "9.5", "position-axis-3": "", "turn-axis-1": "0.001", "turn-axis-3": ""}
 
 
 def test_visual_odometry_follows_the_camera(tmp_path):

@@ -128,7 +128,8 @@ internal static class NavigationOptions
     public static IReadOnlyList<OptionSpec> OfCraters => [Rim, CraterSize];
 
     public static OptionGroup Group { get; } = new(
-        "Truth for navigation", [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat, Sensitivity, Information, Certify, Sigmas])
+        "Truth for navigation",
+        [Craters, Rim, CraterSize, Landmarks, Columns, Flow, Stereo, FlowFormat, Sensitivity, Information, Certify, Sigmas])
     {
         Note = "Only with --renderer native.",
     };

@@ -2,7 +2,9 @@ using Msisf.Core.Surface;
 
 namespace Msisf.Core.Certainty;
 
-/// <summary>Finds facets that beams can meet while all corners rise and fall. Remembers facets, so each thread needs its own object.</summary>
+/// <summary>
+/// Finds facets that beams can meet while all corners rise and fall. Remembers facets, so each thread needs its own object.
+/// </summary>
 /// <param name="surface">The surface as it is drawn; it is closed.</param>
 /// <param name="reach">m: by which each corner may be higher or lower.</param>
 /// <param name="toSun">Direction to the Sun from the body's centre, length 1.</param>

@@ -13,7 +13,9 @@ internal readonly record struct Beam(Vector3D Origin, Vector3D Direction, double
     /// <summary>m: the radius of that ball.</summary>
     public double RadiusAt(double distance) => Radius + (distance * Growth);
 
-    /// <summary>The distances within limits at which a ball touches the half-space of points x with normal * x at least an offset.</summary>
+    /// <summary>
+    /// The distances within limits at which a ball touches the half-space of points x with normal * x at least an offset.
+    /// </summary>
     /// <param name="within">m; empty if its low end is above its high one, as the result may be.</param>
     /// <param name="normal">Length 1.</param>
     public Interval Touching(Interval within, Vector3D normal, double offset) => Cut(

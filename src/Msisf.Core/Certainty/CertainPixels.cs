@@ -37,10 +37,13 @@ public sealed class CertainPixels(ITerrain terrain, NativeRenderOptions options,
         WorkerTeam.Run(
             threads,
             camera.Height,
-            (worker, row) => (workers[worker] ??= new SampleBounds(
-                new BandSearch(_surface, uncertainty.Height, light.PositionBodyFixed / distance, sunAngle), camera, light, options, uncertainty)).FindRow(row, image),
+            (worker, row) => (workers[worker] ??= NewWorker()).FindRow(row, image),
             cancellation);
         return image;
+
+        SampleBounds NewWorker() => new(
+            new BandSearch(_surface, uncertainty.Height, light.PositionBodyFixed / distance, sunAngle), camera, light, options,
+            uncertainty);
     }
 
     private void Refuse(SceneLight light)
@@ -56,11 +59,13 @@ public sealed class CertainPixels(ITerrain terrain, NativeRenderOptions options,
             : options.Indirect is not null ? ("light from the ground", "Leave --indirect out")
             : options.Second is not null ? ("earthshine", "Leave --earthshine out")
             : _surface.Brightness is not null ? ("invented detail", "Leave --refine out")
-            : options.AlbedoSites.Count > 0 ? ("maps of the reflectance of a part of the Moon", "Give one of the whole Moon by --albedo-map")
+            : options.AlbedoSites.Count > 0
+                ? ("maps of the reflectance of a part of the Moon", "Give one of the whole Moon by --albedo-map")
             : null;
         if (refused is { } reason)
         {
-            throw new BadInputException($"Which pixels are certain is not known with {reason.What}. {reason.ToDo}, or leave --certify out.");
+            throw new BadInputException(
+                $"Which pixels are certain is not known with {reason.What}. {reason.ToDo}, or leave --certify out.");
         }
     }
 }

@@ -121,7 +121,7 @@ public sealed class CertainPixelsTests(RuggedTerrain rugged, ITestOutputHelper o
         for (int image = 0; image < images; image++)
         {
             NativeRenderer renderer = new(new ChangedGround(rugged.Grid, limits.Height, (ulong)random.NextInt64()), memory);
-            CameraState state = camera.State with
+            CameraState pose = camera.State with
             {
                 PositionBodyFixed = camera.PositionBodyFixed + (limits.Position * InBall(random)),
                 MoonFromCamera = Turned(camera.MoonFromCamera, limits.Turn * InBall(random)),
@@ -131,14 +131,15 @@ public sealed class CertainPixelsTests(RuggedTerrain rugged, ITestOutputHelper o
             {
                 PositionBodyFixed = UnitQuaternion.FromAxisAngle(about, limits.Sun * Part(random)) * light.PositionBodyFixed,
             };
-            using NativeFrame frame = renderer.Render(camera.Model.At(state), sun, options with { KeepGroundTruth = true }, 2);
+            using NativeFrame frame = renderer.Render(camera.Model.At(pose), sun, options with { KeepGroundTruth = true }, 2);
             for (int pixel = 0; pixel < Size * Size; pixel++)
             {
                 double factor = frame.RadianceFactors[pixel];
                 (least[pixel], greatest[pixel]) = (Math.Min(least[pixel], factor), Math.Max(greatest[pixel], factor));
                 string what = $"{name}, image {image}, pixel {pixel}: {factor} of {certain.Low[pixel]} to {certain.High[pixel]}";
                 Assert.True(factor >= certain.Low[pixel] && factor <= certain.High[pixel], what);
-                Assert.True(IsRight(frame, pixel, certain.States[pixel], options.SubsamplesPerAxis == 1), $"{what}, {certain.States[pixel]}");
+                CertainState state = certain.States[pixel];
+                Assert.True(IsRight(frame, pixel, state, options.SubsamplesPerAxis == 1), $"{what}, {state}");
             }
         }
 

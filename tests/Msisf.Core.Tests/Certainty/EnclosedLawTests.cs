@@ -69,12 +69,14 @@ public sealed class EnclosedLawTests
         (double[] before, double[] after) = ([.. at], [.. at]);
         before[variable] -= Step;
         after[variable] += Step;
-        if (!IsPossible(before[0], before[1], before[2]) || !IsPossible(after[0], after[1], after[2]) || before.Min() <= Step || after.Max() >= 1.0)
+        if (!IsPossible(before[0], before[1], before[2]) || !IsPossible(after[0], after[1], after[2])
+            || before.Min() <= Step || after.Max() >= 1.0)
         {
             return;
         }
 
-        double found = (law.RadianceFactor(after[0], after[1], after[2]) - law.RadianceFactor(before[0], before[1], before[2])) / (2.0 * Step);
+        double greater = law.RadianceFactor(after[0], after[1], after[2]);
+        double found = (greater - law.RadianceFactor(before[0], before[1], before[2])) / (2.0 * Step);
         double slack = OfSlopes * Math.Max(1.0, Math.Max(Math.Abs(found), slope.IsFinite ? slope.Magnitude : 0.0));
         Assert.InRange(found, slope.Low - slack, slope.High + slack);
     }
