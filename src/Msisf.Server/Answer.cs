@@ -16,7 +16,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
 
     public IReadOnlyList<AnswerPart> Parts => _parts;
 
-    /// <summary>What the names of the next parts and times begin with: "" of an answer with one image, else "camera.".</summary>
+    /// <summary>What the names of the next parts and times begin with: "" of an answer with one image, otherwise "camera.".</summary>
     public string Prefix { get; set; } = string.Empty;
 
     /// <summary>Times of the work, for the header Server-Timing: name and ms.</summary>
@@ -124,7 +124,7 @@ internal class Answer(StreamPool pool, int room = 0) : IDisposable
         }
     }
 
-    /// <summary>What stands before a part of several.</summary>
+    /// <summary>What is before a part of several.</summary>
     protected static string HeadOf(AnswerPart part)
     {
         StringBuilder head = new();

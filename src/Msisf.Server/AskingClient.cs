@@ -2,7 +2,7 @@ namespace Msisf.Server;
 
 /// <summary>
 /// Who asks what is worked on: clients share the server evenly. The name that a client gives itself, so that programs of one computer are
-/// told apart; else its address, the kind of program, and the connections that it opened together.
+/// told apart; otherwise its address, the kind of program, and the connections that it opened together.
 /// </summary>
 internal static class AskingClient
 {

@@ -21,10 +21,10 @@ internal sealed class CraterEndpoints(IReadOnlyDictionary<string, string> catalo
             ? JsonBody.SendAsync(context.Response, new CratersAnswer(name, Read(path).Select(Described)))
             : throw new RefusedException(
                 StatusCodes.Status404NotFound,
-                $"'{name}' is no catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
+                $"'{name}' is not a catalogue of this server; GET /v1/models lists them, and --catalogues names them.");
     }
 
-    /// <summary>Features and landing sites; these have no size, and stand at the end.</summary>
+    /// <summary>Features and landing sites; these have no size, and are at the end.</summary>
     public static Task AnswerNamesAsync(HttpContext context) => JsonBody.SendAsync(
         context.Response,
         new NamesAnswer("the IAU's names and landing sites", PlaceNames.All.OrderByDescending(place => place.Diameter)));

@@ -89,7 +89,7 @@ internal sealed class FoldersEndpoint
         string name = Word(context, "name");
         return _readers.ContainsKey(name)
             ? name
-            : throw NotFound($"'{name}' is no folder of this server; GET /v1/folders lists them, and --folders names them.");
+            : throw NotFound($"'{name}' is not a folder of this server; GET /v1/folders lists them, and --folders names them.");
     }
 
     private static RefusedException NotFound(string text) => new(StatusCodes.Status404NotFound, text);

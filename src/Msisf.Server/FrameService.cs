@@ -97,7 +97,7 @@ internal sealed class FrameService : IAsyncDisposable
     public IReadOnlyList<string> CollectWarnings() => _log.Collect();
 
     /// <param name="work">Receives the session and the number of threads.</param>
-    /// <param name="samples">Samples that are drawn; 0 for what is no image.</param>
+    /// <param name="samples">Samples that are drawn; 0 for what is not an image.</param>
     /// <param name="isLarge">Whether the work is that of a large image, however many samples it has.</param>
     public Task<T> RunAsync<T>(
         RequestedFrame requested, Func<RenderSession, int, CancellationToken, T> work, CancellationToken client, long samples = 0,

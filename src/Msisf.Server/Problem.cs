@@ -27,7 +27,7 @@ internal sealed partial record Problem(int Status, string Detail, IReadOnlyList<
         SpiceException spice => new Problem(StatusCodes.Status422UnprocessableEntity, spice.Message, spice.Options),
         ExternalPartException part => new Problem(StatusCodes.Status503ServiceUnavailable, part.Message, part.Options),
         MsisfException wrong => new Problem(StatusCodes.Status400BadRequest, wrong.Message, wrong.Options),
-        JsonException json => new Problem(StatusCodes.Status400BadRequest, $"the request is no JSON: {json.Message}", []),
+        JsonException json => new Problem(StatusCodes.Status400BadRequest, $"the request is not JSON: {json.Message}", []),
         BadHttpRequestException bad => new Problem(bad.StatusCode, bad.Message, []),
         _ => null,
     };

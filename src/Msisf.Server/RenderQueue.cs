@@ -5,7 +5,7 @@ namespace Msisf.Server;
 
 /// <summary>What the work of a request needs.</summary>
 /// <param name="Client">Who asks: clients share the places evenly.</param>
-/// <param name="Samples">Samples that are drawn; 0 for what is no image.</param>
+/// <param name="Samples">Samples that are drawn; 0 for what is not an image.</param>
 /// <param name="IsLarge">Whether the work takes much longer, or much more memory, than an image of 1024 x 1024 px.</param>
 internal readonly record struct Demand(string Client, long Samples, bool IsLarge);
 

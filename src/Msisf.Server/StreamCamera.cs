@@ -80,7 +80,7 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
         string name = camera.TryGetValue(NameKey, out JsonElement given) ? JsonText.Of(given, "'name'") : DefaultName(index);
         if (!MountedCamera.IsName(name))
         {
-            throw new UsageException($"'{name}' is no name of a camera: {MountedCamera.Names}.");
+            throw new UsageException($"'{name}' is not a name of a camera: {MountedCamera.Names}.");
         }
 
         try

@@ -9,7 +9,7 @@ using System.Text.Json;
 namespace Msisf.Server;
 
 /// <summary>
-/// GET /v1/sun: where the Sun is at a time, and where it stands in the sky of a place. GET /v1/sun/path: where it is at evenly spaced
+/// GET /v1/sun: where the Sun is at a time, and where it is in the sky of a place. GET /v1/sun/path: where it is at evenly spaced
 /// times, for the viewer's time bar.
 /// </summary>
 internal sealed class SunEndpoints(FrameService frames)
@@ -18,7 +18,7 @@ internal sealed class SunEndpoints(FrameService frames)
     private static readonly string[] Names = ["utc", "mjd", "latitude", "longitude", "ephemeris", "aberration"];
 
     public static RouteText About { get; } = new(
-        "Says where the Sun is at a time, and where it stands in the sky of a place.", AnswerForm.Json)
+        "Says where the Sun is at a time, and where it is in the sky of a place.", AnswerForm.Json)
     { Query = Names };
 
     public static RouteText AboutPath { get; } = new("Says where the Sun is at evenly spaced times (MJD, UTC).", AnswerForm.Json)

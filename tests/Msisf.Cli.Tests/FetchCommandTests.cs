@@ -89,7 +89,7 @@ public sealed class FetchCommandTests : IDisposable
         Assert.Equal(["LDEM_4.IMG", "LDEM_4.LBL"], Files());
     }
 
-    /// <summary>The program's kernels, of which one is cut off and one damaged afterwards. NAIF may be out of reach for the sixth.</summary>
+    /// <summary>The program's kernels, of which one is cut off and one damaged later. NAIF may be out of reach for the sixth.</summary>
     [Fact]
     public async Task Fetch_KernelsCutOffAndDamaged_AreMadeWhole()
     {
@@ -147,7 +147,7 @@ public sealed class FetchCommandTests : IDisposable
         CommandLineRun map = Fetch("albedo", new Uri(site).AbsoluteUri, "--map-size", "4k");
 
         Assert.Equal((3, 3), (model.ExitCode, map.ExitCode));
-        Assert.Contains("lroc_color_poles_4k.tif: what was sent is no image.", map.Error, StringComparison.Ordinal);
+        Assert.Contains("lroc_color_poles_4k.tif: what was sent is not an image.", map.Error, StringComparison.Ordinal);
         Assert.Empty(Files());
     }
 

@@ -23,7 +23,7 @@ public sealed class FillValuesRunTests(SmallMoon moon) : IClassFixture<SmallMoon
         CommandLineRun run = Draw("both", "--ldem", label, "--ldem", around);
 
         Assert.True(run.ExitCode == 0, run.Error);
-        Assert.Single(Regex.Matches(run.Error, "256 pixels are no heights, though the file does not declare them as without data"));
+        Assert.Single(Regex.Matches(run.Error, "256 pixels cannot be heights, though the file does not say that they have no data"));
         Assert.Contains(" (-32768)", run.Error, StringComparison.Ordinal);
         double[] heights = [.. Layer("both", "height", 8).Select(value => BitConverter.ToDouble(value))];
         Assert.All(heights, height => Assert.InRange(height, -9_500.0, 11_500.0));

@@ -34,7 +34,7 @@ public sealed class PlacesCommandTests : IDisposable
     public void Places_AllOfThem_AreMoreThan9000() => Assert.True(Lines("places").Length > 9000);
 
     [Theory]
-    [InlineData("places --near nadir", "--near: 'nadir' is no place; LAT,LON or NAME is needed.")]
+    [InlineData("places --near nadir", "--near: 'nadir' is not a place; LAT,LON or NAME is needed.")]
     [InlineData("places Tycho --near 1,2", "--near and NAME exclude each other. Leave one out.")]
     [InlineData("places Tyco", "did you mean Tycho?")]
     [InlineData("--position Tycho --time 55289 --dry-run", "'Tycho' has 1 part; LAT,LON,HEIGHT or NAME,HEIGHT is needed")]
@@ -45,7 +45,8 @@ public sealed class PlacesCommandTests : IDisposable
     [InlineData(
         "illumination --body mars --center Shackleton --size 1 --time-interval [55289:0.1:55290]",
         "--center: 'Shackleton' is a name, and the named places are the Moon's, but Mars is drawn.")]
-    [InlineData("illumination --center Tyco --size 1 --time-interval [55289:0.1:55290]", "--center: 'Tyco' is no named place of the Moon")]
+    [InlineData(
+        "illumination --center Tyco --size 1 --time-interval [55289:0.1:55290]", "--center: 'Tyco' is not a named place of the Moon")]
     public void Run_WrongPlace_SaysWhatToDo(string run, string expected)
     {
         CommandLineRun done = CommandLineRun.Of(run.Split(' '));
@@ -73,7 +74,7 @@ public sealed class PlacesCommandTests : IDisposable
     [InlineData("time,place,look_at\n55310,Tycho,Tycho\n", "column height is missing: place, height go together.")]
     [InlineData("time,place,height,look_at,off_nadir\n55310,Tycho,8e4,Tycho,3\n", "look_at and off_nadir both say where the camera looks.")]
     [InlineData("time,place,lat,lon,height\n55310,Tycho,1,2,8e4\n", "Name one of them.")]
-    [InlineData("time,place,height\n55310,Tyco,8e4\n", "'Tyco' is no named place of the Moon: did you mean Tycho?")]
+    [InlineData("time,place,height\n55310,Tyco,8e4\n", "'Tyco' is not a named place of the Moon: did you mean Tycho?")]
     public void Run_WrongColumnOfPlaces_IsNamed(string content, string expected)
     {
         CommandLineRun done = CommandLineRun.Of(["--batch-file", _folder.Write("wrong.csv", content), "--dry-run"]);

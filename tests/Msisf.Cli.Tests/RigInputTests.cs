@@ -22,9 +22,9 @@ public sealed class RigInputTests : IDisposable
     [InlineData("cameras:\n  a:\n    fov: 5\n    quaternion: [0, 0, 1]\n", 2, "line 4, column 5: 'quaternion' has 3 numbers; 4 are needed")]
     [InlineData("cameras:\n  a:\n    fov: 5\n", 2, "line 2, column 3: a camera of a rig needs 'quaternion'")]
     [InlineData(
-        "cameras:\n  a:\n    quaternoin: [0, 0, 0, 1]\n", 2, "'quaternoin' is no key of a camera of a rig: did you mean quaternion?")]
-    [InlineData("camera:\n  a:\n    fov: 5\n", 2, "'camera' is no key of a rig: did you mean cameras?")]
-    [InlineData("cameras:\n  a b:\n    quaternion: [0, 0, 0, 1]\n", 2, "'a b' is no name of a camera: 1 to 40 letters")]
+        "cameras:\n  a:\n    quaternoin: [0, 0, 0, 1]\n", 2, "'quaternoin' is not a key of a camera of a rig: did you mean quaternion?")]
+    [InlineData("camera:\n  a:\n    fov: 5\n", 2, "'camera' is not a key of a rig: did you mean cameras?")]
+    [InlineData("cameras:\n  a b:\n    quaternion: [0, 0, 0, 1]\n", 2, "'a b' is not a name of a camera: 1 to 40 letters")]
     [InlineData("cameras:\n  a: 5\n", 2, "'a' is a camera of a rig: put its keys below it")]
     [InlineData("cameras:\n  a:\n    width: x\n    quaternion: [0, 0, 0, 1]\n", 2, "rig.yaml, camera a: --width is 'x'")]
     [InlineData(

@@ -64,7 +64,7 @@ public sealed class SeveralGeoTiffsTests : IDisposable
         Assert.True(declared.ExitCode + silent.ExitCode == 0, declared.Error + silent.Error);
         Assert.Equal(
             File.ReadAllBytes(Path.Combine(_folder["declared"], "a.png")), File.ReadAllBytes(Path.Combine(_folder["silent"], "a.png")));
-        Assert.Contains("hole: 400 pixels are no heights", silent.Error, StringComparison.Ordinal);
+        Assert.Contains("hole: 400 pixels cannot be heights", silent.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("no heights", declared.Error, StringComparison.Ordinal);
     }
 

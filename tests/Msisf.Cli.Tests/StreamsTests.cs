@@ -73,7 +73,7 @@ public sealed class StreamsTests : IDisposable
         int exitCode = Run([$"@{_folder["a.rsp"]}"], TextWriter.Null, error);
 
         Assert.Equal(1, exitCode);
-        Assert.Contains("holds a NUL character: it is no text file", error.ToString(), StringComparison.Ordinal);
+        Assert.Contains("holds a NUL character: it is not a text file", error.ToString(), StringComparison.Ordinal);
     }
 
     private static int Run(string[] arguments, TextWriter output, TextWriter error) => CommandLineProgram

@@ -21,25 +21,25 @@ public sealed class WrongInputTests : IDisposable
 
     // The command line itself.
     [InlineData("--widht 5", 1, "--widht")]
-    [InlineData("render", 1, "'render' is no command. See msis --help.")]
-    [InlineData("statsu a", 1, "'statsu' is no command: did you mean states? See msis --help.")]
-    [InlineData("ldem synthesise", 1, "'synthesise' is no command: did you mean synthesize? See msis ldem --help.")]
-    [InlineData("--rendrer native", 1, "--rendrer is no option: did you mean --renderer? See msis --help.")]
-    [InlineData("--rendrer=native", 1, "--rendrer is no option: did you mean --renderer?")]
-    [InlineData("status a --fov 3", 1, "--fov is no option. See msis status --help.")]
+    [InlineData("render", 1, "'render' is not a command. See msis --help.")]
+    [InlineData("statsu a", 1, "'statsu' is not a command: did you mean states? See msis --help.")]
+    [InlineData("ldem synthesise", 1, "'synthesise' is not a command: did you mean synthesize? See msis ldem --help.")]
+    [InlineData("--rendrer native", 1, "--rendrer is not an option: did you mean --renderer? See msis --help.")]
+    [InlineData("--rendrer=native", 1, "--rendrer is not an option: did you mean --renderer?")]
+    [InlineData("status a --fov 3", 1, "--fov is not an option. See msis status --help.")]
     [InlineData($"{Fixed} --renderer nativ", 1, "--renderer is 'nativ'; one of povray, native is needed: did you mean native?")]
-    [InlineData($"{Fixed} --renderer native --layers dpeth", 1, "--layers dpeth: 'dpeth' is no layer: did you mean depth?")]
-    [InlineData($"{Fixed} --renderer native --reflectance lambrt", 1, "'lambrt' is no law: did you mean lambert?")]
+    [InlineData($"{Fixed} --renderer native --layers dpeth", 1, "--layers dpeth: 'dpeth' is not a layer: did you mean depth?")]
+    [InlineData($"{Fixed} --renderer native --reflectance lambrt", 1, "'lambrt' is not a law: did you mean lambert?")]
     [InlineData("--batch", 1, "nothing says where the camera is")]
     [InlineData("--width", 1, "--width")]
     [InlineData($"{Fixed} --width 5 --width 6", 1, "--width is given 2 times. Give it once. See msis --help.")]
     [InlineData("--times=55289 --times=55290 --times=55291", 1, "--times is given 3 times. Give it once, and quote a value in braces")]
     [InlineData($"{Fixed} --fixed-state {{55289,2E6,2E6,0,0,0,0,1}}", 1, "--fixed-state is given 2 times")]
-    [InlineData("--batch patterns --res 4", 1, "--batch stands before the command patterns")]
+    [InlineData("--batch patterns --res 4", 1, "--batch comes before the command patterns")]
     [InlineData("@missing.rsp", 1, "missing.rsp")]
     [InlineData("@.", 1, "can't be read")]
-    [InlineData($"{Fixed} --widht 5", 1, "--widht is no option: did you mean --width? It stands where the value of --fixed-state ends.")]
-    [InlineData($"{Kepler} -x 5", 1, "-x is no option. It stands where the value of --kepler-set ends.")]
+    [InlineData($"{Fixed} --widht 5", 1, "--widht is not an option: did you mean --width? It comes where the value of --fixed-state ends.")]
+    [InlineData($"{Kepler} -x 5", 1, "-x is not an option. It comes where the value of --kepler-set ends.")]
     [InlineData("ldem", 1, "msis ldem --help")]
     [InlineData("ldem pyramid", 1, "pyramid needs a model: give its label, or --res")]
     [InlineData("ldem pyramid .", 1, "pyramid needs a model: give its label, or --res")]
@@ -163,8 +163,8 @@ public sealed class WrongInputTests : IDisposable
     [InlineData($"{Fixed} --pov-options +SC0.5", 1, "+SC0.5 is set by msis itself")]
     [InlineData($"{Fixed} --pov-options +KFF3", 1, "+KFF3 is set by msis itself")]
     [InlineData($"{Fixed} --pov-options -J --fov 0", 1, "--fov is 0")]
-    [InlineData($"{Fixed} --ldem -b", 1, "It stands where the value of --ldem ends.")]
-    [InlineData($"{Fixed} --pov-options fast", 1, "'fast' is no POV-Ray option")]
+    [InlineData($"{Fixed} --ldem -b", 1, "It comes where the value of --ldem ends.")]
+    [InlineData($"{Fixed} --pov-options fast", 1, "'fast' is not a POV-Ray option")]
     [InlineData($"{Fixed} --output-name sub/name", 1, "without folders")]
     [InlineData($"{Fixed} --output-name {{frame}}", 1, "a field is {step} or {mjd}")]
     [InlineData($"{Fixed} --output-name {{step", 1, "a field is {step} or {mjd}")]
@@ -248,7 +248,7 @@ public sealed class WrongInputTests : IDisposable
         CommandLineRun run = CommandLineRun.Of(["status", "--print-frams"]);
 
         Assert.Equal(1, run.ExitCode);
-        Assert.Equal("msis: error: --print-frams is no option: did you mean --print-frames?\n", run.Error);
+        Assert.Equal("msis: error: --print-frams is not an option: did you mean --print-frames?\n", run.Error);
     }
 
     [RequiresTheory(Part.Ldem4)]
@@ -267,7 +267,7 @@ public sealed class WrongInputTests : IDisposable
     [InlineData("55289 2E6 2E6 0 0 0 0 1\n55289 2E6 2E6 0 0 0 0 2", 2, "line 2", "length 1")]
     [InlineData("55289 NaN 2E6 0 0 0 0 1", 2, "line 1", "'NaN' is not finite")]
     [InlineData("time,lat,lon,hight\n1,2,3,4", 2, "standard input, line 1", "did you mean height?")]
-    [InlineData("time,lat,lon,height\n55289,2,3,x", 2, "line 2, column height", "'x' is no height")]
+    [InlineData("time,lat,lon,height\n55289,2,3,x", 2, "line 2, column height", "'x' is not a height")]
     [InlineData("time,lat,lon,height\n", 4, "no state in it", "header line of its columns")]
     [InlineData("", 4, "no state in it", "MJD rx ry rz")]
     [InlineData("# only this\n", 4, "no state in it", "MJD rx ry rz")]

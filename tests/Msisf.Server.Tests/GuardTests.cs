@@ -149,10 +149,10 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
     [InlineData("0.0.0.0:8810", "--token-file")]
     [InlineData("192.168.1.1:80", "--token-file")]
     [InlineData("[::]:80", "--token-file")]
-    [InlineData("127.0.0.1", "is no address with a port")]
-    [InlineData("example.com:80", "is no address with a port")]
-    [InlineData("127.0.0.1:65536", "is no address with a port")]
-    [InlineData("127.1:80", "is no address with a port")]
+    [InlineData("127.0.0.1", "is neither an address with a port")]
+    [InlineData("example.com:80", "is neither an address with a port")]
+    [InlineData("127.0.0.1:65536", "is neither an address with a port")]
+    [InlineData("127.1:80", "is neither an address with a port")]
     public void Listen_OnWhatOthersReach_NeedsAToken(string address, string words)
     {
         UsageException exception = Assert.Throws<UsageException>(() => ServeOptions.Read(Values((ServeOptions.Listen, address))));
@@ -177,7 +177,7 @@ public sealed class GuardTests(RunningServer server) : IClassFixture<RunningServ
         BadInputException exception = Assert.Throws<BadInputException>(
             () => ServeOptions.Read(Values((ServeOptions.TokenFile, folder.Write("token", "secret\n")))));
 
-        Assert.Contains("is no token", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("is not a token", exception.Message, StringComparison.Ordinal);
         Assert.DoesNotContain("secret", exception.Message, StringComparison.Ordinal);
     }
 

@@ -138,7 +138,7 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
     [RequiresTheory(Part.Ldem4)]
     [InlineData("csm", "image/png", HttpStatusCode.NotAcceptable, "'camera-model' is for answers of several parts")]
     [InlineData("csm,isis", "multipart/mixed", HttpStatusCode.BadRequest, "'camera-model' isis holds the image too")]
-    [InlineData("tsa", "multipart/mixed", HttpStatusCode.BadRequest, "'tsa' is no format of camera models")]
+    [InlineData("tsa", "multipart/mixed", HttpStatusCode.BadRequest, "'tsa' is not a format of camera models")]
     public async Task CameraModelsThatCannotBeSent_AreRefused(string formats, string accept, HttpStatusCode status, string problem)
     {
         using HttpResponseMessage answer = await server.PostAsync(
@@ -200,11 +200,11 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0]}""", "--fixed-state: 7 numbers, 8 expected")]
-    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "widht": 5}""", "'widht' is no option: did you mean width?")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "widht": 5}""", "'widht' is not an option: did you mean width?")]
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "fov": 500}""", "--fov is 500; its range is above 0, below 180")]
     [InlineData("""{"fixed-state": [55289, 1, 0, 0, 0, 0, 0, 1]}""", "the camera is inside the Moon")]
-    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "ldem": "/etc/passwd"}""", "'ldem' can't stand in a request")]
-    [InlineData("""{"batch-file": "/etc/passwd"}""", "'batch-file' can't stand in a request")]
+    [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "ldem": "/etc/passwd"}""", "'ldem' can't be in a request")]
+    [InlineData("""{"batch-file": "/etc/passwd"}""", "'batch-file' can't be in a request")]
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "albedo-map": "/etc/passwd"}""", "which the server does not have")]
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "camera": "../../etc/passwd"}""", "which the server does not have")]
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "model": "LDEM_5"}""", "did you mean LDEM_4?")]
@@ -212,7 +212,7 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
     [InlineData("""{"fixed-state": [55289, 1.9e6, 0, 0, 0, 0, 0, 1], "renderer": "povray"}""", "native renderer only")]
     [InlineData("""{"fov": 40}""", "nothing says where the camera is")]
     [InlineData("""[1, 2]""", "JSON object")]
-    [InlineData("""{"fixed-state": [""", "the request is no JSON")]
+    [InlineData("""{"fixed-state": [""", "the request is not JSON")]
     public async Task WrongRequest_IsRefused_InTheWordsOfTheCommandLine(string json, string words)
     {
         using HttpResponseMessage answer = await server.PostAsync("/v1/render", json);
@@ -262,7 +262,7 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
     [RequiresTheory(Part.Ldem4)]
     [InlineData("\"exposure-time\": \"auto\"", "auto is found from the images of a whole run, and a request is one image. Give seconds.")]
     [InlineData("\"exposure-time\": 0", "--exposure-time is '0'; seconds above 0")]
-    [InlineData("\"noise-seed\": 1.5", "--noise-seed: '1.5' is no noise seed")]
+    [InlineData("\"noise-seed\": 1.5", "--noise-seed: '1.5' is not a noise seed")]
     public async Task ExposureTimeOrNoise_ThatCantBe_IsRefused(string option, string words)
     {
         using HttpResponseMessage answer = await server.PostAsync("/v1/render", $$"""

@@ -115,7 +115,7 @@ public sealed class RigRequestTests(RunningServer server) : IClassFixture<Runnin
     [RequiresTheory(Part.Ldem4)]
     [InlineData("[]", "multipart/mixed", 400, "a list of 1 to 16 objects")]
     [InlineData("[{\"name\": \"a\"}, {\"name\": \"a\"}]", "multipart/mixed", 400, "have one name")]
-    [InlineData("[{\"name\": \"a b\"}]", "multipart/mixed", 400, "is no name of a camera")]
+    [InlineData("[{\"name\": \"a b\"}]", "multipart/mixed", 400, "is not a name of a camera")]
     [InlineData("[{\"quaternion\": [0, 0, 0, 2]}]", "multipart/mixed", 400, "has length 2, and a rotation")]
     [InlineData("[{\"quaternion\": [0, 0, 0.3827, 0.9239]}]", "multipart/mixed", 400, "Add decimals, or give --normalize.")]
     [InlineData("[{\"fov\": 4}, {\"fov\": 400}]", "multipart/mixed", 400, "--fov")]

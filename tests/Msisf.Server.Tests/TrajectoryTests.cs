@@ -102,10 +102,10 @@ public sealed class TrajectoryTests : IDisposable
     }
 
     [RequiresTheory(Part.Ldem4)]
-    [InlineData("\"states\": \"other.oem\"", "'states' is 'other.oem', which is no trajectory of this server")]
-    [InlineData("\"states\": \"../orbit.oem\"", "which is no trajectory of this server")]
+    [InlineData("\"states\": \"other.oem\"", "'states' is 'other.oem', which is not a trajectory of this server")]
+    [InlineData("\"states\": \"../orbit.oem\"", "which is not a trajectory of this server")]
     [InlineData("\"states\": \"a.tab\"", "a.tab, line 1:")]
-    [InlineData("\"states\": 7", "'states' is '7', which is no trajectory")]
+    [InlineData("\"states\": 7", "'states' is '7', which is not a trajectory")]
     [InlineData("\"states\": {}", "'states' is an object; a text or a number is needed")]
     [InlineData("\"states\": []", "'states' is empty. Give states, MJD rx ry rz vx vy vz each")]
     [InlineData(

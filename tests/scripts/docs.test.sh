@@ -42,6 +42,33 @@ test_docs_sentences_are_short_and_idiomatic() {
     assert_code 0
 }
 
+test_docs_messages_are_idiomatic() {
+    need python3
+    local files
+    mapfile -t files < <(find "$MSISF_TESTED_ROOT/src" -name '*.cs' -not -path '*/obj/*' -not -path '*/bin/*')
+    [ "${#files[@]}" -gt 500 ] || fail "only ${#files[@]} files were found"
+    run english "${files[@]}"
+    assert_code 0
+}
+
+test_docs_foreign_wording_of_messages_is_found() {
+    need python3
+    cat >messages.cs <<'CODE'
+// "Of this comment nothing counts."
+/// <summary>Else it counts.</summary>
+throw new UsageException($"{name}: '{text}' is no "
+    + $"layer of {other}. Give another one.");
+string format = "is no";
+string good = "This is not a layer. There is no such file.";
+string late = "Of these files none is read.";
+CODE
+    run english messages.cs
+    assert_code 1
+    assert_same "$(printf '%s\n' "$output" | cut -d : -f 2,4-)" "$(printf '%s\n' \
+        "3: X: 'X' is no layer of X." '7: Of these files none is read.' \
+        '0 of 0 sentences have more than 30 words (0.0 %, at most 3 %)')"
+}
+
 # shellcheck disable=SC2016 # backticks of Markdown
 test_docs_long_sentences_and_foreign_wording_are_found() {
     need python3

@@ -1,4 +1,4 @@
-"""Counts long sentences in Markdown pages, and finds wording that reads as if translated.
+"""Counts long sentences in Markdown pages, and finds wording that reads as if translated; in C# files the wording of texts in quotes.
 
     python3 english.py [--all] FILE[#HEADING]...   FILE#HEADING: only that section of the page
 
@@ -41,6 +41,14 @@ PATTERNS = [
     (re.compile(r"\bwhat an? \w+ is of\b"), "name the thing"),
     (re.compile(r"^\W*(Written|Drawn|Calibrated|Measured|Compared|Left out|Checked|Not tried|Kept) (is|are|was|were)\b"), "begin with the subject"),
 ]
+
+
+# A text in quotes, and where two are joined; what is inserted is one word.
+LITERAL = re.compile(r'\$?@?"((?:[^"\\\n]|\\.)*)"')
+JOINT = re.compile(r'"\s*\)?\s*\+\s*(?:Invariant\()?\$?"')
+INSERTED = re.compile(r"\{[^{}]*\}")
+LINE_COMMENT = re.compile(r"^\s*//.*$", re.MULTILINE)
+SHORTEST_TEXT = 4     # words: what has fewer is a name or a format
 
 
 def blank(match):
@@ -95,12 +103,27 @@ def sentences(text):
             start = end.end() if end else 0
 
 
+def texts(code):
+    """(line, sentence) of the texts in quotes of C# code."""
+    code = LINE_COMMENT.sub(blank, code)
+    joined = JOINT.sub(lambda match: "\0" * match.group().count("\n"), code)  # keeps the lines' numbers
+    for match in LITERAL.finditer(joined):
+        text = INSERTED.sub("X", match.group(1).replace("\0", ""))
+        if len(text.split()) >= SHORTEST_TEXT:
+            line = 1 + joined.count("\n", 0, match.start()) + joined.count("\0", 0, match.start())
+            yield from ((line, sentence) for sentence in re.split(r"(?<=[.;])\s+", text))
+
+
 def main():
     shows_all = "--all" in sys.argv
     count, long, wrong = 0, [], []
     for name in (argument for argument in sys.argv[1:] if argument != "--all"):
         path, _, heading = name.partition("#")
-        text = pathlib.Path(path).read_text(encoding="utf-8")
+        text = pathlib.Path(path).read_text(encoding="utf-8-sig")
+        if path.endswith(".cs"):
+            wrong += [f"{path}:{line}: {advice}: {sentence}" for line, sentence in texts(text) if len(sentence.split()) >= SHORTEST
+                      for pattern, advice in PATTERNS if pattern.search(sentence)]
+            continue
         for line, sentence in sentences(section(text, heading) if heading else text):
             words = len([word for word in sentence.split() if re.search(r"\w", word)])
             if words < SHORTEST:

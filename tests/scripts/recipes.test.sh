@@ -15,7 +15,6 @@ FFMPEG
 test_recipes_every_command_of_the_page_runs() {
     need_program_of_pages
     command -v ffmpeg >/dev/null || make_ffmpeg
-    ln -s "$MSISF_TESTED_ROOT/kernels" kernels
     # Smaller images and fewer of them: what a page says of sizes and counts is not what is tested.
     sed -E 's/(--width|--height) ([0-9]+)[0-9]\b/\1 \2/g; s/^count: 1000/count: 4/; s/i < 24/i < 4/; s/1:12/1:2/; s/13:24/3:4/' \
         "$MSISF_TESTED_ROOT/docs/recipes.md" >recipes.md

@@ -241,7 +241,7 @@ def test_what_cannot_be_drawn_is_the_invalid_image_and_the_run_goes_on(server):
             (message(1, 1e9, bodies, [lander], [Camera(7, 40.0, 9000, 9000, [0, 0, 0], np.eye(3)).message()], EPOCH), "--max-pixels"),
             (message(1, 1e9, bodies, [lander], [camera + whole(16, 1)], EPOCH), "renderMode 1"),
             (message(1, 1e9, [body("moon", moon, rotation), body("sun", moon + 1e3)], [lander], [camera], EPOCH), "the Sun is"),
-            (message(1, 1e9, bodies, [lander], [camera], (2019, 13, 4, 0, 0, 0.0)), "is no date"),
+            (message(1, 1e9, bodies, [lander], [camera], (2019, 13, 4, 0, 0, 0.0)), "is not a date"),
             (b"no protobuf", "no VizMessage")]:
         viz.update(wrong)
         assert viz.image(7) is None

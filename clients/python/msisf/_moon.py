@@ -228,7 +228,7 @@ class Moon:
             return {name: float(value) for name, value in pairs}
 
     def sun(self, time: Time, place: Optional[ArrayLike] = None) -> Dict[str, Any]:
-        """Where the Sun is at a time, and where it stands in the sky of a place (latitude, longitude in degrees)."""
+        """Where the Sun is at a time, and where it is in the sky of a place (latitude, longitude in degrees)."""
         when = time_text(time)
         query = {"utc" if "T" in when else "mjd": when}
         if place is not None:

@@ -87,7 +87,7 @@ LIES = {
     "too few levels": fakes.message(2, fakes.image(1, 7)[4:-1]),
     "no head": fakes.message(2, b"MSIF"),
     "another head": fakes.message(2, b"XXXX" + fakes.image(1, 7)[8:]),
-    "text that is no JSON": fakes.message(1, b"{"),
+    "text that is not JSON": fakes.message(1, b"{"),
     "text without number": fakes.message(1, b'{"error": "no"}'),
     "error of another state": fakes.message(1, b'{"number": 5, "error": "no"}'),
     "times that are none": fakes.message(1, b'{"number": 1, "wait": null}'),

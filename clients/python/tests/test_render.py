@@ -133,7 +133,7 @@ def test_images_of_a_rig_are_those_of_msis(moon, tmp_path):
         assert image.max() > 5
     for wrong, said in (
         ([left, left], "one name"), ([msisf.Mounted(SMALL, (0, 0, 0, 2))], "has length 2, and a rotation"),
-        ([msisf.Mounted(SMALL, name="a b")], "is no name of a camera"),
+        ([msisf.Mounted(SMALL, name="a b")], "is not a name of a camera"),
         ([msisf.Mounted(SMALL, options={"lines": 3})], "--lines needs a camera"),
     ):  # fmt: skip
         with pytest.raises(msisf.RequestError, match=said):

@@ -14,7 +14,7 @@ internal sealed class InstrumentField(KernelPool pool, string prefix)
     /// <param name="axes">How the image lies in the instrument's frame.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
-    /// <exception cref="BadInputException">It is no rectangle along the image's axes, or keywords are missing.</exception>
+    /// <exception cref="BadInputException">It is not a rectangle along the image's axes, or keywords are missing.</exception>
     public string CameraText(InstrumentAxes axes, int width, int height)
     {
         Vector3D forward = Vector3D.Cross(axes.Right, axes.Down);
@@ -31,7 +31,7 @@ internal sealed class InstrumentField(KernelPool pool, string prefix)
             corner => Math.Min(corner.X - left, right - corner.X) <= limit && Math.Min(corner.Y - top, bottom - corner.Y) <= limit);
         if (!isRectangle || !(right > left && bottom > top))
         {
-            throw Wrong("is no rectangle along the image's axes");
+            throw Wrong("is not a rectangle along the image's axes");
         }
 
         (double focalX, double focalY) = (width / (right - left), height / (bottom - top));

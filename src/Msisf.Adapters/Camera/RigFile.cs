@@ -46,7 +46,7 @@ public sealed record RigFile(string Path, IReadOnlyList<RigFileCamera> Cameras, 
     {
         if (!MountedCamera.IsName(name))
         {
-            throw section.Here($"{NumberText.Shown(name)} is no name of a camera: {MountedCamera.Names}");
+            throw section.Here($"{NumberText.Shown(name)} is not a name of a camera: {MountedCamera.Names}");
         }
 
         double[] turn = section.Numbers(QuaternionKey, 4, 4)

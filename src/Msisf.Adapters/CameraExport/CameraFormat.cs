@@ -73,13 +73,13 @@ public sealed class CameraFormat
 
     /// <summary>Reads a list of formats.</summary>
     /// <param name="text">Words, separated by commas.</param>
-    /// <exception cref="BadInputException">A word is no format.</exception>
+    /// <exception cref="BadInputException">A word is not a format.</exception>
     public static IReadOnlyList<CameraFormat> Parse(string text) =>
     [
         .. text.Split(',', StringSplitOptions.TrimEntries).Select(word =>
             All.FirstOrDefault(format => format.Word.Equals(word, StringComparison.OrdinalIgnoreCase))
                 ?? throw new BadInputException(
-                    $"'{word}' is no format of camera models. Give some of {string.Join(", ", All.Select(f => f.Word))}."))
+                    $"'{word}' is not a format of camera models. Give some of {string.Join(", ", All.Select(f => f.Word))}."))
             .Distinct(),
     ];
 

@@ -92,7 +92,7 @@ public sealed record ExportedImage(int Width, int Height, bool IsDigital, Export
         catch (Exception exception) when (exception is InvalidDataException or OverflowException or EndOfStreamException)
         {
             throw new BadInputException(
-                $"{path}: is no array of {height} x {width} real numbers as msis writes it. Draw the image again.", exception);
+                $"{path}: is not an array of {height} x {width} real numbers as msis writes it. Draw the image again.", exception);
         }
 
         return new ExportedImage(width, height, IsDigital: false, (row, numbers) =>

@@ -38,7 +38,7 @@ internal static class IsisCube
     /// <summary>Whether IdealCamera has the camera: it has no distortion.</summary>
     public static bool Has(CameraModel camera) => camera.Distortion is null;
 
-    /// <summary>Writes a cube. The lines of a scan stand in the order of their times.</summary>
+    /// <summary>Writes a cube. The lines of a scan are in the order of their times.</summary>
     public static void Write(Stream stream, ExportedFrame frame)
     {
         ExportedImage image = frame.Image!;

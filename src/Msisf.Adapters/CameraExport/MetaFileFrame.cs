@@ -37,7 +37,7 @@ public static class MetaFileFrame
         }
         catch (Exception exception) when (exception is XmlException or FormatException or OverflowException)
         {
-            throw new BadInputException($"{path}: is no meta file of msis: {exception.Message} Name one (.xml).", exception);
+            throw new BadInputException($"{path}: is not a meta file of msis: {exception.Message} Name one (.xml).", exception);
         }
     }
 
@@ -127,7 +127,7 @@ public static class MetaFileFrame
     internal static double Number(string text) =>
         double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)
             ? number
-            : throw new FormatException($"'{text}' is no number.");
+            : throw new FormatException($"'{text}' is not a number.");
 
     internal static string Text(XElement element, string attribute) => element.Attribute(attribute)?.Value
         ?? throw new FormatException($"{element.Name} has no '{attribute}'.");

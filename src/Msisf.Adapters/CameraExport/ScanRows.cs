@@ -124,7 +124,7 @@ internal static class RowStateFiles
         }
     }
 
-    /// <summary>The extension ROWSTATES, behind whatever stands before it.</summary>
+    /// <summary>The extension ROWSTATES, behind whatever is before it.</summary>
     private static double[]? OfFits(Stream stream)
     {
         while (stream.Position < stream.Length)

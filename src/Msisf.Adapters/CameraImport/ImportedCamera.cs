@@ -54,7 +54,7 @@ internal sealed record ImportedCamera(string Program, int Line)
         Key("model", "fisheye"), .. Enumerable.Range(0, 4).Select(i => Key(Invariant($"k{i + 1}"), i < k.Length ? k[i] : 0.0)),
     ];
 
-    /// <summary>The camera as the entries of a camera file; all stand in the line of the camera.</summary>
+    /// <summary>The camera as the entries of a camera file; all are in the line of the camera.</summary>
     public IReadOnlyList<ConfigEntry> Entries()
     {
         List<ConfigEntry> entries = [Entry(Key("description", $"read from a file of {Program}"))];

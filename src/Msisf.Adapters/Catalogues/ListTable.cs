@@ -30,7 +30,7 @@ internal sealed class ListTable
     /// <param name="fileName">For messages.</param>
     /// <param name="given">Which columns the user names; null for none.</param>
     /// <param name="isHeader">Whether columns are those of such a list.</param>
-    /// <returns>The table; if no line has such names, with those of the first line that is no comment.</returns>
+    /// <returns>The table; if no line has such names, with those of the first line that is not a comment.</returns>
     public static ListTable Open(TextReader reader, string fileName, ListColumns? given, Func<ListHeader, bool> isHeader)
     {
         LineSource lines = new(reader);

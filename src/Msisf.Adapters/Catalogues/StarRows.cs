@@ -184,7 +184,7 @@ internal static class StarColumns
         {
             string names = string.Join(", ", table.Header.Names.Where(name => name.Length > 0));
             throw new BadInputException(
-                $"{fileName}: these are no columns of stars: {(names.Length > 0 ? names : "none")}. Name the columns {Wanted}; or give "
+                $"{fileName}: these are not columns of stars: {(names.Length > 0 ? names : "none")}. Name the columns {Wanted}; or give "
                     + "hip_main.dat of Hipparcos or tyc2.dat of Tycho-2.");
         }
 

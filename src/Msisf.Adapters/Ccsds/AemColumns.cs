@@ -60,7 +60,7 @@ internal sealed record AemColumns(string Type)
         };
     }
 
-    /// <summary>Whether the angles may stand in the order of the axes or of the sequence.</summary>
+    /// <summary>Whether the angles may be in the order of the axes or of the sequence.</summary>
     private bool IsOrderOpen { get; init; }
 
     /// <summary>The place of an element of the XML form in a line.</summary>
@@ -156,7 +156,7 @@ internal sealed record AemColumns(string Type)
         if (IsOrderOpen && !areNamed && sequence.Axes != "XYZ")
         {
             throw new BadInputException(
-                $"version 1.0 leaves open whether the angles stand in the order X, Y, Z or in that of EULER_ROT_SEQ ({sequence.Axes}). "
+                $"version 1.0 leaves open whether the angles are in the order X, Y, Z or in that of EULER_ROT_SEQ ({sequence.Axes}). "
                     + "Write version 2.0, XML or quaternions.");
         }
 
@@ -186,7 +186,7 @@ internal sealed record AemColumns(string Type)
             "FIRST" => throw metadata.Error("QUATERNION_TYPE", "version 2.0 has the scalar last always. Check the file."),
             null when !isFirstVersion => false,
             null => throw metadata.Error(
-                "ATTITUDE_TYPE", "the block has no QUATERNION_TYPE (FIRST or LAST), so the scalar may stand in either place. Add it."),
+                "ATTITUDE_TYPE", "the block has no QUATERNION_TYPE (FIRST or LAST), so the scalar may be in either place. Add it."),
             _ => throw metadata.Error("QUATERNION_TYPE", "FIRST and LAST are known."),
         };
 

@@ -19,7 +19,7 @@ internal static class CcsdsEpoch
 
     /// <summary>Reads a time.</summary>
     /// <param name="text">Its characters alone.</param>
-    /// <returns>False if it is no time.</returns>
+    /// <returns>False if it is not a time.</returns>
     public static bool TryParse(ReadOnlySpan<char> text, out CalendarTime time)
     {
         time = default;

@@ -28,7 +28,7 @@ public sealed class CcsdsFile(TimeScale scale, Func<RotationMatrix> moonMeFromMo
     }
 
     /// <summary>Whether a file begins as an OEM does.</summary>
-    /// <param name="head">Its first characters; the name of the format stands below comments of XML.</param>
+    /// <param name="head">Its first characters; the name of the format is below comments of XML.</param>
     public static bool IsOem(string head) => head.Contains("CCSDS_OEM_VERS", StringComparison.Ordinal);
 
     /// <summary>Reads the states of an OEM.</summary>

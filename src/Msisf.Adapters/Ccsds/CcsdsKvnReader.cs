@@ -47,7 +47,7 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
     {
         if (line.Contains('\t'))
         {
-            _place.Note("TABs stand where the standard has blanks; other programs may refuse the file.");
+            _place.Note("TABs are where the standard has blanks; other programs may refuse the file.");
         }
 
         ReadOnlySpan<char> content = line.Trim();
@@ -103,7 +103,7 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
     {
         if (key.Contains(' '))
         {
-            throw _place.Error($"{NumberText.Shown(key)} is no keyword.");
+            throw _place.Error($"{NumberText.Shown(key)} is not a keyword.");
         }
 
         switch (_part)
@@ -111,9 +111,9 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
             case Part.Covariance:
                 break;
             case Part.Data when message.IsKeyword(key):
-                throw _place.Error($"{key} stands among the lines of numbers. A new block begins with META_START.");
+                throw _place.Error($"{key} is among the lines of numbers. A new block begins with META_START.");
             case Part.Data:
-                throw _place.Error($"{NumberText.Shown(key)} stands among the lines of numbers. Remove it.");
+                throw _place.Error($"{NumberText.Shown(key)} is among the lines of numbers. Remove it.");
             case Part.Header when !message.IsKeyword(key):
                 message.TakeHeader(key, value);
                 break;
@@ -149,7 +149,7 @@ internal sealed class CcsdsKvnReader(CcsdsMessage message)
     {
         if (_part == Part.Header)
         {
-            throw _place.Error($"a line of numbers stands above the first block. The first line is {message.VersionKeyword} = 2.0.");
+            throw _place.Error($"a line of numbers is above the first block. The first line is {message.VersionKeyword} = 2.0.");
         }
 
         if (_part == Part.Metadata)

@@ -67,11 +67,11 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
         }
         else if (key.StartsWith("CCSDS_", StringComparison.OrdinalIgnoreCase))
         {
-            throw place.Error($"this is no {Kind}: it begins with {NumberText.Shown(key)}, {VersionKeyword} is needed.");
+            throw place.Error($"this is not an {Kind}: it begins with {NumberText.Shown(key)}, {VersionKeyword} is needed.");
         }
         else if (Version is null)
         {
-            throw place.Error($"{NumberText.Shown(key)} stands above the version. The first line is {VersionKeyword} = {Versions[^1]}.");
+            throw place.Error($"{NumberText.Shown(key)} is above the version. The first line is {VersionKeyword} = {Versions[^1]}.");
         }
         else if (!HeaderKeywords.Contains(key, StringComparer.OrdinalIgnoreCase))
         {
@@ -86,7 +86,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
     {
         if (Version is null)
         {
-            throw place.Error($"no version stands above it. The first line of an {Kind} is {VersionKeyword} = {Versions[^1]}.");
+            throw place.Error($"no version is above it. The first line of an {Kind} is {VersionKeyword} = {Versions[^1]}.");
         }
 
         _metadata = new CcsdsMetadata(Keywords, place);
@@ -114,7 +114,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
         OpenBlock();
     }
 
-    /// <summary>Takes a line of data; one that stands twice is left out.</summary>
+    /// <summary>Takes a line of data; one that occurs twice is left out.</summary>
     /// <param name="epoch">Its time.</param>
     /// <param name="areNamed">Whether each number had a name of its own (XML), so that they are in the standard's order.</param>
     public void TakeData(ReadOnlySpan<char> epoch, ReadOnlySpan<double> numbers, bool areNamed)
@@ -122,7 +122,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
         TdbTime time = TimeOf(epoch);
         if (time == _lastTime && numbers.SequenceEqual(_lastNumbers))
         {
-            place.Note("A line stands twice; the second one is left out.");
+            place.Note("A line occurs twice; the second one is left out.");
             return;
         }
 
@@ -134,7 +134,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
 
     public abstract void EndBlock();
 
-    /// <summary>Where a value of the XML form stands in the line of the other form.</summary>
+    /// <summary>Where a value of the XML form is in the line of the other form.</summary>
     /// <param name="parent">The element around its own.</param>
     /// <param name="name">The element.</param>
     /// <param name="axis">The attribute that names an axis; null for none.</param>
@@ -153,7 +153,7 @@ internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
         if (times.Count > 0 && !(time > times.Last))
         {
             throw place.Error(time == times.Last
-                ? "the time of the line before stands again, with other numbers. Remove one of the lines, or begin a new block between "
+                ? "the time of the line before occurs again, with other numbers. Remove one of the lines, or begin a new block between "
                     + "them."
                 : "the time is before that of the line above. Put the lines into the order of time.");
         }

@@ -32,7 +32,7 @@ internal sealed class CcsdsMetadata(string[] known, CcsdsPlace place)
         {
             if (before.Value != value)
             {
-                throw place.Error($"{key} stands in line {before.Line} too, with another value. Remove one of them.");
+                throw place.Error($"{key} is in line {before.Line} too, with another value. Remove one of them.");
             }
 
             return;

@@ -31,7 +31,7 @@ internal sealed class CcsdsXmlReader(CcsdsMessage message)
         catch (XmlException exception)
         {
             _place.Line = Math.Max(_place.Line, exception.LineNumber);
-            throw _place.Error($"this is no valid XML: {exception.Message}", exception);
+            throw _place.Error($"this is not valid XML: {exception.Message}", exception);
         }
     }
 
@@ -50,7 +50,7 @@ internal sealed class CcsdsXmlReader(CcsdsMessage message)
             {
                 if (xml.Depth == 0)
                 {
-                    throw _place.Error($"this is no {message.Kind}: it begins with <{xml.LocalName}>, <{element}> is needed.");
+                    throw _place.Error($"this is not an {message.Kind}: it begins with <{xml.LocalName}>, <{element}> is needed.");
                 }
 
                 SkipWithin(xml);

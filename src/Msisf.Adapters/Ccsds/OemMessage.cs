@@ -273,6 +273,6 @@ internal sealed class OemPull
         return wrong is null
             ? null
             : $"The lines of a block curve as an orbit about the {body[..1]}{body[1..].ToLowerInvariant()} in {unit} does, but {wrong}. "
-                + "Check the file; it is read as it stands.";
+                + "Check the file; it is read as written.";
     }
 }

@@ -3,7 +3,7 @@ using Msisf.Core.Ephemeris;
 namespace Msisf.Adapters.Ephemeris;
 
 /// <summary>CK type 4: intervals, in each of which Chebyshev series give the quaternion.</summary>
-/// <remarks>NAIF, CK Required Reading, "Data Type 4"; the layout of generic segments stands in SPICELIB's sgparam.inc.</remarks>
+/// <remarks>NAIF, CK Required Reading, "Data Type 4"; the layout of generic segments is in SPICELIB's sgparam.inc.</remarks>
 internal sealed class CkChebyshev : CkSegment
 {
     /// <summary>Numbers of a generic segment's last part, which says where the others are; the very last one is their number.</summary>

@@ -15,7 +15,7 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
 
     public int Packet => PacketWords[Subtype];
 
-    /// <summary>Reads rate, subtype and window, which stand one after another.</summary>
+    /// <summary>Reads rate, subtype and window, which are one after another.</summary>
     /// <param name="words">The segment.</param>
     /// <param name="end">Behind them, from 0.</param>
     /// <exception cref="Core.Errors.BadInputException">They are out of range.</exception>
@@ -31,7 +31,7 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
     /// <summary>The numbers of a packet at a tick: the quaternion, scalar first and not of length 1, and the rate.</summary>
     /// <param name="ticks">Within the times.</param>
     /// <param name="times">Ticks of the packets of one interval.</param>
-    /// <param name="firstPacket">Where the first of them stands, from 0.</param>
+    /// <param name="firstPacket">Where the first of them is, from 0.</param>
     /// <param name="followsOthers">
     /// Whether other packets lie before the interval: at its first tick CSPICE then counts the last of those as the one before the tick.
     /// </param>
@@ -102,8 +102,8 @@ internal sealed record CkPolynomials(DafWords Words, int Subtype, int Window, do
     }
 
     /// <summary>Sums up quaternions and their derivatives.</summary>
-    /// <param name="offset">Where the derivatives stand in a packet; 0 for none.</param>
-    /// <param name="areSignsFree">Whether q and -q may stand side by side.</param>
+    /// <param name="offset">Where the derivatives are in a packet; 0 for none.</param>
+    /// <param name="areSignsFree">Whether q and -q may be side by side.</param>
     private void Add(
         double[] packets, int offset, ReadOnlySpan<(double Value, double Rate)> ofValues,
         ReadOnlySpan<(double Value, double Rate)> ofRates, double[] q, double[] rates, bool areSignsFree)

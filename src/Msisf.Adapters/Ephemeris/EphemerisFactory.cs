@@ -71,7 +71,7 @@ public sealed record EphemerisRequest(
 /// <summary>What the user asks for with --ephemeris (auto, cspice, builtin).</summary>
 public enum EphemerisChoice
 {
-    /// <summary>CSPICE if its library loads, else the built-in reader.</summary>
+    /// <summary>CSPICE if its library loads, otherwise the built-in reader.</summary>
     Auto,
 
     /// <summary>CSPICE or an error.</summary>

@@ -74,7 +74,7 @@ internal sealed record FrameDefinition(KernelPool Pool, string Name, int Id)
     /// <summary>How it is defined: one of the constants, or another class of SPICE's.</summary>
     public int Class => Pool.WholeNumber(OfFrame("CLASS"));
 
-    /// <summary>The number under which its data stand: of a PCK's orientation, of a CK's instrument, of a TK frame's variables.</summary>
+    /// <summary>The number under which its data are: of a PCK's orientation, of a CK's instrument, of a TK frame's variables.</summary>
     public int ClassId => Pool.WholeNumber(OfFrame("CLASS_ID"));
 
     /// <summary>The frame that a TK frame is turned from.</summary>
@@ -122,7 +122,7 @@ internal sealed record FrameDefinition(KernelPool Pool, string Name, int Id)
 
     private string OfFrame(string item) => Variable("FRAME", Id, Name, item);
 
-    /// <summary>A TK frame's data stand under its class ID, or under the name of the frame that has this number.</summary>
+    /// <summary>A TK frame's data are under its class ID, or under the name of the frame that has this number.</summary>
     private string OfTk(string item) => Variable("TKFRAME", ClassId, ClassId == Id ? Name : NameOf(Pool, ClassId), item);
 
     private string Variable(string prefix, int id, string? name, string item)

@@ -68,7 +68,7 @@ internal static class KernelDate
     public const string ValidValues = "@1972-JAN-1, @1972-JAN-1-12:00:00, @1972-01-01T12:00:00, @1972-001//12:00, @1/31/1972, @2441317.5JD";
 
     /// <summary>Reads a date.</summary>
-    /// <param name="text">What stands behind @.</param>
+    /// <param name="text">What is behind @.</param>
     /// <param name="secondsPastJ2000">Seconds past 2000-01-01T12:00:00, each day with 86 400 s.</param>
     /// <returns>False for what SPICE does not read.</returns>
     public static bool TryParse(string text, out double secondsPastJ2000)
@@ -190,7 +190,7 @@ internal static class KernelDate
             - 730_516;
     }
 
-    /// <summary>Joins the last number with a decimal point to what stands behind it.</summary>
+    /// <summary>Joins the last number with a decimal point to what is behind it.</summary>
     private static void JoinDecimals(List<KernelDateToken> tokens)
     {
         string kinds = Kinds(tokens);

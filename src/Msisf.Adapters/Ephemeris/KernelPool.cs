@@ -38,7 +38,7 @@ public sealed class KernelPool
         _variables[name] = values;
     }
 
-    /// <summary>Where a name was first assigned, if it was later assigned another value; else null.</summary>
+    /// <summary>Where a name was first assigned, if it was later assigned another value; otherwise null.</summary>
     public string? FirstSource(string name) => _replaced.GetValueOrDefault(name);
 
     /// <summary>Appends (+=); a new name is assigned.</summary>
@@ -54,7 +54,7 @@ public sealed class KernelPool
         if ((present.Numbers.Count > 0) != (values.Numbers.Count > 0))
         {
             throw new BadInputException(
-                $"{values.Source}: {name} += mixes numbers and texts; the values before stand in {present.Source}.");
+                $"{values.Source}: {name} += mixes numbers and texts; the values before are in {present.Source}.");
         }
 
         _variables[name] = new KernelVariable([.. present.Numbers, .. values.Numbers], [.. present.Texts, .. values.Texts], values.Source);

@@ -89,7 +89,7 @@ public sealed class SpacecraftClock
 
     /// <summary>The time of a count as labels write it: TDB seconds past J2000.</summary>
     /// <param name="count">Partition and fields of the clock, e.g. "1/270649237:07208"; without partition it is the first one.</param>
-    /// <exception cref="BadInputException">It is no count of this clock.</exception>
+    /// <exception cref="BadInputException">It is not a count of this clock.</exception>
     public double TimeOf(string count)
     {
         string[] halves = count.Trim().Split('/');
@@ -101,7 +101,7 @@ public sealed class SpacecraftClock
         if (halves.Length > 2 || fields.Length == 0 || fields.Length > _moduli.Length || fields.Any(double.IsNaN)
             || partition < 1 || partition > Math.Max(1, _partitions.Length))
         {
-            throw new BadInputException($"{_source}: '{count}' is no count of this clock.");
+            throw new BadInputException($"{_source}: '{count}' is not a count of this clock.");
         }
 
         double ticks = _partitions.Length == 0 ? 0.0 : _partitions[partition - 1];
@@ -134,7 +134,7 @@ public sealed class SpacecraftClock
     /// <summary>The entry to use, -1 before the first one.</summary>
     /// <remarks>
     /// Real clocks have entries that do not rise (LRO's of 2009-07-18). Which one CSPICE then takes is decided by its search, so the search
-    /// is as there: the last entry if the value is past it, else bisection.
+    /// is as there: the last entry if the value is past it, otherwise bisection.
     /// </remarks>
     private static int EntryOf(double[] values, double value)
     {

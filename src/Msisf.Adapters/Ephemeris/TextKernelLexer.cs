@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Msisf.Adapters.Ephemeris;
 
-/// <summary>Cuts the data of a text kernel (what stands between \begindata and \begintext) into tokens.</summary>
+/// <summary>Cuts the data of a text kernel (what is between \begindata and \begintext) into tokens.</summary>
 internal static class TextKernelLexer
 {
     private const string BeginData = "\\begindata";

@@ -11,7 +11,7 @@ internal sealed class BatchColumns
     /// <summary>Reads the header.</summary>
     /// <param name="header">The line of names, separated by commas.</param>
     /// <param name="ignoresUnknown">Whether columns that are not known are left out.</param>
-    /// <exception cref="BadInputException">A name is not known, or a column stands twice.</exception>
+    /// <exception cref="BadInputException">A name is not known, or a column occurs twice.</exception>
     public BatchColumns(string header, bool ignoresUnknown)
     {
         string[] names = Fields(header);
@@ -27,7 +27,7 @@ internal sealed class BatchColumns
             {
                 string first = _columns[name].Written;
                 string also = first.Equals(written, StringComparison.OrdinalIgnoreCase) ? string.Empty : $", as {first} too";
-                throw new BadInputException($"column {index + 1}: '{written}' stands twice{also}. Remove one of them.");
+                throw new BadInputException($"column {index + 1}: '{written}' occurs twice{also}. Remove one of them.");
             }
         }
     }
@@ -38,7 +38,7 @@ internal sealed class BatchColumns
     /// <summary>Names of the columns that are left out, in quotes.</summary>
     public IReadOnlyList<string> Ignored => _ignored;
 
-    /// <summary>Whether the first line of a file names columns; else it is a state of eight numbers.</summary>
+    /// <summary>Whether the first line of a file names columns; otherwise it is a state of eight numbers.</summary>
     public static bool IsHeader(ReadOnlySpan<char> line) =>
         line.ContainsAny(',', ';') && !TimeText.TryParse(line[..line.IndexOfAny(',', ';')].Trim(), out _);
 
@@ -71,7 +71,7 @@ internal sealed class BatchColumns
             return $"column {number}: of q1 to q4 some programs mean q4 as the scalar, others q1. Name the columns qx, qy, qz, qw.";
         }
 
-        return $"column {number}: {NumberText.Shown(written)} is no column{NearestName.Question(written, BatchNames.All, ".")} "
+        return $"column {number}: {NumberText.Shown(written)} is not a column{NearestName.Question(written, BatchNames.All, ".")} "
             + $"There are {string.Join(", ", BatchNames.All)}. --ignore-columns leaves others out.";
     }
 }

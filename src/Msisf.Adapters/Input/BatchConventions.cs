@@ -49,11 +49,11 @@ internal static class BatchKeyLine
     private static readonly string[] Keys = ["frame", "axes", "rotation", "euler", "epoch"];
 
     /// <summary>Whether a comment is such a line.</summary>
-    /// <param name="comment">What stands behind "#".</param>
+    /// <param name="comment">What is behind "#".</param>
     public static bool IsOne(ReadOnlySpan<char> comment) => comment.Trim().StartsWith(Mark, StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Adds what the line says to what is said already.</summary>
-    /// <param name="comment">What stands behind "#".</param>
+    /// <param name="comment">What is behind "#".</param>
     /// <param name="said">By the options, or by another such line.</param>
     /// <exception cref="BadInputException">A key is unknown or said twice, or a value is wrong.</exception>
     public static BatchConventions Add(ReadOnlySpan<char> comment, BatchConventions said)
@@ -66,7 +66,7 @@ internal static class BatchKeyLine
             if (!Keys.Contains(key))
             {
                 throw new BadInputException(
-                    $"{NumberText.Shown(parts[0])} is no key of a '# msis:' line{NearestName.Question(key, Keys, ".")} There are "
+                    $"{NumberText.Shown(parts[0])} is not a key of a '# msis:' line{NearestName.Question(key, Keys, ".")} There are "
                         + $"{string.Join(", ", Keys)}, as in '# msis: frame=j2000'.");
             }
 

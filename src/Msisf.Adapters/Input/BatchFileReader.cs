@@ -86,7 +86,7 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
             if (!content.IsWhiteSpace() || _frame is not null)
             {
                 throw new BadInputException(
-                    "a '# msis:' line stands by itself, above the names of the columns and the states. Move it there.");
+                    "a '# msis:' line is a line of its own, above the names of the columns and the states. Move it there.");
             }
 
             _said = BatchKeyLine.Add(line[(comment + 1)..], _said);
@@ -105,8 +105,8 @@ internal sealed class BatchFileParser(ISceneGeometry scene, BatchConventions con
         _states.Add(ColumnStates is null ? ParseState(content) : ColumnStates.Read(content, lineNumber));
     }
 
-    /// <summary>Takes the first line that is no comment.</summary>
-    /// <returns>Whether it names columns, so that it is no state.</returns>
+    /// <summary>Takes the first line that is not a comment.</summary>
+    /// <returns>Whether it names columns, so that it is not a state.</returns>
     private bool Begin(ReadOnlySpan<char> content)
     {
         bool isHeader = BatchColumns.IsHeader(content);

@@ -182,7 +182,7 @@ internal sealed class BatchRow(BatchColumns columns, string[] values)
     /// <exception cref="BadInputException">One is none; the message begins with the column's name.</exception>
     public double[] Numbers(IReadOnlyList<string> names) => [.. names.Select(Number)];
 
-    /// <summary>What stands in a column.</summary>
+    /// <summary>What is in a column.</summary>
     /// <exception cref="BadInputException">It is wrong; the message begins with the column's name.</exception>
     public T Read<T>(string name, Func<string, T> parse)
     {

@@ -4,7 +4,7 @@ namespace Msisf.Adapters.Input;
 
 /// <summary>
 /// Reads files of jitter (docs/scanning-cameras.md): lines of seconds, roll, pitch and yaw (microradians), or lines of an axis, a frequency
-/// (Hz), an amplitude (microradians) and a phase (rad). Blanks, tabs or commas stand between the values; "#" begins a comment.
+/// (Hz), an amplitude (microradians) and a phase (rad). Blanks, tabs or commas are between the values; "#" begins a comment.
 /// </summary>
 public static class JitterFileReader
 {
@@ -55,7 +55,7 @@ public static class JitterFileReader
 
             if (sines.Count > 0 && samples.Count > 0)
             {
-                throw Wrong("a line of an axis with its sine and one of seconds can't stand in one file. Choose one kind");
+                throw Wrong("a line of an axis with its sine and one of seconds can't be in one file. Choose one kind");
             }
         }
 

@@ -15,7 +15,7 @@ public static class NearestName
     /// </summary>
     /// <param name="word">The misspelt word.</param>
     /// <param name="names">The possible names.</param>
-    /// <param name="otherwise">What stands in the question's place if no name is near.</param>
+    /// <param name="otherwise">What is in the question's place if no name is near.</param>
     public static string Question(string word, IReadOnlyCollection<string> names, string otherwise = "")
     {
         if (names.Count == 0 || word.Length > LongestWord)

@@ -90,7 +90,7 @@ public static class NoiseSeedText
         string[] parts = text.Split(':');
         return parts.Length <= 2 && TryParse(parts[0], out ulong number) && (parts.Length == 1 || TryParse(parts[1], out step))
             ? new NoiseSeed(number, step)
-            : throw new BadInputException($"{NumberText.Shown(text)} is no noise seed; {ValidValues}.");
+            : throw new BadInputException($"{NumberText.Shown(text)} is not a noise seed; {ValidValues}.");
     }
 
     /// <summary>The text of a seed with its step.</summary>

@@ -73,7 +73,7 @@ public static class PlaceNames
             .OrderByDescending(place => place.Diameter).Take(MostListed)];
         string meant = near.Length > 0 ? $": did you mean {Listed(near)}?"
             : NearestName.Question(name, [.. All.Select(place => place.Name)], otherwise: ".");
-        return $"{NumberText.Shown(name)} is no named place of the Moon{meant} msis places lists them.";
+        return $"{NumberText.Shown(name)} is not a named place of the Moon{meant} msis places lists them.";
     }
 
     private static string Listed(IReadOnlyList<NamedPlace> places) => string.Join(", ", places.Take(MostListed).Select(place => Invariant(

@@ -14,7 +14,7 @@ public static class PlaceText
     /// <summary>Reads a height.</summary>
     /// <param name="text">The characters of the height alone.</param>
     /// <returns>m, and whether the height counts from the terrain.</returns>
-    /// <exception cref="BadInputException">It is no height.</exception>
+    /// <exception cref="BadInputException">It is not a height.</exception>
     public static (double Height, bool IsOverTerrain) ParseHeight(string text)
     {
         bool isOverTerrain = text.StartsWith(Terrain, StringComparison.OrdinalIgnoreCase);
@@ -27,14 +27,14 @@ public static class PlaceText
         bool isSigned = number.Length > 0 && number[0] is '+' or '-';
         return (!isOverTerrain || isSigned) && NumberText.TryParse(number, out double height)
             ? (height, isOverTerrain)
-            : throw new BadInputException($"{NumberText.Shown(text)} is no height; write {ValidHeights}.");
+            : throw new BadInputException($"{NumberText.Shown(text)} is not a height; write {ValidHeights}.");
     }
 
     /// <summary>Reads an angle.</summary>
     /// <param name="text">The characters of the number alone.</param>
     /// <param name="what">What it is, for messages, e.g. "the latitude".</param>
     /// <returns>degrees.</returns>
-    /// <exception cref="BadInputException">It is no number.</exception>
+    /// <exception cref="BadInputException">It is not a number.</exception>
     public static double ParseDegrees(string text, string what) => NumberText.TryParse(text, out double degrees)
         ? degrees
         : throw new BadInputException($"{what}: {NumberText.ProblemWith(text)}.");

@@ -19,7 +19,7 @@ public static class PointingText
     /// <summary>Reads a position, <c>LAT,LON,HEIGHT</c> or <c>NAME,HEIGHT</c>.</summary>
     /// <param name="text">The value.</param>
     /// <param name="body">The body that is drawn; the named places are the Moon's.</param>
-    /// <exception cref="BadInputException">It is no position.</exception>
+    /// <exception cref="BadInputException">It is not a position.</exception>
     public static SurfacePlace ParsePosition(string text, CelestialBody body)
     {
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
@@ -60,7 +60,7 @@ public static class PointingText
 
     /// <summary>Reads an angle from the nadir, <c>ANGLE[,AZIMUTH]</c>.</summary>
     /// <param name="text">The value.</param>
-    /// <exception cref="BadInputException">It is no angle, or the angle is out of its range.</exception>
+    /// <exception cref="BadInputException">It is not an angle, or the angle is out of its range.</exception>
     public static CameraPointing ParseOffNadir(string text)
     {
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);

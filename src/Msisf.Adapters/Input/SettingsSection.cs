@@ -21,7 +21,7 @@ public sealed class SettingsSection
         (_fileName, _what, _place, _entries) = (fileName, what, place, entries);
         if (entries.FirstOrDefault(entry => !keys.Contains(entry.Key)) is { } unknown)
         {
-            throw At(unknown, $"{NumberText.Shown(unknown.Key)} is no key of {what}"
+            throw At(unknown, $"{NumberText.Shown(unknown.Key)} is not a key of {what}"
                 + NearestName.Question(unknown.Key, keys, otherwise: $"; there are {string.Join(", ", keys)}"));
         }
     }
@@ -80,11 +80,11 @@ public sealed class SettingsSection
     }
 
     /// <summary>A number; null if the key is not there.</summary>
-    /// <exception cref="BadInputException">It is no number.</exception>
+    /// <exception cref="BadInputException">It is not a number.</exception>
     public double? Number(string key) => Find(key) is { } entry ? Parse(entry, Single(entry)) : null;
 
     /// <summary>A number above 0; null if the key is not there.</summary>
-    /// <exception cref="BadInputException">It is no number, zero or negative.</exception>
+    /// <exception cref="BadInputException">It is not a number, zero or negative.</exception>
     public double? Positive(string key) => Number(key) is not double number || number > 0.0
         ? Number(key)
         : throw Wrong(key, $"'{key}' is {Text(key)}; a number above 0 is needed");
@@ -92,7 +92,7 @@ public sealed class SettingsSection
     /// <summary>A whole number; null if the key is not there.</summary>
     /// <param name="min">Minimum.</param>
     /// <param name="max">Maximum.</param>
-    /// <exception cref="BadInputException">It is no whole number, or out of range.</exception>
+    /// <exception cref="BadInputException">It is not a whole number, or out of range.</exception>
     public int? Whole(string key, int min, int max) => Number(key) is not double number
         ? null
         : number >= min && number <= max && number == Math.Floor(number)
@@ -102,7 +102,7 @@ public sealed class SettingsSection
     /// <summary>The numbers of a list, or a single one; null if the key is not there.</summary>
     /// <param name="min">How many there must be at least.</param>
     /// <param name="max">How many there may be.</param>
-    /// <exception cref="BadInputException">There are too few or too many, or one is no number.</exception>
+    /// <exception cref="BadInputException">There are too few or too many, or one is not a number.</exception>
     public double[]? Numbers(string key, int min, int max)
     {
         if (Find(key) is not { } entry)
@@ -146,7 +146,7 @@ public sealed class SettingsSection
         : throw At(entry, $"'{entry.Key}': {NumberText.ProblemWith(text)}");
 
     private BadInputException NotASection(ConfigEntry entry) =>
-        At(entry, $"'{entry.Key}' takes a value; nothing can stand below it");
+        At(entry, $"'{entry.Key}' takes a value; nothing can be below it");
 
     private BadInputException At(ConfigEntry entry, string why) =>
         new($"{_fileName}, line {entry.Line}, column {entry.Column}: {why}{(why.EndsWith('?') ? string.Empty : ".")}");

@@ -12,7 +12,7 @@ public static class StateText
 
     /// <summary>Reads a list of a given length.</summary>
     /// <param name="option">The option's name for messages, e.g. "--kepler-set".</param>
-    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="words">What is after the option on the command line.</param>
     /// <param name="fields">The names of the numbers in their order, e.g. a, e, omega, ...</param>
     /// <returns>As many finite numbers as there are fields, in their order and in the units that were typed.</returns>
     /// <exception cref="BadInputException">Unbalanced braces, a wrong count, an empty field or one that is not a number.</exception>
@@ -24,7 +24,7 @@ public static class StateText
 
     /// <summary>Reads a time and the numbers behind it.</summary>
     /// <param name="option">The option's name for messages, e.g. "--fixed-state".</param>
-    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="words">What is after the option on the command line.</param>
     /// <param name="fields">The names of the time and of the numbers in their order.</param>
     /// <returns>The time (UTC); as many finite numbers as there are fields behind it, in their order.</returns>
     /// <exception cref="BadInputException">As of <see cref="ParseNumbers"/>, or it begins with no time.</exception>
@@ -39,7 +39,7 @@ public static class StateText
 
     /// <summary>Reads a list of any length from 1.</summary>
     /// <param name="option">The option's name for messages, e.g. "--heights".</param>
-    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="words">What is after the option on the command line.</param>
     /// <param name="field">What each number is, for messages, e.g. "M".</param>
     /// <returns>Finite numbers in their order.</returns>
     /// <exception cref="BadInputException">Unbalanced braces, no number, an empty field or one that is not a number.</exception>
@@ -48,7 +48,7 @@ public static class StateText
 
     /// <summary>Reads a list of times of any length from 1.</summary>
     /// <param name="option">The option's name for messages, e.g. "--times".</param>
-    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="words">What is after the option on the command line.</param>
     /// <returns>UTC, in their order.</returns>
     /// <exception cref="BadInputException">Unbalanced braces, no time, an empty field or one that is not a time.</exception>
     public static CalendarTime[] ParseTimes(string option, IReadOnlyList<string> words) =>
@@ -65,7 +65,7 @@ public static class StateText
 
     /// <summary>Reads an interval of times, [start:step:end]: MJD, days, MJD.</summary>
     /// <param name="option">The option's name for messages, e.g. "--time-interval".</param>
-    /// <param name="words">What stands after the option on the command line.</param>
+    /// <param name="words">What is after the option on the command line.</param>
     /// <returns>The times; possibly none. The step is in days, or has its unit behind it: 10s, 5min, 2h, 1d.</returns>
     /// <exception cref="BadInputException">Not of this form, or the numbers do not make an interval.</exception>
     public static TimeInterval ParseInterval(string option, IReadOnlyList<string> words)

@@ -23,7 +23,7 @@ public static partial class TimeText
     /// <summary>Reads a time.</summary>
     /// <param name="text">The characters of the time alone.</param>
     /// <param name="time">UTC.</param>
-    /// <returns>False if it is no time: <see cref="ProblemWith"/> says why.</returns>
+    /// <returns>False if it is not a time: <see cref="ProblemWith"/> says why.</returns>
     public static bool TryParse(ReadOnlySpan<char> text, out CalendarTime time) => Read(text, out time) is null;
 
     /// <summary>Why <see cref="TryParse"/> refuses a text, and what to write.</summary>
@@ -33,7 +33,7 @@ public static partial class TimeText
     /// <summary>Reads a time.</summary>
     /// <param name="text">The characters of the time alone.</param>
     /// <returns>UTC.</returns>
-    /// <exception cref="BadInputException">It is no time.</exception>
+    /// <exception cref="BadInputException">It is not a time.</exception>
     public static CalendarTime Parse(ReadOnlySpan<char> text) =>
         Read(text, out CalendarTime time) is { } problem ? throw new BadInputException($"{problem}.") : time;
 

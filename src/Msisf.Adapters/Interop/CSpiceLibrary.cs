@@ -10,7 +10,7 @@ internal sealed class CSpiceLibrary
     private nint _loaded;
 
     /// <summary>
-    /// Loads the library: the explicit path alone if one is given, else beside the program, in the installation, in the system.
+    /// Loads the library: the explicit path alone if one is given, otherwise beside the program, in the installation, in the system.
     /// </summary>
     /// <param name="explicitPath">MSISF_CSPICE, or null.</param>
     /// <param name="installationRoot">The folder that holds lib/native.</param>
@@ -79,7 +79,7 @@ internal sealed class CSpiceLibrary
         return null;
     }
 
-    /// <summary>The loader's own words stand below .NET's general advice, after the path.</summary>
+    /// <summary>The loader's own words are below .NET's general advice, after the path.</summary>
     private static string LastLine(string message)
     {
         string line = message.TrimEnd().Split('\n')[^1].Trim();

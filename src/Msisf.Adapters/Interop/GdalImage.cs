@@ -90,7 +90,7 @@ internal sealed unsafe class GdalImage : IDisposable
     /// <param name="advice">What to give instead of a file that is none.</param>
     public static GdalImage Open(string path, string? libraryPath, string advice = "Give a PDS3, TIFF, JPEG or PNG image.")
     {
-        GdalNative gdal = GdalLibrary.Require(libraryPath, $"{Path.GetFileName(path)}, which is no PDS3 image,");
+        GdalNative gdal = GdalLibrary.Require(libraryPath, $"{Path.GetFileName(path)}, which is not a PDS3 image,");
         nint opened;
         gdal.CPLErrorReset();
         fixed (byte* name = Encoding.UTF8.GetBytes(path + '\0'))

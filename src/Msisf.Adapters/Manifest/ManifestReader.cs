@@ -7,7 +7,7 @@ public sealed class ManifestReader : IDisposable
 {
     private const int ChunkBytes = 1 << 20;
 
-    /// <summary>Bytes. A line has some hundred; a longer one is no line of a manifest, and is not kept in memory.</summary>
+    /// <summary>Bytes. A line has some hundred; a longer one is not a line of a manifest, and is not kept in memory.</summary>
     private const int LongestLine = 1 << 20;
 
     private readonly string _path;
@@ -17,7 +17,7 @@ public sealed class ManifestReader : IDisposable
 
     /// <summary>Names the manifest.</summary>
     /// <param name="manifest">It may be missing.</param>
-    /// <param name="onlyNew">Leave out what stands in it now.</param>
+    /// <param name="onlyNew">Leave out what is in it now.</param>
     /// <exception cref="ExternalPartException">It can't be read.</exception>
     public ManifestReader(ManifestFile manifest, bool onlyNew = false)
     {

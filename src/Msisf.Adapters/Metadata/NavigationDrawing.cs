@@ -86,7 +86,7 @@ internal static class NavigationDrawing
         }
     }
 
-    /// <summary>Draws a name where no other one stands.</summary>
+    /// <summary>Draws a name where no other one is.</summary>
     /// <param name="x">px: where its base line begins.</param>
     private static void DrawName(
         Canvas image, string text, double x, double y, (double Red, double Green, double Blue) color, TextBlock block, List<Box> taken)

@@ -17,7 +17,7 @@ public sealed record SidecarPlaces(string Beside, string? Cached)
     internal static SidecarPlaces Of(string beside, string productId, string extension, string? cacheFolder) =>
         new(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{productId}-{PathKey.Of(beside)}{extension}"));
 
-    /// <summary>Reads the file: what stands beside the model, else what the cache has.</summary>
+    /// <summary>Reads the file: what is beside the model, otherwise what the cache has.</summary>
     internal T? Read<T>(Func<string, T?> read)
         where T : class => read(Beside) ?? (Cached is null ? null : read(Cached));
 

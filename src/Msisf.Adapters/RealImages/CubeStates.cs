@@ -135,7 +135,7 @@ public sealed class CubeStates
     private double Number(CubeTable table, PdsValue item) =>
         double.TryParse(item.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
             ? number
-            : throw new BadInputException($"{_path}: ConstantRotation of table {table.Name}: '{item.Text}' is no number.");
+            : throw new BadInputException($"{_path}: ConstantRotation of table {table.Name}: '{item.Text}' is not a number.");
 
     private T Named<T>(CubeTable table, Func<T> read)
     {

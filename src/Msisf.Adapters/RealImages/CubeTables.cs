@@ -8,7 +8,7 @@ public sealed class CubeTables
 {
     private const int BytesOfNumber = sizeof(double);
 
-    /// <summary>A table of more records is no table: a full NAC has 53,000 lines.</summary>
+    /// <summary>A table of more records is not a table: a full NAC has 53,000 lines.</summary>
     private const int MostRecords = 10_000_000;
 
     private readonly string _path;

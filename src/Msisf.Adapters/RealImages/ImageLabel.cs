@@ -38,11 +38,11 @@ public sealed class ImageLabel(string path, IReadOnlyDictionary<string, LabelVal
     public string Text(string name) => Find(name)?.Text ?? string.Empty;
 
     /// <summary>The number of a keyword; null if the label does not have it.</summary>
-    /// <exception cref="BadInputException">It is no number.</exception>
+    /// <exception cref="BadInputException">It is not a number.</exception>
     public double? Number(string name) => Find(name) is { } value ? Parse(name, value.Text) : null;
 
     /// <summary>s: the time of a keyword, which is in milliseconds if it has no unit; null if the label does not have it.</summary>
-    /// <exception cref="BadInputException">It is no time.</exception>
+    /// <exception cref="BadInputException">It is not a time.</exception>
     public double? Seconds(string name) => Find(name) is not { } value ? null
         : value.Unit?.ToUpperInvariant() switch
         {

@@ -92,7 +92,7 @@ public sealed class PngRaster
         return numbers;
     }
 
-    /// <returns>Length of all that stands before the pixels.</returns>
+    /// <returns>Length of all that is before the pixels.</returns>
     private static int SplitOffData(ReadOnlySpan<byte> file, MemoryStream compressed)
     {
         int head = 0;

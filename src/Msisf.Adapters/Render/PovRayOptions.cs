@@ -37,7 +37,7 @@ public static class PovRayOptions
 
             if (!isSwitch && !option.Contains('='))
             {
-                throw new UsageException($"--pov-options: '{option}' is no POV-Ray option: a switch (+Q9, -A) or Name=Value is needed.");
+                throw new UsageException($"--pov-options: '{option}' is not a POV-Ray option: a switch (+Q9, -A) or Name=Value is needed.");
             }
         }
 

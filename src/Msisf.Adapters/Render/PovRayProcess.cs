@@ -42,7 +42,7 @@ public sealed class PovRayProcess
     /// <param name="cancellation">Kills POV-Ray with its children.</param>
     /// <exception cref="ExternalPartException">POV-Ray can't be started.</exception>
     /// <exception cref="PovRayException">It fails or exceeds the job's time limit.</exception>
-    /// <exception cref="BadInputException">What POV-Ray left is no whole image.</exception>
+    /// <exception cref="BadInputException">What POV-Ray left is not a whole image.</exception>
     /// <exception cref="OperationCanceledException">Cancelled.</exception>
     public async Task<PovRayImage> RenderAsync(PovRayJob job, CancellationToken cancellation)
     {

@@ -93,7 +93,7 @@ internal sealed partial class StkEphemeris(TrajectoryReading reading)
         return false;
     }
 
-    /// <summary>Leaves a section out, such as SegmentBoundaryTimes: a time that stands twice says the same.</summary>
+    /// <summary>Leaves a section out, such as SegmentBoundaryTimes: a time that occurs twice says the same.</summary>
     private void Skip()
     {
         int first = reading.Place.Line;

@@ -114,7 +114,7 @@ internal sealed record TrajectoryReading(
     /// <summary>The time of a calendar date.</summary>
     /// <param name="system">UTC or TDB.</param>
     /// <param name="text">Day, month by its first three letters, year, or year first; then hour, minute and seconds.</param>
-    /// <returns>Null if it is no date, or a leap second that there was not.</returns>
+    /// <returns>Null if it is not a date, or a leap second that there was not.</returns>
     public TdbTime? Time(string system, string text)
     {
         string[] parts = text.Split((char[])[' ', '\t', '-', ':', ','], StringSplitOptions.RemoveEmptyEntries);

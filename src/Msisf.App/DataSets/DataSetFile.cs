@@ -112,7 +112,7 @@ internal sealed class DataSetFile
     {
         IReadOnlyList<string> formats = _file.Texts("index") ?? [];
         return formats.FirstOrDefault(format => !IndexFormats.Contains(format)) is { } wrong
-            ? throw _file.Wrong("index", $"{NumberText.Shown(wrong)} is no format; some of {string.Join(", ", IndexFormats)} are needed")
+            ? throw _file.Wrong("index", $"{NumberText.Shown(wrong)} is not a format; some of {string.Join(", ", IndexFormats)} are needed")
             : [.. formats.Where(format => format != IndexFormats[0]).Distinct()];
     }
 

@@ -38,7 +38,7 @@ internal sealed record Distribution(string Kind, IReadOnlyList<double> Numbers)
         int needed = kind switch { Constant => 1, Gauss => 4, _ => 2 };
         if (numbers.Length != needed)
         {
-            throw new BadInputException($"{NumberText.Shown(string.Join(' ', values))} is no distribution; {ValidValues} is needed");
+            throw new BadInputException($"{NumberText.Shown(string.Join(' ', values))} is not a distribution; {ValidValues} is needed");
         }
 
         Distribution distribution = new(kind, numbers);

@@ -42,7 +42,7 @@ internal static partial class SplitSection
         string[] names = [.. keys.Where(key => key is not (Width or Gap))];
         if (names.FirstOrDefault(name => !NameText().IsMatch(name)) is { } wrong)
         {
-            throw section.Wrong(wrong, $"{NumberText.Shown(wrong)} is no name of a split: letters, digits, '-' and '_' are possible");
+            throw section.Wrong(wrong, $"{NumberText.Shown(wrong)} is not a name of a split: letters, digits, '-' and '_' are possible");
         }
 
         if (names.Length == 0)

@@ -157,7 +157,7 @@ internal sealed class StateDraw(
 }
 
 /// <summary>The states of a data set.</summary>
-/// <param name="States">Of all images, in their order; those of a pair stand side by side.</param>
+/// <param name="States">Of all images, in their order; those of a pair are side by side.</param>
 /// <param name="Splits">How each split was drawn.</param>
 internal sealed record DrawnStates(IReadOnlyList<DrawnState> States, IReadOnlyList<SplitDraw> Splits);
 
@@ -180,7 +180,7 @@ internal sealed record DrawnState(
     /// <summary>The part of that ground that gets light.</summary>
     public double Lit { get; init; }
 
-    /// <summary>Where the Sun stands over the ground below the camera.</summary>
+    /// <summary>Where the Sun is over the ground below the camera.</summary>
     public SkyDirection Sun { get; init; }
 
     /// <summary>The point below the camera.</summary>

@@ -11,7 +11,7 @@ internal sealed class ProgramHost
 {
     private const string Name = "msisf";
 
-    /// <summary>Windows has one folder for data and cache; a map's cache is no map.</summary>
+    /// <summary>Windows has one folder for data and cache; a map's cache is not a map.</summary>
     private const string CacheOnWindows = "cache";
 
     private readonly Lazy<Installation> _installation = new(() => Installation.Above(AppContext.BaseDirectory));

@@ -6,7 +6,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.App.Illumination;
 
 /// <summary>
-/// Finds the cells of a region: of a polar stereographic map from 45 degrees of latitude on, else of a map of longitude and latitude.
+/// Finds the cells of a region: of a polar stereographic map from 45 degrees of latitude on, otherwise of a map of longitude and latitude.
 /// Unless their size is given, they are the pixels of the model, if it has the same map. Others have their borders at multiples of their
 /// size.
 /// </summary>

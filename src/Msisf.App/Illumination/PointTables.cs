@@ -110,7 +110,7 @@ internal sealed class PointTables(
                 + $"{light.WholeEarthSteps / steps:F6},{light.BothSteps / steps:F6},{result.SlopeDegrees:F3}");
     }
 
-    /// <summary>The horizon between rays that meet the ground and rays that do not, and what stands there.</summary>
+    /// <summary>The horizon between rays that meet the ground and rays that do not, and what is there.</summary>
     private HorizonSample[] HorizonAt(PlaceRays rays, float[] stored)
     {
         IReadOnlyList<ITerrainGrid> models = model.Grid.Models;

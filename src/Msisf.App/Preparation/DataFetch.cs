@@ -191,7 +191,7 @@ internal sealed class DataFetch
                 if (!IsImage(part))
                 {
                     FileFetcher.Drop(part);
-                    throw new ExternalPartException($"{place}/{file}: what was sent is no image.");
+                    throw new ExternalPartException($"{place}/{file}: what was sent is not an image.");
                 }
 
                 _host.Log.Note($"{file} comes from {place}.");

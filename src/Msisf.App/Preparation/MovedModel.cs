@@ -11,7 +11,7 @@ namespace Msisf.App.Preparation;
 /// <summary>Moves elevation models as the user says: up or down, and over the ground.</summary>
 internal static class MovedModel
 {
-    /// <summary>m: farther off is no datum, but another place.</summary>
+    /// <summary>m: farther off is not a datum, but another place.</summary>
     private const double MaxShift = 100_000.0;
 
     /// <summary>A model where its path says that it is.</summary>

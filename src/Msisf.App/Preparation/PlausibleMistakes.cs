@@ -24,7 +24,7 @@ internal static class PlausibleMistakes
     /// <summary>degrees: radians typed with four digits are so near to a whole number of degrees.</summary>
     private const double WholeDegrees = 0.003;
 
-    /// <summary>rad: a full turn, typed with four digits, is no mistake.</summary>
+    /// <summary>rad: a full turn, typed with four digits, is not a mistake.</summary>
     private const double RoundedTurn = 1e-3;
 
     /// <summary>1: of 1 - e; a spacecraft that is slower than a hundredth of a circular orbit's 1,600 m/s has less.</summary>

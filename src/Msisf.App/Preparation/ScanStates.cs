@@ -69,7 +69,7 @@ internal static class ScanStates
             if (!(samples[i].Time > samples[i - 1].Time))
             {
                 throw new BadInputException($"{file}: state {i + 1} ({samples[i].Time.ToIsoUtc()}) is not later than the one before. "
-                    + "Samples of a motion stand in the order of their times.");
+                    + "Samples of a motion are in the order of their times.");
             }
         }
 

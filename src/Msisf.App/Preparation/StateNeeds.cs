@@ -91,7 +91,7 @@ internal static class StateNoise
 {
     /// <param name="states">The states; those of a batch file may have a noise of their own.</param>
     /// <param name="trajectory">Where they come from, with the noise of the first one.</param>
-    /// <param name="hasDetector">Whether there is a detector; else there is no noise.</param>
+    /// <param name="hasDetector">Whether there is a detector; otherwise there is no noise.</param>
     /// <exception cref="UsageException">The noise is said twice.</exception>
     public static IReadOnlyList<SpacecraftState> Of(IReadOnlyList<SpacecraftState> states, TrajectorySettings trajectory, bool hasDetector)
     {
@@ -145,7 +145,7 @@ internal static class StateMotions
     }
 
     /// <summary>
-    /// The motion on a mission's path at a time: as its files state it, else from states about the time; at the ends of the cover from
+    /// The motion on a mission's path at a time: as its files state it, otherwise from states about the time; at the ends of the cover from
     /// those of the inner side. Null where the files say the state at this time only, and no shutter needs more.
     /// </summary>
     /// <param name="time">Inside the cover.</param>

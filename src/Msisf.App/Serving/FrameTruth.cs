@@ -89,7 +89,7 @@ internal sealed class FrameTruth(Frame frame, ITerrainTracer tracer, int? firstI
         new SurfacePlace(latitudeDegrees, longitudeDegrees, 0.0, isOverTerrain: false)
             .ToPositionBodyFixed(_ => MoonConstants.ReferenceRadius)).PointBodyFixed.Length - MoonConstants.ReferenceRadius;
 
-    /// <summary>Says of a reading in shadow how far away what stands between it and the light's centre is.</summary>
+    /// <summary>Says of a reading in shadow how far away what is between it and the light's centre is.</summary>
     /// <param name="reading">What is read.</param>
     /// <param name="y">Row of the image in which it was read.</param>
     public SurfaceReading WithShade(SurfaceReading reading, double y)

@@ -13,7 +13,7 @@ namespace Msisf.App.Serving;
 /// <summary>
 /// Reads a frame's options from JSON: keys are the names of the command line without dashes, values what would be typed there, lists as
 /// arrays and flags as true or false. Beside them there are "model" and "states", "camera" may be an object with the keys of a camera file,
-/// and "trajectory" and "jitter" are lists of what stands in the lines of their files.
+/// and "trajectory" and "jitter" are lists of what is in the lines of their files.
 /// </summary>
 internal sealed class JsonOptions
 {
@@ -284,10 +284,10 @@ internal sealed class JsonOptions
         if (CommandTable.OptionsOfRun.Any(other => other.Key == key))
         {
             throw new UsageException(
-                $"'{key}' can't stand in a request: it names a file, or belongs to a run of many images. Leave it out.");
+                $"'{key}' can't be in a request: it names a file, or belongs to a run of many images. Leave it out.");
         }
 
         string[] keys = [.. Allowed.Keys, ModelKey, RequestStates.Key, ScanOptions.Jitter.Key, ScanOptions.Trajectory.Key];
-        throw new UsageException($"{NumberText.Shown(key)} is no option{NearestName.Question(key, keys, ".")}");
+        throw new UsageException($"{NumberText.Shown(key)} is not an option{NearestName.Question(key, keys, ".")}");
     }
 }

@@ -15,7 +15,7 @@ internal static class JsonText
         : throw new UsageException("the request is not UTF-8 text, as JSON is.");
 
     /// <summary>The members of an object by their names.</summary>
-    /// <exception cref="UsageException">The value is no object, or a name is there twice.</exception>
+    /// <exception cref="UsageException">The value is not an object, or a name is there twice.</exception>
     public static IReadOnlyDictionary<string, JsonElement> Members(JsonElement json)
     {
         if (json.ValueKind != JsonValueKind.Object)

@@ -88,7 +88,7 @@ internal static class RequestStates
     }
 }
 
-/// <summary>Lists in a request that hold what stands in the lines of a file on the command line.</summary>
+/// <summary>Lists in a request that hold what is in the lines of a file on the command line.</summary>
 internal static class RequestRows
 {
     /// <summary>The lines: what is in each list, with spaces between.</summary>

@@ -51,7 +51,7 @@ internal sealed class ServedModels : IDisposable
         if (All.FirstOrDefault(model => model.IsWholeMoon) is null)
         {
             throw new BadInputException(
-                "Of the elevation models none is of the whole Moon. Give one that is as well, for instance LDEM_4.")
+                "None of the elevation models is of the whole Moon. Give one that is as well, for instance LDEM_4.")
                 .About(SurfaceOptions.Ldem);
         }
     }

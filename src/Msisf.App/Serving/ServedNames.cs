@@ -73,7 +73,7 @@ internal sealed class ServedNames : IDisposable
             name, _ => FileErrors.ToBadInput(
                 $"{name}: can't be read", () => TrajectoryFile.Read(path, name, kernels, _note))))
         : throw new UsageException(
-            $"'{RequestStates.Key}' is {NumberText.Shown(name)}, which is no trajectory of this server; GET /v1/folders lists them, and "
+            $"'{RequestStates.Key}' is {NumberText.Shown(name)}, which is not a trajectory of this server; GET /v1/folders lists them, and "
                 + "--folders names them.");
 
     /// <summary>The preset of a name, or the camera file of a served folder as its frames name it.</summary>

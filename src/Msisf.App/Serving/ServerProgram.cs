@@ -98,7 +98,7 @@ internal static class Starter
 {
     private static readonly TimeSpan BetweenLooks = TimeSpan.FromMilliseconds(500);
 
-    /// <param name="input">Standard input; what stands there is not used.</param>
+    /// <param name="input">Standard input; what is there is not used.</param>
     public static Task InputEndedAsync(TextReader input)
     {
         TaskCompletionSource end = new(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -26,7 +26,7 @@ internal sealed record SurfaceReading(
     double? IlluminationDirection, string Lit, double LitFraction, double PixelScale, double Slope, FacetReading Facet)
 {
     /// <summary>
-    /// m, of a point in shadow: to the terrain that stands before the light's centre; 0 where the slope itself faces away from it. Null
+    /// m, of a point in shadow: to the terrain that is before the light's centre; 0 where the slope itself faces away from it. Null
     /// elsewhere.
     /// </summary>
     public double? ShadedAt { get; init; }

@@ -71,7 +71,7 @@ internal static partial class AlbedoOptions
     {
         if (isNone && texts.Count > 1)
         {
-            throw Map.Wrong($"{NoMap} stands beside a map. Leave one of them out.");
+            throw Map.Wrong($"{NoMap} is given beside a map. Leave one of them out.");
         }
 
         if (maps is [{ Factor: not null } or { IsMatched: true }])

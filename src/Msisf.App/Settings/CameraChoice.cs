@@ -137,7 +137,8 @@ internal static class CameraChoice
             // A path is looked for as every file is; a plain word can only have meant a preset.
             throw Path.GetExtension(path).Length > 0 || path.Contains('/')
                 ? new BadInputException($"--camera {path}: there is no such file.")
-                : new UsageException($"--camera '{path}' is no file and no preset{NearestName.Question(path, [.. NamesIn(installation)])} "
+                : new UsageException($"--camera '{path}' is neither a file nor a preset"
+                    + $"{NearestName.Question(path, [.. NamesIn(installation)])} "
                     + $"('msis cameras' lists the presets)");
         }
 

@@ -42,7 +42,7 @@ internal static class CameraModelOptions
         ],
     };
 
-    /// <exception cref="UsageException">A word is no format, or the renderer does not know the pixels.</exception>
+    /// <exception cref="UsageException">A word is not a format, or the renderer does not know the pixels.</exception>
     public static IReadOnlyList<CameraFormat> ReadOfRun(OptionValues values, RendererKind renderer)
     {
         if (OfRun.ReadIfGiven(values) is not { } text)
@@ -67,6 +67,6 @@ internal static class CameraModelOptions
         settings.Scan?.Kind));
 
     /// <summary>Reads the formats of <c>msis camera-model</c>.</summary>
-    /// <exception cref="UsageException">A word is no format.</exception>
+    /// <exception cref="UsageException">A word is not a format.</exception>
     public static IReadOnlyList<CameraFormat> ReadTo(OptionValues values) => To.Named(() => CameraFormat.Parse(To.Read(values)));
 }

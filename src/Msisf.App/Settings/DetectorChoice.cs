@@ -45,7 +45,7 @@ internal static class DetectorChoice
     }
 
     /// <summary>The settings with the exposure time of the options; without a detector, a file's exposure time is not looked at.</summary>
-    /// <exception cref="UsageException">It is no time.</exception>
+    /// <exception cref="UsageException">It is not a time.</exception>
     public static NativeSettings WithExposureTime(OptionValues values, NativeSettings native)
     {
         string? text = NativeOptions.ExposureTime.ReadIfGiven(values);

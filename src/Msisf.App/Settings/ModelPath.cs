@@ -81,7 +81,7 @@ internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacem
                     };
                     break;
                 default:
-                    throw Wrong(text, $"'{option[0]}' is no option of a model");
+                    throw Wrong(text, $"'{option[0]}' is not an option of a model");
             }
         }
 

@@ -123,7 +123,7 @@ internal static class NativeSettingsReader
     }
 
     /// <summary>The exposure that was given; null if none was, or if it is to be found.</summary>
-    /// <exception cref="UsageException">It is no number.</exception>
+    /// <exception cref="UsageException">It is not a number.</exception>
     private static double? Exposure(OptionValues values, out bool isFound)
     {
         string? text = NativeOptions.Exposure.ReadIfGiven(values);
@@ -164,7 +164,7 @@ internal static class NativeSettingsReader
         string? wrong = names.Split(',', StringSplitOptions.TrimEntries).FirstOrDefault(
             name => !NativeOptions.Layers.Words.Any(word => ChoiceSpec.IsSame(word, name)));
         return wrong is not null && NearestName.Question(wrong, NativeOptions.Layers.Words) is { Length: > 0 } question
-            ? throw new UsageException($"{NativeOptions.Layers.Name} {names}: '{wrong}' is no layer{question}")
+            ? throw new UsageException($"{NativeOptions.Layers.Name} {names}: '{wrong}' is not a layer{question}")
             : LayerSet.Parse(names);
     }
 }
@@ -183,7 +183,7 @@ internal static class ReflectanceText
             string[] pair = Pair(parameter);
             if (pair.Length != 2 || !NumberText.TryParse(pair[1], out double value))
             {
-                throw new UsageException($"--reflectance: '{parameter}' is no parameter; "
+                throw new UsageException($"--reflectance: '{parameter}' is not a parameter; "
                     + $"name=number is needed, as in hapke:w=0.3,b0=1.2.").About(NativeOptions.Reflectance);
             }
 
@@ -197,7 +197,8 @@ internal static class ReflectanceText
         return NativeOptions.Reflectance.Words.Contains(law) || NearestName.Question(
             law, NativeOptions.Reflectance.Words) is not { Length: > 0 } question
             ? (law, parameters)
-            : throw new UsageException($"{NativeOptions.Reflectance.Name}: '{law}' is no law{question}").About(NativeOptions.Reflectance);
+            : throw new UsageException($"{NativeOptions.Reflectance.Name}: '{law}' is not a law{question}")
+                .About(NativeOptions.Reflectance);
     }
 
     /// <summary>Whether a text, right or wrong, names a law with a brightness of its own, beside which no albedo can be given.</summary>
@@ -225,7 +226,7 @@ internal static class SamplesReader
     private const int Max = NativeRenderOptions.MaxSubsamplesPerAxis * NativeRenderOptions.MaxSubsamplesPerAxis;
 
     /// <param name="grey">The grey levels in which the error is meant.</param>
-    /// <returns>Samples along a pixel's edge, 1 with auto, and the sampling of auto, else null.</returns>
+    /// <returns>Samples along a pixel's edge, 1 with auto, and the sampling of auto, otherwise null.</returns>
     /// <exception cref="UsageException">The value is neither.</exception>
     public static (int SubsamplesPerAxis, AdaptiveSampling? Adaptive) Read(OptionValues values, GreyScale grey)
     {

@@ -167,7 +167,7 @@ internal sealed record NavigationSettings
             formats |= index >= 0
                 ? (FlowFormats)(1 << index)
                 : throw new UsageException(
-                    $"{NavigationOptions.FlowFormat.Name} {text}: '{name}' is no format. Give some of "
+                    $"{NavigationOptions.FlowFormat.Name} {text}: '{name}' is not a format. Give some of "
                         + $"{string.Join(", ", NavigationOptions.FlowFormat.Words)}.");
         }
 

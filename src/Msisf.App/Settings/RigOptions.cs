@@ -80,7 +80,7 @@ internal static class RigOptions
                 $"draws with the program's own renderer. Add {RendererOptions.Renderer.Name} native.", RendererOptions.Renderer);
     }
 
-    /// <summary>The path of a camera's file or folder: its name stands in the path of all.</summary>
+    /// <summary>The path of a camera's file or folder: its name is in the path of all.</summary>
     /// <param name="path">With {camera}; null to print.</param>
     /// <param name="rig">The camera; null without a rig.</param>
     /// <exception cref="UsageException">All cameras of a rig would be written to one file.</exception>

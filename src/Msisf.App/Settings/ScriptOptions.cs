@@ -88,7 +88,7 @@ internal static class CutOptions
     };
 
     /// <summary>Reads and checks the options.</summary>
-    /// <exception cref="MsisfException">Neither or both options are given, or a value is no number.</exception>
+    /// <exception cref="MsisfException">Neither or both options are given, or a value is not a number.</exception>
     public static CutSettings Read(OptionValues values)
     {
         bool hasPieces = values.IsGiven(Pieces);

@@ -169,8 +169,8 @@ internal static partial class ServeOptions
         return token.Length >= shortest && token.All(letter => letter is > ' ' and <= '~' and not ':')
             ? token
             : throw new BadInputException(
-                $"--token-file {path}: the first line is no token; at least {shortest} letters, digits or signs without blanks and colons "
-                    + "are needed, e.g. from 'openssl rand -hex 16'.");
+                $"--token-file {path}: the first line is not a token; at least {shortest} letters, digits or signs without blanks and "
+                    + "colons are needed, e.g. from 'openssl rand -hex 16'.");
     });
 
     /// <summary>With a port of 0 to 65535.</summary>

@@ -82,8 +82,8 @@ internal sealed record ListenAddress(IPEndPoint? EndPoint, string? SocketPath)
             && IPAddress.TryParse(address.Trim('[', ']'), out IPAddress? parsed)
                 ? new ListenAddress(new IPEndPoint(parsed, port), null)
                 : throw new BadInputException(
-                    $"'{text}' is no address with a port, such as 127.0.0.1:8810 or [::1]:0, and no path of a Unix socket, such as "
-                        + "./msis.sock.");
+                    $"'{text}' is neither an address with a port, such as 127.0.0.1:8810 or [::1]:0, nor the path of a Unix socket, "
+                        + "such as ./msis.sock.");
     }
 
     public override string ToString() => SocketPath ?? EndPoint!.ToString();

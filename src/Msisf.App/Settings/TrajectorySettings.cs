@@ -40,7 +40,7 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
     /// <summary>Whether the states come from standard input, which can be read only once.</summary>
     public bool IsStandardInput => Path == "-";
 
-    /// <summary>Its content, where it is no file; null for a file.</summary>
+    /// <summary>Its content, where it is not a file; null for a file.</summary>
     public string? Content { get; init; }
 
     /// <summary>How its numbers are meant, as far as the options say it.</summary>
@@ -51,10 +51,10 @@ internal sealed record BatchFileSettings(string Path, PathSpec Option) : Traject
 /// <param name="Times">Times of the images, UTC; null for one at the first sample.</param>
 internal sealed record SampledSettings(BatchFileSettings Samples, IEnumerable<CalendarTime>? Times) : TrajectorySettings
 {
-    /// <summary>How positions are found; null for Hermite where all samples have velocities, else Lagrange.</summary>
+    /// <summary>How positions are found; null for Hermite where all samples have velocities, otherwise Lagrange.</summary>
     public InterpolationMethod? Positions { get; init; }
 
-    /// <summary>How attitudes are found; null for Hermite where all samples have angular velocities, else at constant rates.</summary>
+    /// <summary>How attitudes are found; null for Hermite where all samples have angular velocities, otherwise at constant rates.</summary>
     public AttitudePath? Attitudes { get; init; }
 }
 

@@ -34,8 +34,8 @@ internal static class CameraModelExport
             Named(metaFile, () => CameraFormat.Require(formats, camera, frame.Scan?.Kind));
             if (frame is { IsMoving: true, Scan: null } && formats.Any(format => format.NeedsEphemeris))
             {
-                host.Log.Warning($"{metaFile}: the camera moved while it was exposed, and the model is that of the frame's time. Of a "
-                    + "rolling shutter --camera-model in the run itself has the time of each row.");
+                host.Log.Warning($"{metaFile}: the camera moved while it was exposed, and the model is that of the frame's time. For a "
+                    + "rolling shutter, --camera-model in the run itself has the time of each row.");
             }
 
             using OpenedEphemeris? opened = formats.Any(format => format.NeedsEphemeris)

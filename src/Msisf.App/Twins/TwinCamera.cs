@@ -48,7 +48,7 @@ internal sealed partial record TwinCamera(KnownCamera? Known, string Word, Camer
                 .Where(text => text.Length > 0).Distinct());
             throw new BadInputException(
                 $"{label.Path}: the camera '{instrument}' is not known. Known are "
-                    + $"{string.Join("; ", KnownCamera.All.Select(camera => camera.Name))}. Of others give a camera file: --camera.");
+                    + $"{string.Join("; ", KnownCamera.All.Select(camera => camera.Name))}. For others give a camera file: --camera.");
         }
 
         if (known?.Problem(label) is { } problem)

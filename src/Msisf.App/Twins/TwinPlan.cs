@@ -71,7 +71,7 @@ internal sealed record TwinPlan(double Start, double Period, int Exposures, Prod
         return Whole(down) == numbers[0] && numbers.All(number => number >= 0)
             ? (numbers[0], numbers[1], numbers[2])
             : throw new BadInputException(
-                $"{label.Path}: by its group AlphaCube its pixels are no whole ones of the camera, nor squares of them. Take a cube "
+                $"{label.Path}: by its group AlphaCube its pixels are not whole ones of the camera, nor squares of them. Take a cube "
                     + "that is cropped or reduced by whole numbers.");
 
         double Alpha(string name) => label.Number(name)
@@ -170,7 +170,7 @@ internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int s
     private const string Computed = "_COMPUTED";
 
     /// <summary>The time of a count of the spacecraft's clock; null without the keyword, or if nothing here knows the clock.</summary>
-    /// <exception cref="BadInputException">It is no count.</exception>
+    /// <exception cref="BadInputException">It is not a count.</exception>
     public double? OfCount(string name) => OfCube(name)
         ?? (label.Find(name) is { } count && SpacecraftClock.IsIn(kernels.Catalogue.Pool, spacecraft)
             ? SpacecraftClock.Read(kernels.Catalogue.Pool, spacecraft, kernels.Engine.TimeScale).TimeOf(count.Text)
@@ -179,7 +179,7 @@ internal sealed class TwinClock(ImageLabel label, OpenedEphemeris kernels, int s
     /// <summary>The time of a count as a cube has kept it: ISIS stores the clock's answer as the bytes of a double.</summary>
     /// <param name="name">The keyword of the count.</param>
     /// <returns>Null if the cube has none.</returns>
-    /// <exception cref="BadInputException">It is no time.</exception>
+    /// <exception cref="BadInputException">It is not a time.</exception>
     public double? OfCube(string name)
     {
         string? known = label.Find(name) is not { Text: var count } ? null : label.Naif.Keys.FirstOrDefault(

@@ -36,7 +36,7 @@ internal static class PlacesCommand
     {
         SurfacePlace place = PointingText.ParseTarget(text, CelestialBody.Moon) is { Kind: BoresightKind.Place, Target: var target }
             ? target
-            : throw new BadInputException($"{NumberText.Shown(text)} is no place; LAT,LON or NAME is needed.");
+            : throw new BadInputException($"{NumberText.Shown(text)} is not a place; LAT,LON or NAME is needed.");
         return PlaceNames.Near(place.LatitudeDegrees, place.LongitudeDegrees);
     }
 

@@ -20,6 +20,6 @@ internal static class CompletionScript
         "zsh" => ZshCompletion.Script(),
         "fish" => FishCompletion.Script(),
         _ => throw new UsageException(
-            $"'{shell}' is no shell that msis completion knows. Give one of {string.Join(", ", CommandTable.Completion.Argument!.Words)}."),
+            $"'{shell}' is not a shell that msis knows. Give one of {string.Join(", ", CommandTable.Completion.Argument!.Words)}."),
     };
 }

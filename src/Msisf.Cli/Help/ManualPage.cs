@@ -104,7 +104,7 @@ internal static class ExitCodes
     public static IReadOnlyList<(int Code, string Meaning)> All { get; } =
     [
         (0, "all is well"),
-        (1, "wrong, missing or forbidden options; an option's value that is no such word or number, or out of range"),
+        (1, "wrong, missing or forbidden options; an option's value that is not such a word or number, or out of range"),
         (
             2,
             "a file does not hold what it should, a configuration file too; or values that are right by themselves don't fit the model "

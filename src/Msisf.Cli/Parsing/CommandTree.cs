@@ -87,7 +87,7 @@ internal sealed class CommandTree
     }
 
     /// <summary>
-    /// Whether the arguments may call a command: all of its words are among them; for the render command, the first one is no other
+    /// Whether the arguments may call a command: all of its words are among them; for the render command, the first one is not an other
     /// command, and more is asked for than the version.
     /// </summary>
     private bool MayBeCalled(string path) =>

@@ -22,7 +22,7 @@ internal static class ResponseFile
             error = arguments switch
             {
                 _ when arguments.Any(argument => argument.Contains('\0', StringComparison.Ordinal)) =>
-                    $"@{path} holds a NUL character: it is no text file",
+                    $"@{path} holds a NUL character: it is not a text file",
                 _ when arguments.FirstOrDefault(argument => argument.StartsWith('@')) is string other =>
                     $"@{path} holds '{other}': a file of arguments can't name another one",
                 _ => null,

@@ -25,7 +25,7 @@ internal static class StrayOptions
                 && option.Tokens.Select(token => token.Value).FirstOrDefault(IsNoValue) is string word)
             {
                 throw new UsageException(
-                    $"{Misspelling.OfOption(word, command)} It stands where the value of {option.Option.Name} ends.");
+                    $"{Misspelling.OfOption(word, command)} It comes where the value of {option.Option.Name} ends.");
             }
         }
 
@@ -40,7 +40,7 @@ internal static class StrayOptions
             if (OptionsOf(before).FirstOrDefault() is OptionResult stray)
             {
                 throw new UsageException(
-                    $"{stray.Option.Name} stands before the command {line.CommandResult.Command.Name}. "
+                    $"{stray.Option.Name} comes before the command {line.CommandResult.Command.Name}. "
                         + $"Put the command first, and see msis {line.CommandResult.Command.Name} --help for its options.");
             }
         }
@@ -91,8 +91,8 @@ internal static class Misspelling
         string name = word.Split('=')[0];
         string[] names = [.. command.Options.SelectMany(option => option.Aliases.Append(option.Name))];
         return name == "-h"
-            ? "-h is no option here; --help shows which there are."
-            : $"{Shown(name)} is no option{NearestName.Question(name, [.. names.Where(IsLong)], ".")}";
+            ? "-h is not an option here; --help shows which there are."
+            : $"{Shown(name)} is not an option{NearestName.Question(name, [.. names.Where(IsLong)], ".")}";
     }
 
     private static bool IsInPlaceOfCommand(string word, ParseResult line)
@@ -108,8 +108,8 @@ internal static class Misspelling
 
     private static string OfWord(string word, bool isInPlaceOfCommand, CommandSpec command) =>
         isInPlaceOfCommand && command.Commands.Count > 0
-            ? $"{Shown(word)} is no command{NearestName.Question(word, [.. command.Commands.Select(inner => inner.Name)], ".")}"
-            : $"{Shown(word)} belongs to no option. Leave it out, or quote it with the value before it.";
+            ? $"{Shown(word)} is not a command{NearestName.Question(word, [.. command.Commands.Select(inner => inner.Name)], ".")}"
+            : $"{Shown(word)} does not belong to any option. Leave it out, or quote it with the value before it.";
 
     private static string Shown(string word) => IsOption(word) && word.All(char.IsAscii) ? word : NumberText.Shown(word);
 

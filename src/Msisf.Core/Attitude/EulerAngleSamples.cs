@@ -9,7 +9,7 @@ namespace Msisf.Core.Attitude;
 /// angles that grow at constant rates do so between the samples too.
 /// </summary>
 /// <param name="sequence">The axes of the angles.</param>
-/// <param name="turnsToBody">Whether the angles turn the frame's components into the body's; else the reverse.</param>
+/// <param name="turnsToBody">Whether the angles turn the frame's components into the body's; otherwise the reverse.</param>
 public sealed class EulerAngleSamples(EulerSequence sequence, bool turnsToBody) : IAttitudeSamples
 {
     private readonly StateSamples _angles = new();

@@ -2,7 +2,7 @@ namespace Msisf.Core.Attitude;
 
 /// <summary>
 /// The axes of three turns that lead from a reference frame to a body's axes, each about an axis that the turns before it have turned
-/// along (intrinsic). <c>default</c> is no sequence.
+/// along (intrinsic). <c>default</c> is not a sequence.
 /// </summary>
 public readonly record struct EulerSequence
 {
@@ -19,7 +19,7 @@ public readonly record struct EulerSequence
 
     /// <summary>Reads a sequence.</summary>
     /// <param name="text">Letters in capitals, or digits.</param>
-    /// <exception cref="BadInputException">It is no sequence.</exception>
+    /// <exception cref="BadInputException">It is not a sequence.</exception>
     public static EulerSequence Parse(string text)
     {
         if (text.Length == 3 && text.All("xyz".Contains))
@@ -32,7 +32,7 @@ public readonly record struct EulerSequence
         string axes = string.Concat(text.Select(axis => Digits.Contains(axis) ? Letters[Digits.IndexOf(axis)] : axis));
         return axes.Length == 3 && axes.All(Letters.Contains) && axes[0] != axes[1] && axes[1] != axes[2]
             ? new EulerSequence(axes)
-            : throw new BadInputException($"'{text}' is no sequence of Euler angles; {ValidValues} is needed.");
+            : throw new BadInputException($"'{text}' is not a sequence of Euler angles; {ValidValues} is needed.");
     }
 
     /// <summary>The rotation by three angles.</summary>

@@ -22,7 +22,7 @@ public interface IAttitudeSource
 
 /// <summary>How fast a camera turns; <c>default</c> is not at all, along J2000's axes.</summary>
 /// <param name="AboutCamera">rad/s about the camera's axes (looks along -x, y right, z up), right-handed.</param>
-/// <param name="IsOverBody">Whether it is relative to the turning body; else relative to J2000.</param>
+/// <param name="IsOverBody">Whether it is relative to the turning body; otherwise relative to J2000.</param>
 public readonly record struct TurnRate(Vector3D AboutCamera, bool IsOverBody);
 
 /// <summary>A spacecraft at one time of its trajectory; <c>default</c> is no point.</summary>

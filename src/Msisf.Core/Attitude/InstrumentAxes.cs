@@ -21,7 +21,7 @@ public readonly record struct InstrumentAxes(Vector3D Right, Vector3D Down)
         string[] parts = text.Split(',', StringSplitOptions.TrimEntries);
         return parts.Length == 2 && Axis(parts[0]) is { } right && Axis(parts[1]) is { } down && Vector3D.Dot(right, down) == 0.0
             ? new InstrumentAxes(right, down)
-            : throw new BadInputException($"'{text}' are no axes; {ValidValues}.");
+            : throw new BadInputException($"'{text}' are not axes; {ValidValues}.");
     }
 
     private static Vector3D? Axis(string text) => text.ToUpperInvariant() switch

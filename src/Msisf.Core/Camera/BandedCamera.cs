@@ -27,7 +27,7 @@ public sealed class BandedCamera : ICamera
     {
         ArgumentOutOfRangeException.ThrowIfZero(cameras.Count);
         return cameras.Any(camera => camera.Width != cameras[0].Width)
-            ? throw new ArgumentException("Bands of several widths are no image.", nameof(cameras))
+            ? throw new ArgumentException("Bands of several widths do not make an image.", nameof(cameras))
             : cameras.Count == 1 ? cameras[0] : new BandedCamera(cameras);
     }
 

@@ -131,7 +131,7 @@ public sealed class CameraModel
 
     /// <summary>Places the camera.</summary>
     /// <exception cref="BadInputException">The position's length is not finite.</exception>
-    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
+    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is not a rotation.</exception>
     public FrameCamera At(CameraState state) => Lens is null ? new PinholeCamera(state, this) : new LensCamera(state, this);
 
     /// <summary>The camera of a part of this one's image, or of more, in which each pixel shows what it shows in the whole.</summary>

@@ -22,7 +22,7 @@ public abstract class FrameCamera : ICamera
 
         if (state.MoonFromCamera == default)
         {
-            throw new ArgumentException("The default quaternion is no rotation.", nameof(state));
+            throw new ArgumentException("The default quaternion is not a rotation.", nameof(state));
         }
 
         (State, Model) = (state, model);

@@ -9,7 +9,7 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
     /// <param name="quaternion">Body from camera, the scalar last.</param>
     /// <param name="offset">m, body axes.</param>
     /// <param name="isRounded">Whether the quaternion may be rounded to a few decimals.</param>
-    /// <exception cref="BadInputException">The quaternion is no rotation.</exception>
+    /// <exception cref="BadInputException">The quaternion is not a rotation.</exception>
     public static Mounting Of(ReadOnlySpan<double> quaternion, ReadOnlySpan<double> offset, bool isRounded = false)
     {
         double length = double.Hypot(double.Hypot(quaternion[0], quaternion[1]), double.Hypot(quaternion[2], quaternion[3]));
@@ -51,7 +51,7 @@ public readonly record struct Mounting(UnitQuaternion BodyFromCamera, Vector3D O
 public sealed record MountedCamera(string Name, Mounting Mounting)
 {
     /// <summary>What a name may be, for messages.</summary>
-    public const string Names = "1 to 40 letters, digits, '-' and '_' are possible, as it stands in names of files";
+    public const string Names = "1 to 40 letters, digits, '-' and '_' are possible, because it is part of file names";
 
     private const int LongestName = 40;
 

@@ -14,7 +14,7 @@ public sealed class PinholeCamera : FrameCamera
     /// <param name="height">Image height, px, at least 1.</param>
     /// <exception cref="BadInputException">The field of view is out of range, or the position's length is not finite.</exception>
     /// <exception cref="ArgumentOutOfRangeException">A size is below 1.</exception>
-    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is no rotation.</exception>
+    /// <exception cref="ArgumentException">The orientation is <c>default</c>, which is not a rotation.</exception>
     public PinholeCamera(Vector3D positionBodyFixed, UnitQuaternion moonFromCamera, double fieldOfView, int width, int height)
         : this(new CameraState(positionBodyFixed, moonFromCamera), CameraModel.FromFieldOfView(fieldOfView, width, height))
     {

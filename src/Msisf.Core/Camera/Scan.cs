@@ -6,7 +6,7 @@ public enum ScanKind
     /// <summary>One row of pixels, exposed again and again: each exposure is a line of the image.</summary>
     LineScan,
 
-    /// <summary>Some rows, exposed again and again: the framelets stand in the image one below the other.</summary>
+    /// <summary>Some rows, exposed again and again: the framelets lie in the image one below the other.</summary>
     PushFrame,
 
     /// <summary>A whole image whose rows are exposed one after the other, from the top.</summary>

@@ -62,7 +62,7 @@ public sealed class ScanPath
 
     /// <summary>
     /// The motion about the middle of a time: the camera turns as it does on average, and has the velocity of the middle where what gives
-    /// the states says it, else that on average.
+    /// the states says it, otherwise that on average.
     /// </summary>
     /// <param name="from">s after the image's time.</param>
     /// <param name="to">s, later.</param>

@@ -104,7 +104,7 @@ public sealed class CameraDetector
 
     /// <summary>Collects the electrons of one instant of the exposure.</summary>
     /// <param name="drawn">The frame at that instant, drawn with <see cref="WindowOf"/>, in sunlight.</param>
-    /// <param name="weight">Part of the exposure for which the instant stands.</param>
+    /// <param name="weight">Part of the exposure that the instant stands for.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public void Collect(NativeFrame drawn, double weight, DetectorImage image, int threads, CancellationToken cancellation) =>
@@ -112,7 +112,7 @@ public sealed class CameraDetector
 
     /// <summary>Collects the electrons of one instant in some rows.</summary>
     /// <param name="drawn">These rows at that instant, drawn with <see cref="WindowOf"/>.</param>
-    /// <param name="weight">Part of the exposure for which the instant stands.</param>
+    /// <param name="weight">Part of the exposure that the instant stands for.</param>
     /// <param name="threads">Number of threads; the image does not depend on it.</param>
     internal void Collect(
         NativeFrame drawn, PixelRows rows, double weight, DetectorImage image, int threads, CancellationToken cancellation) => _pass.Expose(
@@ -240,7 +240,7 @@ public sealed class SubExposures
     /// <summary>Index of the middle.</summary>
     public int Middle => Count / 2;
 
-    /// <summary>Part of the exposure for which each of them stands.</summary>
+    /// <summary>Part of the exposure that each of them stands for.</summary>
     public double Weight => 1.0 / Count;
 
     /// <summary>Seconds after the middle.</summary>

@@ -26,7 +26,7 @@ internal sealed class DetectorPass(DetectorSettings settings, FixedPattern patte
     /// <param name="perSteradianOfRow">
     /// Electrons that a pixel of a row, from 0, collects at a radiance factor of 1, for each steradian.
     /// </param>
-    /// <param name="weightOfRow">Part of the exposure of a row, from 0, for which the instant stands.</param>
+    /// <param name="weightOfRow">Part of the exposure of a row, from 0, that the instant stands for.</param>
     /// <param name="rows">The detector's rows on which the light falls.</param>
     public void Expose(
         ReadOnlyMemory<double> light, ReadOnlyMemory<double> throughput, Func<int, double> perSteradianOfRow, Func<int, double> weightOfRow,

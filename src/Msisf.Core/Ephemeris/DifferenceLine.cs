@@ -5,7 +5,7 @@ namespace Msisf.Core.Ephemeris;
 /// <summary>Evaluates a record of modified divided differences, as JPL's integrators write them (SPK types 1 and 21).</summary>
 /// <remarks>
 /// F. T. Krogh, "Changing stepsize in the integration of differential equations using modified divided differences" (1974); the layout
-/// of a record stands in NAIF's SPK Required Reading, types 1 and 21.
+/// of a record is in NAIF's SPK Required Reading, types 1 and 21.
 /// </remarks>
 public static class DifferenceLine
 {

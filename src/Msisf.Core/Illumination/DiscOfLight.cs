@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Illumination;
 
 /// <summary>
-/// The disc of the Sun or the Earth in upright strips: how much of it, and of its light, stands over a horizon, at sixteen steps at once.
+/// The disc of the Sun or the Earth in upright strips: how much of it, and of its light, is over a horizon, at sixteen steps at once.
 /// Immutable.
 /// </summary>
 /// <remarks>
@@ -90,7 +90,7 @@ internal sealed class DiscOfLight
         return Vector512.ConditionalSelect(isThrough, (0.5f * sine) + (slope * even), up);
     }
 
-    /// <summary>The part of the disc's area that stands over a horizon, 0 to 1.</summary>
+    /// <summary>The part of the disc's area that is over a horizon, 0 to 1.</summary>
     /// <param name="table">The horizon.</param>
     /// <param name="seen">The discs.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
@@ -105,7 +105,7 @@ internal sealed class DiscOfLight
         return AreaOf(sum);
     }
 
-    /// <summary>Whether any, and whether all of the disc stands over a horizon; strips that are only touched by it do not count.</summary>
+    /// <summary>Whether any, and whether all of the disc is over a horizon; strips that are only touched by it do not count.</summary>
     /// <param name="table">The horizon.</param>
     /// <param name="seen">The discs.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

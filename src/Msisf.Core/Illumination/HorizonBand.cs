@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Illumination;
 
 /// <summary>
-/// The elevations in which the Sun or the Earth can stand over a region of the Moon at any date: horizons need not be known above them.
+/// The elevations in which the Sun or the Earth can be over a region of the Moon at any date: horizons need not be known above them.
 /// Immutable.
 /// </summary>
 internal sealed class HorizonBand

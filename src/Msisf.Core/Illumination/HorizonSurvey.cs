@@ -23,10 +23,10 @@ public sealed class HorizonSurvey
     /// </summary>
     public const double ErrorDegrees = 0.005;
 
-    /// <summary>m: a place on the ground stands so high over its facet, so that no light passes through the joint of two facets.</summary>
+    /// <summary>m: a place on the ground is so high over its facet, so that no light passes through the joint of two facets.</summary>
     public const double LeastHeight = 1e-3;
 
-    /// <summary>m: places stand no higher over the ground.</summary>
+    /// <summary>m: places are no higher over the ground.</summary>
     public const double MaxHeight = 10_000.0;
 
     private const double StoredErrorDegrees = 0.0015;

@@ -8,7 +8,7 @@ internal static class LaneMasks
     private static readonly Vector512<int> Bits = Vector512.Create(
         1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
 
-    /// <summary>All bits of a lane where its bit is set, else none.</summary>
+    /// <summary>All bits of a lane where its bit is set, otherwise none.</summary>
     public static Vector512<float> Of(uint bits) => Vector512.Equals(Vector512.Create((int)bits) & Bits, Bits).AsSingle();
 
     /// <summary>The greatest of the numbers.</summary>

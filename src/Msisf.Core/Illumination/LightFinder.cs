@@ -174,7 +174,7 @@ internal sealed class LightFinder
         return count;
     }
 
-    /// <summary>The parts of the Sun that stand over the horizon at sixteen steps at which that is near, and the steps with any.</summary>
+    /// <summary>The parts of the Sun that are over the horizon at sixteen steps at which that is near, and the steps with any.</summary>
     private (DiscParts Parts, uint Visible) SeeNearSun(PlaceRays rays, int first)
     {
         SeenBody sun = _sunSteps.NearAt(first);

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Illumination;
 
-/// <summary>Where a body stands at each step of an interval, as seen from the centre of the ground's body. Immutable.</summary>
+/// <summary>Where a body is at each step of an interval, as seen from the centre of the ground's body. Immutable.</summary>
 internal sealed class LightTimes
 {
     /// <summary>Steps that are computed at once.</summary>

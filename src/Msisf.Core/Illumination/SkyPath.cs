@@ -24,7 +24,7 @@ internal sealed class SkyPath
     private bool _isPlaced;
 
     /// <summary>Makes a path.</summary>
-    /// <param name="times">Where the body stands.</param>
+    /// <param name="times">Where the body is.</param>
     /// <param name="columns">Columns of a turn.</param>
     /// <param name="steepest">Tangent of the greatest elevation that matters.</param>
     public SkyPath(LightTimes times, int columns, double steepest)

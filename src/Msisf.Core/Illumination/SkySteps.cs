@@ -8,7 +8,7 @@ namespace Msisf.Core.Illumination;
 /// Tells the steps at which a body is wholly over the horizon of a place from those at which the horizon is so near that strips of its disc
 /// must tell. Not safe for several threads.
 /// </summary>
-/// <param name="times">Where the body stands.</param>
+/// <param name="times">Where the body is.</param>
 /// <param name="columns">Columns of a turn of horizons.</param>
 /// <param name="steepest">Tangent of the greatest elevation of a horizon.</param>
 internal sealed class SkySteps(LightTimes times, int columns, double steepest)

@@ -40,7 +40,7 @@ public sealed class LayerSet
         foreach (string name in names)
         {
             Layer layer = LayerCatalogue.All.FirstOrDefault(layer => IsSame(layer.Name, name))
-                ?? throw new UsageException($"--layers {text}: '{name}' is no layer. Give {ValidValues}.");
+                ?? throw new UsageException($"--layers {text}: '{name}' is not a layer. Give {ValidValues}.");
             if (!wanted.Add(layer))
             {
                 throw new UsageException($"--layers {text}: {layer.Name} is there twice. Leave one out.");

@@ -8,7 +8,7 @@ namespace Msisf.Core.Navigation;
 /// <param name="leastDiameter">px: smaller ones are only counted.</param>
 public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, double leastDiameter)
 {
-    /// <summary>Points of a rim that is no ellipse; a multiple of four, so that the ends of both axes are among them.</summary>
+    /// <summary>Points of a rim that is not an ellipse; a multiple of four, so that the ends of both axes are among them.</summary>
     private const int CurvePoints = 64;
 
     /// <summary>The same of craters on the terrain that are small in the image.</summary>
@@ -145,7 +145,7 @@ public sealed class CraterFinder(CraterCatalogue catalogue, CraterRim rim, doubl
         return shape is { IsInView: true, LeftOut: null } ? shape.Ellipse : null;
     }
 
-    /// <summary>A rim that is no ellipse in the image, and the one that fits it.</summary>
+    /// <summary>A rim that is not an ellipse in the image, and the one that fits it.</summary>
     private CraterShape CurveOf(ICamera camera, in CraterDisc disc, ITerrain terrain, ImageEllipse? known = null)
     {
         CraterShape shape = ProjectedCurve(camera, [.. RimPoints(disc)], disc);

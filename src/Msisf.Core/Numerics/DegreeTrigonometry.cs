@@ -101,7 +101,7 @@ public static class DegreeTrigonometry
     }
 }
 
-/// <summary>Sine and cosine of one angle; <c>default</c> is no angle.</summary>
+/// <summary>Sine and cosine of one angle; <c>default</c> is not an angle.</summary>
 public readonly record struct SineCosine(double Sine, double Cosine)
 {
     /// <summary>Sine and cosine of numerator / denominator degrees, by <see cref="DegreeTrigonometry"/>.</summary>

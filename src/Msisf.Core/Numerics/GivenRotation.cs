@@ -26,7 +26,7 @@ public static class GivenRotation
                 ? "write each number with at least 7 decimals, or give --normalize."
                 : "rounding does not explain it; check the numbers and their order.";
             throw new BadInputException(Invariant(
-                $"The matrix is no rotation: the products of its rows are wrong by up to {error:G3}, "
+                $"The matrix is not a rotation: the products of its rows are wrong by up to {error:G3}, "
                     + $"{Tolerances.RotationMatrixEntry:R} is allowed: {cure}"));
         }
 

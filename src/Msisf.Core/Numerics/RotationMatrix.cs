@@ -1,7 +1,7 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>
-/// A rotation as three rows; a variable that holds one is named result-from-source. <c>default</c> is no rotation: use
+/// A rotation as three rows; a variable that holds one is named result-from-source. <c>default</c> is not a rotation: use
 /// <see cref="Identity"/>.
 /// </summary>
 /// <param name="Row0">First row: the first target axis, in source components.</param>

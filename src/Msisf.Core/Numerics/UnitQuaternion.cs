@@ -1,7 +1,7 @@
 namespace Msisf.Core.Numerics;
 
 /// <summary>
-/// A rotation as a quaternion q0 + qx i + qy j + qz k of length 1 (thesis chapter 7). <c>default</c> is no rotation and is refused
+/// A rotation as a quaternion q0 + qx i + qy j + qz k of length 1 (thesis chapter 7). <c>default</c> is not a rotation and is refused
 /// wherever it is used: make one with <see cref="FromComponents"/> or take <see cref="Identity"/>.
 /// </summary>
 public readonly record struct UnitQuaternion

@@ -110,11 +110,11 @@ public sealed record FramePreview(
 
 /// <summary>The ground in the middle of an image.</summary>
 /// <param name="Point">Where the viewing direction meets the terrain, or the sphere.</param>
-/// <param name="Sun">Where the Sun stands there; null if a lamp lights the scene.</param>
+/// <param name="Sun">Where the Sun is there; null if a lamp lights the scene.</param>
 /// <param name="MetresPerPixel">Width that a pixel covers there, m, across the line of sight.</param>
 public readonly record struct BoresightView(SelenographicPoint Point, SkyDirection? Sun, double MetresPerPixel);
 
 /// <summary>How much of an image shows a sphere, and how much of that is lit.</summary>
 /// <param name="Moon">Part of the image's area that shows the sphere, 0 to 1.</param>
-/// <param name="Lit">Part of <paramref name="Moon"/> in which the light stands above the horizon, 0 to 1; null if Moon is 0.</param>
+/// <param name="Lit">Part of <paramref name="Moon"/> in which the light is above the horizon, 0 to 1; null if Moon is 0.</param>
 public readonly record struct SphereShare(double Moon, double? Lit);

@@ -1,6 +1,6 @@
 namespace Msisf.Core.Preview;
 
-/// <summary>Where something stands in the sky of a point of the Moon.</summary>
+/// <summary>Where something is in the sky of a point of the Moon.</summary>
 /// <param name="Elevation">rad over the horizontal plane of the sphere through the point, [-pi/2, pi/2].</param>
 /// <param name="Azimuth">
 /// rad, clockwise from north, [0, 2 pi); null where it is undefined: at a pole, or for something in the zenith or nadir.

@@ -31,7 +31,7 @@ internal sealed class SphereCoverage
     /// <summary>Direction of the light from the sphere's centre; components as above.</summary>
     private readonly Vector3D _toLight;
 
-    /// <summary>Distance over the centre, in radii towards the light, at which the light stands on the horizon.</summary>
+    /// <summary>Distance over the centre, in radii towards the light, at which the light is on the horizon.</summary>
     private readonly double _horizon;
 
     private SphereCoverage(FrameCamera camera, Vector3D lightBodyFixed, double radius)
@@ -78,7 +78,7 @@ internal sealed class SphereCoverage
         return between + toHorizon <= toTerminator ? 1.0 : between - toHorizon >= toTerminator ? 0.0 : null;
     }
 
-    /// <summary>Angle at the centre from the point below something to where it stands on the horizon, rad.</summary>
+    /// <summary>Angle at the centre from the point below something to where it is on the horizon, rad.</summary>
     private static double AngleToHorizon(double distance, double radius) =>
         Math.Atan2(Math.Sqrt(Math.Max(0.0, distance - radius) * (distance + radius)), radius);
 

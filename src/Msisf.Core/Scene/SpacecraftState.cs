@@ -79,7 +79,7 @@ public readonly record struct SpacecraftState(Instant Time, Vector3D PositionBod
     /// <param name="numbers">In the order of <see cref="NumberNames"/>, then of <see cref="CameraMotion.NumberNames"/>.</param>
     /// <param name="isRounded">Whether the quaternion may be rounded to a few decimals.</param>
     /// <exception cref="BadInputException">
-    /// The position or the motion is not finite, or the quaternion is no rotation.
+    /// The position or the motion is not finite, or the quaternion is not a rotation.
     /// </exception>
     /// <exception cref="ArgumentException">Neither seven nor thirteen numbers.</exception>
     public static SpacecraftState FromNumbers(Instant time, ReadOnlySpan<double> numbers, bool isRounded = false)

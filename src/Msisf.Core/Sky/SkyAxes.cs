@@ -7,7 +7,7 @@ namespace Msisf.Core.Sky;
 
 /// <summary>
 /// How the sky lies about the drawn body at one time, as an observer there sees it: along the axes in which the frame is drawn, so that
-/// stars and ground stand to each other as in a real image. Immutable.
+/// stars and ground are to each other as in a real image. Immutable.
 /// </summary>
 /// <remarks>
 /// What finite light does to the ground decides what it does to stars. Without it, the ground lies where it is; a real camera would see it

@@ -71,7 +71,7 @@ internal static class GroundFacing
     /// <param name="minRadius">m: minimum radius of the facets.</param>
     /// <param name="maxSlope">Tangent of the maximum slope of the facets.</param>
     /// <remarks>
-    /// The viewpoint stands D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
+    /// The viewpoint is D cos(theta) - r over a point's level at a distance D sin(theta) to the side. cos(theta) + maxSlope sin(theta)
     /// falls from where its slope is the steepest one.
     /// </remarks>
     public static bool IsTurnedAway(SineCosine nearest, double distance, double minRadius, double maxSlope) =>

@@ -18,7 +18,7 @@ public readonly record struct MoonRegion(int SouthDegrees, int NorthDegrees, int
     public static MoonRegion WholeMoon { get; } = new(-90, 90, 0, 360);
 
     /// <summary>Reads "latmin:latmax:lonmin:lonmax".</summary>
-    /// <exception cref="UsageException">The text is no region.</exception>
+    /// <exception cref="UsageException">The text is not a region.</exception>
     public static MoonRegion Parse(string text)
     {
         string[] parts = text.Split(':');

@@ -24,7 +24,7 @@ public sealed class TileMeshBuilder
     /// <summary>The radius of each vertex, in vertex order.</summary>
     /// <param name="layout">Layout at the grid's resolution.</param>
     /// <returns>m.</returns>
-    /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is no radius of the Moon.</exception>
+    /// <exception cref="BadInputException">The grid can't give a sample, or gives one that is not a radius of the Moon.</exception>
     public double[] ReadRadii(TileMeshLayout layout)
     {
         double[] radii = new double[layout.VertexCount];

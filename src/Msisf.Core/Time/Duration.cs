@@ -49,7 +49,7 @@ public readonly record struct Duration : IComparable<Duration>
     {
         if (!(Math.Abs(seconds) <= Longest))
         {
-            throw new BadInputException(Invariant($"{seconds:R} s is no length of time that can be counted; at most 1e16 s are possible."));
+            throw new BadInputException(Invariant($"{seconds:R} s is not a length of time; at most 1e16 s are possible."));
         }
 
         double whole = Math.Truncate(seconds);

@@ -2,7 +2,7 @@ namespace Msisf.Core.Time;
 
 /// <summary>
 /// A moment, exact to an attosecond, with the <see cref="TimeScale"/> that gives its names in UTC and TDB. Differences are SI seconds.
-/// Immutable. <c>default</c> is no moment: it has no scale and names nothing.
+/// Immutable. <c>default</c> is not a moment: it has no scale and names nothing.
 /// </summary>
 /// <remarks>It counts TAI since 2000-01-01T12:00:00 TAI. Two moments are equal if their counts are, whatever their scales.</remarks>
 public readonly record struct Instant : IComparable<Instant>

@@ -4,7 +4,7 @@ namespace Msisf.Core.Time;
 /// Turns UTC, TAI, TT, TDB and GPS time into each other, with the leap seconds and constants of a leap seconds kernel. Immutable.
 /// </summary>
 /// <remarks>
-/// The formula of TDB and the meaning of the constants stand in NAIF's leap seconds kernels (naif0012.tls, "Explanation"). Before the first
+/// The formula of TDB and the meaning of the constants are in NAIF's leap seconds kernels (naif0012.tls, "Explanation"). Before the first
 /// leap second TAI - UTC is the table's first value less 1 s, as in CSPICE; the drifting UTC of 1960 to 1971 is not known.
 /// </remarks>
 public sealed class TimeScale

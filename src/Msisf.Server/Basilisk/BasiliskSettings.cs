@@ -33,7 +33,7 @@ internal sealed class BasiliskSettings : IDisposable
             cameras.Add(
                 long.TryParse(name, NumberStyles.None, CultureInfo.InvariantCulture, out long id)
                     ? id
-                    : throw ServeOptions.BasiliskCameras.Wrong($"{name}={path}: '{name}' is no camera's number. Write 1={path}."),
+                    : throw ServeOptions.BasiliskCameras.Wrong($"{name}={path}: '{name}' is not a camera's number. Write 1={path}."),
                 file with { Name = frames.Names.Add(file) });
         }
 
@@ -74,7 +74,7 @@ internal sealed class BasiliskSettings : IDisposable
         }
         catch (JsonException exception)
         {
-            throw new BadInputException($"{ServeOptions.FrameOptions.Name} {path}: is no JSON: {exception.Message}", exception);
+            throw new BadInputException($"{ServeOptions.FrameOptions.Name} {path}: is not JSON: {exception.Message}", exception);
         }
     }
 }

@@ -158,11 +158,11 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
             return Math.Abs(seconds) + Math.Abs(message.SimulationSeconds) < LongestSimulation
                 ? scale.InstantOf(CalendarTime.Of(day, (decimal)seconds)).After(message.SimulationSeconds)
                 : throw new BadInputException(Invariant(
-                    $"the time of the message is {seconds + message.SimulationSeconds:R} s after the epoch's day; that is no time."));
+                    $"the time of the message is {seconds + message.SimulationSeconds:R} s after the epoch's day; that is not a time."));
         }
         catch (ArgumentOutOfRangeException exception)
         {
-            throw new BadInputException($"the epoch {_epoch.Year}-{_epoch.Month}-{_epoch.Day} is no date.", exception);
+            throw new BadInputException($"the epoch {_epoch.Year}-{_epoch.Month}-{_epoch.Day} is not a date.", exception);
         }
     }
 

@@ -17,7 +17,7 @@ internal static class VizGeometry
     private static readonly double LargestTurn = double.DegreesToRadians(0.01);
 
     /// <summary>The matrix that turns N into the Moon's axes, as the message has it.</summary>
-    /// <exception cref="BadInputException">It is no rotation.</exception>
+    /// <exception cref="BadInputException">It is not a rotation.</exception>
     public static UnitQuaternion MoonFromInertial(VizBody moon)
     {
         IReadOnlyList<double> m = moon.BodyFromInertial;

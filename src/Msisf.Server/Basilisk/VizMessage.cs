@@ -69,7 +69,7 @@ internal static class VizMessageReader
         }
         catch (Exception exception) when (exception is InvalidProtocolBufferException or InvalidOperationException)
         {
-            throw new BadInputException($"the message is no VizMessage of Basilisk: {exception.Message}", exception);
+            throw new BadInputException($"the message is not a VizMessage of Basilisk: {exception.Message}", exception);
         }
     }
 

@@ -103,7 +103,7 @@ public sealed class CameraFileReaderTests
     [InlineData("width: 640\nheight: 480\npixel-pitch: 0.01\n", 1, "a camera needs 'focal-length'")]
     [InlineData("width: 640\nheight: 480\nfocal-length-px: 9\npixel-pitch: 0.01\n", 4, "no meaning without 'focal-length'")]
     [InlineData("width: 640\nheight: 480\nfocal-length-px: 9\nfield-of-view: 40\n", 4, "exclude each other")]
-    [InlineData("widht: 640\nheight: 480\n", 1, "'widht' is no key of a camera: did you mean width?")]
+    [InlineData("widht: 640\nheight: 480\n", 1, "'widht' is not a key of a camera: did you mean width?")]
     [InlineData("width: 640\nheight: 480\nfocal-lenght: 10\n", 3, "did you mean focal-length?")]
     [InlineData("width: 640\nheight: 480\nfocallength-px: 10\n", 3, "did you mean focal-length-px?")]
     [InlineData(Plain + "principle-point: [1, 1]\n", 5, "did you mean principal-point?")]
@@ -141,7 +141,7 @@ public sealed class CameraFileReaderTests
     [InlineData(Plain + "distortion:\n  model: opencv\n", 5, "needs 'k1': at least one coefficient")]
     [InlineData(
         Plain + "distortion:\n  model: brown-conrady\n  k1: 0.1\n  k4: 0.1\n", 8,
-        "'k4' is no key of the distortion model 'brown-conrady'")]
+        "'k4' is not a key of the distortion model 'brown-conrady'")]
     [InlineData(Plain + "distortion:\n  model: opencv\n  k1: [0.1]\n", 7, "'k1' takes one value")]
     [InlineData(Plain + "distortion:\n  model: opencv\n  k1:\n    value: 1\n", 8, "'k1' takes a value, or a list of values")]
     [InlineData(Plain + "distortion:\n  model: radial\n", 5, "needs 'k'")]

@@ -162,7 +162,7 @@ public sealed class DetectorSectionTests : IDisposable
 
     /// <summary>A line in place of the right one of the same key, or one more; the message and the line that it names.</summary>
     [Theory]
-    [InlineData("apertur: 10", 6, "'apertur' is no key of a detector: did you mean aperture?")]
+    [InlineData("apertur: 10", 6, "'apertur' is not a key of a detector: did you mean aperture?")]
     [InlineData("aperture: -1", 6, "'aperture' is -1; a number above 0")]
     [InlineData("aperture: 0", 6, "'aperture' is 0")]
     [InlineData("aperture: wide", 6, "'aperture'")]

@@ -129,7 +129,7 @@ public sealed class InstrumentKernelTests : IDisposable
 
     [Theory]
     [InlineData("FOV_SHAPE = 'CIRCLE'\nFOV_CLASS_SPEC = 'ANGLES'\n", "line 7: the field of view is no rectangle, and there is no")]
-    [InlineData("FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY = ( 1 1 0 1 0 1 1 -1 0 1 0 -1 )\n", "is no rectangle along the image's axes")]
+    [InlineData("FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY = ( 1 1 0 1 0 1 1 -1 0 1 0 -1 )\n", "is not a rectangle along the image's axes")]
     [InlineData("FOV_SHAPE = 'POLYGON'\nFOV_BOUNDARY = ( -1 1 1 -1 1 -1 -1 -1 -1 -1 -1 1 )\n", "lies behind the camera")]
     [InlineData("FOV_SHAPE = 'RECTANGLE'\n", "FOV_BOUNDARY")]
     [InlineData(

@@ -90,8 +90,8 @@ public sealed class StarCatalogueReaderTests
 
     [Theory]
     [InlineData("", "it is empty")]
-    [InlineData("ra_h,dec_deg,v_mag\n1,2,3\n", "these are no columns of stars: ra_h, dec_deg, v_mag")]
-    [InlineData("RA (h),dec,v_mag\n1,2,3\n", "these are no columns of stars")]
+    [InlineData("ra_h,dec_deg,v_mag\n1,2,3\n", "these are not columns of stars: ra_h, dec_deg, v_mag")]
+    [InlineData("RA (h),dec,v_mag\n1,2,3\n", "these are not columns of stars")]
     [InlineData("ra_deg,dec_deg,v_mag\n1,2,99\n", "line 2, column 'v_mag': a number from -2 to 30 is needed")]
     [InlineData("ra_deg,dec_deg,v_mag\n1,95,9\n", "line 2, column 'dec_deg': a number from -90 to 90")]
     [InlineData("ra_deg,dec_deg,v_mag,pmra\n1,5,9,2e6\n", "column 'pmra': a number from -15000 to 15000")]

@@ -183,7 +183,7 @@ public sealed class AemTests
     [InlineData(
         "= QUATERNION\nQUATERNION_TYPE = LAST", "= EULER_ANGLE\nEULER_ROT_SEQ = 312",
         "17: 4 numbers behind the time; EULER_ANGLE has 3.")]
-    [InlineData("12:01:00.000 ", "12:00:00.000 ", "18: the time of the line before stands again, with other numbers.")]
+    [InlineData("12:01:00.000 ", "12:00:00.000 ", "18: the time of the line before occurs again, with other numbers.")]
     public void ReadAem_Wrong_SaysWhereAndWhat(string right, string wrong, string expected)
     {
         BadInputException failure = Assert.Throws<BadInputException>(
@@ -201,7 +201,7 @@ public sealed class AemTests
             .Replace("0.0 0.0 0.0 1.0", "0 0 0", StringComparison.Ordinal);
 
         Assert.StartsWith(
-            "turn.aem, line 17: version 1.0 leaves open whether the angles stand in the order X, Y, Z or in that of EULER_ROT_SEQ (ZXY).",
+            "turn.aem, line 17: version 1.0 leaves open whether the angles are in the order X, Y, Z or in that of EULER_ROT_SEQ (ZXY).",
             Assert.Throws<BadInputException>(() => CcsdsTexts.ReadAem(text)).Message);
     }
 

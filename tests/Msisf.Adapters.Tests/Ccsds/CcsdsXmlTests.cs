@@ -121,10 +121,10 @@ public sealed class CcsdsXmlTests
     [InlineData("<Y>0.0</Y>", "", "orbit.oem, line 23: a <stateVector> above is not complete. Complete or remove it.")]
     [InlineData("<Y>0.0</Y>", "<W>0.0</W>", "orbit.oem, line 21: 'W' is not known in <stateVector>.")]
     [InlineData("<Y>0.0</Y>", "<Y>inf</Y>", "orbit.oem, line 21: 'inf' is not finite")]
-    [InlineData("<Y>0.0</Y>", "<Y>0.0</Q>", "orbit.oem, line 21: this is no valid XML:")]
+    [InlineData("<Y>0.0</Y>", "<Y>0.0</Q>", "orbit.oem, line 21: this is not valid XML:")]
     [InlineData("version=\"2.0\"", "", "orbit.oem, line 2: CCSDS_OEM_VERS = '': versions 1.0, 2.0, 3.0 are read.")]
     [InlineData("<CENTER_NAME>MOON", "<CENTER_NAME>VENUS", "orbit.oem, line 9: CENTER_NAME = 'VENUS'")]
-    [InlineData("<oem", "<!DOCTYPE oem SYSTEM 'x'><oem", "orbit.oem, line 1: this is no valid XML:")]
+    [InlineData("<oem", "<!DOCTYPE oem SYSTEM 'x'><oem", "orbit.oem, line 1: this is not valid XML:")]
     [InlineData("12:01:00.000</EPOCH>", "11:01:00.000</EPOCH>", "orbit.oem, line 28: the time is before that of the line above.")]
     public void ReadOem_WrongXml_SaysWhereAndWhat(string right, string wrong, string expected)
     {
@@ -136,6 +136,6 @@ public sealed class CcsdsXmlTests
 
     [Fact]
     public void ReadAem_XmlOfAnOem_SaysSo() => Assert.StartsWith(
-        "turn.aem, line 2: this is no AEM: it begins with <oem>, <aem> is needed.",
+        "turn.aem, line 2: this is not an AEM: it begins with <oem>, <aem> is needed.",
         Assert.Throws<BadInputException>(() => CcsdsTexts.ReadAem(Oem)).Message);
 }

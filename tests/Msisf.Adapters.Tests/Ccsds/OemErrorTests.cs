@@ -12,7 +12,7 @@ public sealed class OemErrorTests
     [Theory]
     [InlineData("2060.0 1.0", "NaN 1.0", "18: 'NaN' is not finite; a finite number is needed.")]
     [InlineData("2060.0 1.0", "2060.0", "18: 5 numbers behind the time; 6 are needed (X Y Z X_DOT Y_DOT Z_DOT), or 9 with accelerations.")]
-    [InlineData("12:01:00.000 ", "12:02:00.000 ", "19: the time of the line before stands again, with other numbers. Remove")]
+    [InlineData("12:01:00.000 ", "12:02:00.000 ", "19: the time of the line before occurs again, with other numbers. Remove")]
     [InlineData("12:01:00.000 ", "12:02:30.000 ", "19: the time is before that of the line above. Put the lines into the order of time.")]
     [InlineData("12:01:00.000 ", "12:61:00.000 ", "18: '2024-01-19T12:61:00.000' is not a time, which looks like 2024-01-19T12:00:00.000")]
     [InlineData("2024-01-19T12:01", "2024-02-30T12:01", "18: '2024-02-30T12:01:00.000' is not a time")]
@@ -25,12 +25,12 @@ public sealed class OemErrorTests
     [InlineData("CENTER_NAME", "CENTRE_NAME", "9: there is no keyword 'CENTRE_NAME': did you mean CENTER_NAME?")]
     [InlineData("CENTER_NAME = MOON\n", "", "15: the block above has no CENTER_NAME: about which body its numbers are. Add it.")]
     [InlineData("TIME_SYSTEM = UTC\n", "", "15: the block above has no TIME_SYSTEM")]
-    [InlineData("OBJECT_ID = 2024-001A", "CENTER_NAME = EARTH", "9: CENTER_NAME stands in line 8 too, with another value.")]
+    [InlineData("OBJECT_ID = 2024-001A", "CENTER_NAME = EARTH", "9: CENTER_NAME is in line 8 too, with another value.")]
     [InlineData("OEM_VERS = 2.0", "OEM_VERS = 4.0", "1: CCSDS_OEM_VERS = '4.0': versions 1.0, 2.0, 3.0 are read.")]
-    [InlineData("CCSDS_OEM_VERS = 2.0", "CCSDS_AEM_VERS = 2.0", "1: this is no OEM: it begins with 'CCSDS_AEM_VERS'")]
-    [InlineData("CCSDS_OEM_VERS = 2.0\n", "", "2: 'CREATION_DATE' stands above the version. The first line is CCSDS_OEM_VERS = 3.0.")]
+    [InlineData("CCSDS_OEM_VERS = 2.0", "CCSDS_AEM_VERS = 2.0", "1: this is not an OEM: it begins with 'CCSDS_AEM_VERS'")]
+    [InlineData("CCSDS_OEM_VERS = 2.0\n", "", "2: 'CREATION_DATE' is above the version. The first line is CCSDS_OEM_VERS = 3.0.")]
     [InlineData("META_STOP", "META_STOPP", "16: 'META_STOPP' is neither 'keyword = value' nor a line of numbers.")]
-    [InlineData("2024-01-19T12:02", "REF_FRAME = ICRF\n2024-01-19T12:02", "19: REF_FRAME stands among the lines of numbers.")]
+    [InlineData("2024-01-19T12:02", "REF_FRAME = ICRF\n2024-01-19T12:02", "19: REF_FRAME is among the lines of numbers.")]
     [InlineData("META_START", "COVARIANCE_START", "6: COVARIANCE_START does not belong here.")]
     public void ReadOem_Wrong_SaysWhereAndWhat(string right, string wrong, string expected)
     {
@@ -83,7 +83,7 @@ public sealed class OemErrorTests
     [InlineData("CCSDS_OEM_VERS = 2.0\n", "orbit.oem, line 1: no block in the file.")]
     [InlineData("CCSDS_OEM_VERS = 2.0\nMETA_START\nOBJECT_NAME = A\n", "orbit.oem, line 3: the file ends within the keywords of a block.")]
     [InlineData("just a text\n", "orbit.oem, line 1: 'just a text' is neither")]
-    [InlineData("1 2 3\n", "orbit.oem, line 1: a line of numbers stands above the first block.")]
+    [InlineData("1 2 3\n", "orbit.oem, line 1: a line of numbers is above the first block.")]
     [InlineData("DAF/SPK \0\0", "orbit.oem, line 1, column 9: control character U+0000; this is not a text file.")]
     public void ReadOem_NoFileOfThisKind_SaysSo(string text, string expected) =>
         Assert.StartsWith(expected, Assert.Throws<BadInputException>(() => CcsdsTexts.ReadOem(text)).Message);

@@ -138,7 +138,7 @@ public sealed class OemTests
     /// <summary>What writers get wrong, where it can be meant in one way only.</summary>
     [Theory]
     [InlineData("OBJECT_NAME = ORBITER\n", "", "line 15: The block has no OBJECT_NAME")]
-    [InlineData(" 2060.0 ", "\t2060.0\t", "line 18: TABs stand where the standard has blanks")]
+    [InlineData(" 2060.0 ", "\t2060.0\t", "line 18: TABs are where the standard has blanks")]
     [InlineData(
         "CENTER_NAME = MOON\nREF_FRAME = EME2000", "REF_FRAME = EME2000\nCENTER_NAME = MOON", "line 10: The keywords are not in the order")]
     [InlineData("META_START\n", "", "line 6: META_START is missing")]
@@ -150,7 +150,7 @@ public sealed class OemTests
     [InlineData(
         "2024-01-19T12:01:00.000 2060.0 1.0 0.0 1.0 0.0333333333333 0.0\n",
         "2024-01-19T12:01:00.000 2060.0 1.0 0.0 1.0 0.0333333333333 0.0\n2024-01-19T12:01:00 2060 1 0 1 0.0333333333333 0\n",
-        "line 19: A line stands twice; the second one is left out.")]
+        "line 19: A line occurs twice; the second one is left out.")]
     [InlineData(
         "START_TIME = 2024-01-19T12:00:00.000", "START_TIME = 2024-01-19T11:00:00.000",
         "START_TIME = '2024-01-19T11:00:00.000' is not the time of the block's first line, 2024-01-19T12:00:00Z (UTC); the lines count.")]

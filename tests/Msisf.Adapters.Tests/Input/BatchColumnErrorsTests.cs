@@ -35,7 +35,7 @@ public class BatchColumnErrorsTests
             () => Read($"time,x,y,z,qx,qy,qz,qw,noise_seed\n60328.5,2E6,1,-3,{Quaternion},{seed}"));
 
         Assert.StartsWith(
-            $"{FileName}, line 2, column noise_seed: '{seed}' is no noise seed; a whole number from 0 on",
+            $"{FileName}, line 2, column noise_seed: '{seed}' is not a noise seed; a whole number from 0 on",
             error.Message,
             StringComparison.Ordinal);
     }
@@ -43,9 +43,9 @@ public class BatchColumnErrorsTests
     [Theory]
     [InlineData(
         "time,lat,lon,hight\n",
-        "input/run7.csv, line 1: column 4: 'hight' is no column: did you mean height? There are time, ")]
+        "input/run7.csv, line 1: column 4: 'hight' is not a column: did you mean height? There are time, ")]
     [InlineData("#\n,time,lat\n", "input/run7.csv, line 2: column 1 has no name.")]
-    [InlineData("time,lat,LAT\n", "input/run7.csv, line 1: column 3: 'LAT' stands twice.")]
+    [InlineData("time,lat,LAT\n", "input/run7.csv, line 1: column 3: 'LAT' occurs twice.")]
     [InlineData("time;lat;lon\n", "input/run7.csv, line 1: columns and values are apart by commas, not by semicolons.")]
     [InlineData("lat,lon,height\n", "input/run7.csv, line 1: column time is missing")]
     [InlineData("time,lat,lon\n", "input/run7.csv, line 1: column height is missing: lat, lon, height go together.")]
@@ -67,15 +67,15 @@ public class BatchColumnErrorsTests
         "time,x,y,z\n2460329,2,3,4\n",
         "input/run7.csv, line 2, column time: '2460329' looks like a Julian Date; its MJD is 60328.5")]
     [InlineData("time,x,y,z\n1e9,2,3,4\n", "input/run7.csv, line 2, column time: The MJD 1000000000 is not a date")]
-    [InlineData("time,lat,lon,height\n1,2,3,terain\n", "input/run7.csv, line 2, column height: 'terain' is no height; write ")]
+    [InlineData("time,lat,lon,height\n1,2,3,terain\n", "input/run7.csv, line 2, column height: 'terain' is not a height; write ")]
     [InlineData("time,lat,lon,height\n1,120,30,5\n", "input/run7.csv, line 2: The latitude (degrees) is 120; ")]
     [InlineData("time,x,y,z,up\n1,2,3,4,left\n", "input/run7.csv, line 2, column up: 'left' is not up; zenith, north or sun is needed.")]
     [InlineData("time,x,y,z,off_nadir\n1,2,3,4,200\n", "input/run7.csv, line 2: The angle from the nadir (degrees) is 200")]
     [InlineData("time,x,y,z,qx,qy,qz,qw\n1,2E6,3,4,0,0,0,0.9\n", "input/run7.csv, line 2: The quaternion {0,0,0,0.9} has length 0.9")]
     [InlineData("time,x,y,z\n1,0,0,0\n", "input/run7.csv, line 2: The spacecraft is in the Moon's centre")]
-    [InlineData("time,x,y,z,speed\n", "input/run7.csv, line 1: column 5: 'speed' is no column. There are time, seconds, ")]
+    [InlineData("time,x,y,z,speed\n", "input/run7.csv, line 1: column 5: 'speed' is not a column. There are time, seconds, ")]
     [InlineData("time,x,y,z,q1,q2,q3,q4\n", "input/run7.csv, line 1: column 8: of q1 to q4 some programs mean q4 as the scalar")]
-    [InlineData("time,x,y,z,qw,qx,qy,qz,q0\n", "input/run7.csv, line 1: column 9: 'q0' stands twice, as qw too.")]
+    [InlineData("time,x,y,z,qw,qx,qy,qz,q0\n", "input/run7.csv, line 1: column 9: 'q0' occurs twice, as qw too.")]
     [InlineData("time,lat,lon,height,alt\n", "input/run7.csv, line 1: height and alt all say how high the camera is.")]
     [InlineData("time,x,y,z,height\n", "input/run7.csv, line 1: a position is either ")]
     [InlineData("time,x,y,z,x_km,y_km,z_km\n", "input/run7.csv, line 1: a position is either ")]
@@ -90,23 +90,23 @@ public class BatchColumnErrorsTests
         "input/run7.csv, line 2: The matrix is a reflection (its determinant is -1)")]
     [InlineData(
         "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,2E6,0,0,1,0,0,0,1,0,0,0,0.9999\n",
-        "input/run7.csv, line 2: The matrix is no rotation: the products of its rows are wrong by up to 0.0002, 1E-06 is allowed: write")]
+        "input/run7.csv, line 2: The matrix is not a rotation: the products of its rows are wrong by up to 0.0002, 1E-06 is allowed:")]
     [InlineData(
         "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,2E6,0,0,1,0,0,0,1,0,0.5,0,1\n",
-        "input/run7.csv, line 2: The matrix is no rotation: the products of its rows are wrong by up to 0.5, 1E-06 is allowed: rounding")]
+        "input/run7.csv, line 2: The matrix is not a rotation: the products of its rows are wrong by up to 0.5, 1E-06 is allowed:")]
     [InlineData("time,rx,ry,rz,q0,q1,q2,q3\n1,2,3,4,5,x,6,7\n", "input/run7.csv, line 2, column q1: 'x' is not a number")]
-    [InlineData("# msis: fram=j2000\n", "input/run7.csv, line 1: 'fram' is no key of a '# msis:' line: did you mean frame?")]
+    [InlineData("# msis: fram=j2000\n", "input/run7.csv, line 1: 'fram' is not a key of a '# msis:' line: did you mean frame?")]
     [InlineData("# msis: frame\n", "input/run7.csv, line 1: 'frame' has no value; write frame=VALUE, without blanks.")]
     [InlineData(
         "#\n# MSIS: Frame=moon_pa\n",
         "input/run7.csv, line 2: 'frame' is 'moon_pa'; one of moon-me, moon-me-epoch, j2000 is needed.")]
     [InlineData("#msis: frame=j2000 frame=j2000\n", "input/run7.csv, line 1: 'frame' is said twice: here, and before or by --batch-")]
     [InlineData("# msis: euler=zyx\n", "input/run7.csv, line 1: 'zyx' in small letters means turns about axes at rest in some")]
-    [InlineData("# msis: euler=XXY\n", "input/run7.csv, line 1: 'XXY' is no sequence of Euler angles; three axes such as ZYX")]
+    [InlineData("# msis: euler=XXY\n", "input/run7.csv, line 1: 'XXY' is not a sequence of Euler angles; three axes such as ZYX")]
     [InlineData("# msis: epoch=2460329\n", "input/run7.csv, line 1: '2460329' looks like a Julian Date")]
-    [InlineData("time,x,y,z # msis: frame=j2000\n", "input/run7.csv, line 1: a '# msis:' line stands by itself, above the names")]
-    [InlineData("time,x,y,z\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line stands by itself, above the names")]
-    [InlineData("1 2E6 0 0 0 0 0 1\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line stands by itself")]
+    [InlineData("time,x,y,z # msis: frame=j2000\n", "input/run7.csv, line 1: a '# msis:' line is a line of its own, above the names")]
+    [InlineData("time,x,y,z\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line is a line of its own, above the names")]
+    [InlineData("1 2E6 0 0 0 0 0 1\n# msis: frame=j2000\n", "input/run7.csv, line 2: a '# msis:' line is a line of its own")]
     [InlineData("#msis: frame=j2000\ntime,lat,lon,height\n", "input/run7.csv, line 2: 'frame' has no meaning: no column is of a frame.")]
     [InlineData("# msis: axes=opencv\ntime,x,y,z\n", "input/run7.csv, line 2: 'axes' has no meaning: no quaternion, matrix or Euler angle")]
     [InlineData("# msis: rotation=to-camera\ntime,x,y,z\n", "input/run7.csv, line 2: 'rotation' has no meaning: there is no quaternion")]

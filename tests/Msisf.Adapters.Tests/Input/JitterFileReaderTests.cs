@@ -35,7 +35,7 @@ public sealed class JitterFileReaderTests
     [InlineData("0 1 2 3\n0 1 2 3\n", "j.txt, line 2: 0 s is not later than the line before. Put the lines in the order of their times.")]
     [InlineData(
         "0 1 2 3\nroll 1 2 3\n",
-        "j.txt, line 2: a line of an axis with its sine and one of seconds can't stand in one file. Choose one kind.")]
+        "j.txt, line 2: a line of an axis with its sine and one of seconds can't be in one file. Choose one kind.")]
     [InlineData("rol 1 2 3\n", "j.txt, line 1: 'rol' is not a number; write")]
     [InlineData("0 1 nan 3\n", "j.txt, line 1: 'nan' is not finite")]
     public void Read_Wrong_SaysWhere(string text, string message) =>

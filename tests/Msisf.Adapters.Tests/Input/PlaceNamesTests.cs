@@ -29,7 +29,7 @@ public sealed class PlaceNamesTests
     [Theory]
     [InlineData("Tyco", "did you mean Tycho?")]
     [InlineData("Imbrium", "did you mean Mare Imbrium (mare, 34.7244,345.091)")]
-    [InlineData("Zzzzzzzz", "is no named place of the Moon. msis places lists them.")]
+    [InlineData("Zzzzzzzz", "is not a named place of the Moon. msis places lists them.")]
     public void Find_UnknownName_SaysWhatMayBeMeant(string name, string expected) =>
         Assert.Contains(expected, Assert.Throws<BadInputException>(() => PlaceNames.Find(name)).Message, StringComparison.Ordinal);
 

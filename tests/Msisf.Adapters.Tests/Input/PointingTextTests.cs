@@ -24,9 +24,9 @@ public class PointingTextTests
     [InlineData("1,2,3,4", "'1,2,3,4' has 4 parts")]
     [InlineData("north,2,3", "the latitude (degrees): 'north' is not a number")]
     [InlineData("1,,3", "the longitude (degrees east): a number is missing")]
-    [InlineData("1,2,terrain100", "'terrain100' is no height; write metres over the sphere of 1737400 m, or 'terrain+METRES'")]
-    [InlineData("1,2,ground", "'ground' is no height")]
-    [InlineData("1,2,", "'' is no height")]
+    [InlineData("1,2,terrain100", "'terrain100' is not a height; write metres over the sphere of 1737400 m, or 'terrain+METRES'")]
+    [InlineData("1,2,ground", "'ground' is not a height")]
+    [InlineData("1,2,", "'' is not a height")]
     [InlineData("170,20,3", "The latitude (degrees) is 170; a number from -90 to 90 is needed. Are latitude and longitude swapped?")]
     [InlineData("400,20,3", "The latitude (degrees) is 400; a number from -90 to 90 is needed.")]
     public void ParsePosition_Wrong_SaysWhat(string text, string message) => Assert.StartsWith(

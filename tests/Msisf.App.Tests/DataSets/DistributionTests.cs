@@ -34,8 +34,8 @@ public class DistributionTests
     public void Parse_ListOfTwo_IsUniform() => Assert.Equal("uniform 1 2", Distribution.Parse(["1", "2"], Number).ToString());
 
     [Theory]
-    [InlineData("uniform 1", "is no distribution; a number, [MIN, MAX]")]
-    [InlineData("gauss 1 2", "is no number")]
+    [InlineData("uniform 1", "is not a distribution; a number, [MIN, MAX]")]
+    [InlineData("gauss 1 2", "is not a number")]
     [InlineData("uniform 5 1", "the first limit is not below the second")]
     [InlineData("log-uniform 0 1", "needs numbers above 0")]
     [InlineData("normal 1 0 0 2", "needs a standard deviation above 0")]
@@ -47,5 +47,5 @@ public class DistributionTests
 
     private static double Number(string text) => double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
         ? number
-        : throw new BadInputException($"'{text}' is no number");
+        : throw new BadInputException($"'{text}' is not a number");
 }

@@ -36,6 +36,6 @@ public sealed class ListenAddressTests
     [InlineData("db.example.org:80")]
     [InlineData("msis.sock")]
     public void Parse_AnythingElse_IsRefusedWithExamples(string text) => Assert.StartsWith(
-        $"'{text}' is no address with a port, such as 127.0.0.1:8810",
+        $"'{text}' is neither an address with a port, such as 127.0.0.1:8810",
         Assert.Throws<BadInputException>(() => ListenAddress.Parse(text)).Message, StringComparison.Ordinal);
 }

@@ -26,7 +26,7 @@ public sealed class ModelPathTests
     [Theory]
     [InlineData("site.tif,shift=1", "shift is two numbers")]
     [InlineData("site.tif,shift=1,x", "shift is two numbers")]
-    [InlineData("site.tif,shift=1,2,3", "'3' is no option of a model")]
+    [InlineData("site.tif,shift=1,2,3", "'3' is not an option of a model")]
     [InlineData("site.tif,shift=1,2,shift=1,2", "given once")]
     [InlineData("site.tif,offset=auto,offset=3", "given once")]
     [InlineData("site.tif,offset=Auto", "is a number or auto")]
@@ -36,8 +36,8 @@ public sealed class ModelPathTests
     [InlineData("site.tif,scale=1,scale=2", "given once")]
     [InlineData("site.tif,offset=x", "offset, metres that are added")]
     [InlineData("site.tif,offset=1e999", "offset, metres that are added")]
-    [InlineData("site.tif,sclae=2", "'sclae' is no option of a model")]
-    [InlineData("site.tif,scale=2,more", "'more' is no option of a model")]
+    [InlineData("site.tif,sclae=2", "'sclae' is not an option of a model")]
+    [InlineData("site.tif,scale=2,more", "'more' is not an option of a model")]
     public void Parse_WrongOption_IsRefused(string text, string message)
     {
         UsageException exception = Assert.Throws<UsageException>(() => ModelPath.Parse(text));

@@ -16,11 +16,11 @@ public sealed class ReflectanceTextTests
     }
 
     [Theory]
-    [InlineData("hapke:w", "'w' is no parameter; name=number is needed")]
-    [InlineData("hapke:", "'' is no parameter")]
-    [InlineData("hapke:w=nan", "'w=nan' is no parameter")]
+    [InlineData("hapke:w", "'w' is not a parameter; name=number is needed")]
+    [InlineData("hapke:", "'' is not a parameter")]
+    [InlineData("hapke:w=nan", "'w=nan' is not a parameter")]
     [InlineData("hapke:w=0.3,W=0.4", "the parameter w is given twice")]
-    [InlineData("lambart", "'lambart' is no law")]
+    [InlineData("lambart", "'lambart' is not a law")]
     public void Parse_WrongText_SaysWhat(string text, string words) => Assert.Contains(
         words, Assert.Throws<UsageException>(() => ReflectanceText.Parse(text)).Message, StringComparison.Ordinal);
 }

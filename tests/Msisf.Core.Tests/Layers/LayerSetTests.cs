@@ -22,10 +22,10 @@ public class LayerSetTests
         Assert.Equal(["depth", "normal", "mask"], LayerSet.Parse("mask, Normal,depth").Layers.Select(layer => layer.Name));
 
     [Theory]
-    [InlineData("depth,dept", "'dept' is no layer")]
-    [InlineData("", "'' is no layer")]
-    [InlineData("depth,", "'' is no layer")]
-    [InlineData("depth,all", "'all' is no layer")]
+    [InlineData("depth,dept", "'dept' is not a layer")]
+    [InlineData("", "'' is not a layer")]
+    [InlineData("depth,", "'' is not a layer")]
+    [InlineData("depth,all", "'all' is not a layer")]
     [InlineData("depth,mask,DEPTH", "depth is there twice")]
     public void Parse_WrongList_IsRefusedWithWhatIsWrong(string text, string reason)
     {

@@ -69,9 +69,9 @@ public class TimeIntervalTests
 
     [Theory]
     [InlineData(0.0, "step of the time interval is 0")]
-    [InlineData(double.NaN, "NaN s is no length of time")]
-    [InlineData(double.PositiveInfinity, "Infinity s is no length of time")]
-    [InlineData(1e300, "is no length of time")]
+    [InlineData(double.NaN, "NaN s is not a length of time")]
+    [InlineData(double.PositiveInfinity, "Infinity s is not a length of time")]
+    [InlineData(1e300, "is not a length of time")]
     [InlineData(5e-324, "step of the time interval is 0")]
     [InlineData(1e-8, "has 100000001 times, at most 10000000")]
     public void Constructor_WrongStep_RefusedWithTheReason(double step, string reason) =>

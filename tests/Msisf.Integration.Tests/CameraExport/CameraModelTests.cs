@@ -139,7 +139,7 @@ public sealed class CameraModelTests : IDisposable
     [InlineData("skew: 1", "colmap", 2, "colmap can't say skew pixels", "can: csm, isd, isd-body, isis.")]
     [InlineData("scan: {kind: rolling-shutter, period: 0.001}", "isis", 2, "isis can't say a camera that scans", "can: csm, isd")]
     [InlineData("distortion: {model: opencv, k1: 0.1}", "isis", 2, "isis can't say the lens 'opencv'", "can: opencv, colmap, tsai, csm")]
-    [InlineData("skew: 0", "csm,tsa", 1, "'tsa' is no format", "Give some of opencv, colmap, tsai, csm")]
+    [InlineData("skew: 0", "csm,tsa", 1, "'tsa' is not a format", "Give some of opencv, colmap, tsai, csm")]
     [InlineData("scan: {kind: rolling-shutter, period: 0.001}", "csm,tsai", 2, "tsai can't say a camera that scans", "can: csm, isd, ")]
     public void CameraThatAFormatCannotSay_IsOneLine(string camera, string formats, int exitCode, string problem, string remedy)
     {
@@ -155,7 +155,7 @@ public sealed class CameraModelTests : IDisposable
 
     [Theory]
     [InlineData("<a/>", "there is no GeneralInformation in it")]
-    [InlineData("width: 3", "is no meta file of msis")]
+    [InlineData("width: 3", "is not a meta file of msis")]
     [InlineData("<M><GeneralInformation><SimulationTime/></GeneralInformation></M>", "did not write the camera yet")]
     [InlineData("<M><GeneralInformation><Camera width='x'/></GeneralInformation></M>", "Camera has no K.")]
     [InlineData(null, "can't be read")]

@@ -88,7 +88,7 @@ public sealed class CubeTests : IDisposable
 
         Assert.Equal((2, 2), (missing.ExitCode, wrong.ExitCode));
         Assert.Contains("frame.radiance-factor.npy is not there, and the meta file alone has no pixels. Draw", missing.Error);
-        Assert.Contains("frame.radiance-factor.npy: is no array of 40 x 60 real numbers", wrong.Error);
+        Assert.Contains("frame.radiance-factor.npy: is not an array of 40 x 60 real numbers", wrong.Error);
     }
 
     [RequiresFact(Part.Ldem4)]

@@ -22,12 +22,12 @@ public sealed class DataSetFileTests : IDisposable
     [InlineData("count: 2\nstates: {altitude: -3, sun-elevation: 3}\n", "'altitude': -3 goes beyond what is possible: 1 to 1000000000 m.")]
     [InlineData(
         "count: 2\nstates: {altitude: uniform 3, sun-elevation: 3}\n",
-        "line 2, column 10: 'altitude': 'uniform 3' is no distribution; a number, [MIN, MAX], ")]
-    [InlineData("count: 2\nstates: {altitud: 3}\n", "'altitud' is no key of the states; did you mean 'altitude'?", "altitud")]
+        "line 2, column 10: 'altitude': 'uniform 3' is not a distribution; a number, [MIN, MAX], ")]
+    [InlineData("count: 2\nstates: {altitud: 3}\n", "'altitud' is not a key of the states; did you mean 'altitude'?", "altitud")]
     [InlineData("count: 2.5\nstates: {altitude: 3e5, sun-elevation: 3}\n", "'count' is 2.5; a whole number from 1 to")]
     [InlineData(Good + "seed: -1\n", "'seed' is \"-1\"; a whole number from 0 on is needed.", "seed")]
     [InlineData(Good + "sampling: halton\n", "'sampling' is \"halton\"; one of kronecker, random is needed", "sampling")]
-    [InlineData(Good + "index: [csv, voc]\n", "is no format; some of csv, coco, tum, kitti are needed.")]
+    [InlineData(Good + "index: [csv, voc]\n", "is not a format; some of csv, coco, tum, kitti are needed.")]
     [InlineData(Good + "index: coco\n", "the index 'coco' holds craters, and no option names a catalogue. Add one below 'options', e.g. ")]
     [InlineData(Good + "accept: {lit: 1.5}\n", "'lit' is 1.5; a part from 0 to 1 is needed.")]
     [InlineData(Good + "accept: {sun-elevation: [9, 3]}\n", "the first limit is not below the second. Swap them.")]
@@ -36,13 +36,13 @@ public sealed class DataSetFileTests : IDisposable
     [InlineData(Good + "split: {train: 0.7, test: [0, 1, 0, 1]}\n", "of the splits some have a share, some a region.")]
     [InlineData(Good + "split: {a: [0, 9, 0, 9], b: [9, 19, 0, 9]}\n", "the regions of 'a' and 'b' touch. Leave a gap between them.")]
     [InlineData(Good + "split: {train: 0.9, test: 0.1, gap: 70, width: 60}\n", "the gap between them is 70. Make that smaller")]
-    [InlineData(Good + "split: {../up: 1}\n", "is no name of a split")]
+    [InlineData(Good + "split: {../up: 1}\n", "is not a name of a split")]
     [InlineData(Good + "split: 3\n", "'split' is a section: put its keys below it")]
     public void Read_WrongFile_SaysWhatAndWhere(string text, string message, string? part = null) => Check(text, part ?? message);
 
     [Theory]
     [InlineData("{fov: 500}", "--fov is 500; its range is")]
-    [InlineData("{fixed-state: x}", "'fixed-state' can't stand in a configuration file: it says where the camera is, or when.")]
+    [InlineData("{fixed-state: x}", "'fixed-state' can't be in a configuration file: it says where the camera is, or when.")]
     [InlineData("{renderer: povray}", "a data set is drawn by the native renderer.")]
     [InlineData("{craters: none.csv}", "none.csv: there is no such file.")]
     [InlineData("{craters: c.csv}", "the licence of c.csv, which the data set is made from, is not known. Say it below 'licences'")]

@@ -175,7 +175,7 @@ public sealed class ExposureRunTests : IDisposable
             ([.. fixedState, "--noise-seed", "1"], 1, "--noise-seed has no meaning without a camera file that has the section 'detector'"),
             ([.. detector, "--exposure-time", "0"], 1, "--exposure-time is '0'; seconds above 0, up to 86400, or auto, are needed."),
             ([.. detector, "--exposure-time", "5ms"], 1, "--exposure-time is '5ms'; seconds above 0"),
-            ([.. detector, "--noise-seed", "-1"], 1, "--noise-seed: '-1' is no noise seed; a whole number from 0 on"),
+            ([.. detector, "--noise-seed", "-1"], 1, "--noise-seed: '-1' is not a noise seed; a whole number from 0 on"),
             (["--batch-file", "-", "--camera", camera, "--exposure-time", "auto"], 1, "standard input can be read once. Give seconds"),
             ([.. night, "--camera", camera, "--exposure-time", "auto"], 2, "auto: no pixel of the frames that were looked at is lit"),
         ])

@@ -80,7 +80,7 @@ public sealed class MissionRunTests : IDisposable
     [InlineData("no instrument", "--ck needs --instrument: whose attitude the camera has. Add it.")]
     [InlineData("no time", "--spacecraft needs one of --time, --times, --time-interval, --every")]
     [InlineData("with look-at", "--ck has no meaning where --attitude, --look-at")]
-    [InlineData("wrong axes", "'+x,-x' are no axes")]
+    [InlineData("wrong axes", "'+x,-x' are not axes")]
     [InlineData("povray", "has a lens with distortion, which POV-Ray can't draw")]
     public void Run_WrongInput_SaysWhatAndWhatToDo(string name, string expected)
     {

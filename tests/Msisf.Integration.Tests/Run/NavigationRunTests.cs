@@ -208,7 +208,7 @@ public sealed class NavigationRunTests : IDisposable
     [InlineData("--flow FILE:bad.csv", "bad.csv: no meta file, or it does not say what made it.")]
     [InlineData("--flow {1,2}", "--flow: 2 numbers, 8 expected")]
     [InlineData("--flow-format npy", "--flow-format is given, but no --flow that it is for.")]
-    [InlineData("--stereo 1 --flow-format avi", "'avi' is no format. Give some of fits, npy, flo, kitti.")]
+    [InlineData("--stereo 1 --flow-format avi", "'avi' is not a format. Give some of fits, npy, flo, kitti.")]
     [InlineData("--stereo 0", "--stereo is 0; its range is above 0")]
     [InlineData("--landmarks FILE:c.csv --renderer povray", "--landmarks is for --renderer native only.")]
     [InlineData("--landmarks FILE:bad.txt", "bad.txt, line 1: no column for latitude and longitude, nor x, y and z")]

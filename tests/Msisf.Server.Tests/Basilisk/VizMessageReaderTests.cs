@@ -34,7 +34,7 @@ public sealed class VizMessageReaderTests
     [InlineData(new byte[] { 0x00 })] // no tag
     [InlineData(new byte[] { 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF })]
     public void Read_OtherBytes_AreNoMessage(byte[] bytes) => Assert.StartsWith(
-        "the message is no VizMessage of Basilisk: ", Assert.Throws<BadInputException>(() => VizMessageReader.Read(bytes)).Message,
+        "the message is not a VizMessage of Basilisk: ", Assert.Throws<BadInputException>(() => VizMessageReader.Read(bytes)).Message,
         StringComparison.Ordinal);
 
     private static byte[] Nested(int field, byte[] bytes) => [(byte)((field << 3) | 2), (byte)bytes.Length, .. bytes];

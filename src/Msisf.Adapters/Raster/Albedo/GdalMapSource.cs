@@ -20,7 +20,7 @@ internal sealed class GdalMapSource : MapSource
 
     /// <summary>Opens an image, which is warped if it has a projection that does not run in rows of latitude.</summary>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
-    /// <exception cref="Core.Errors.MsisfException">GDAL is missing, or the file is no image or not of the Moon.</exception>
+    /// <exception cref="Core.Errors.MsisfException">GDAL is missing, or the file is not an image or not of the Moon.</exception>
     public static GdalMapSource Open(string path, string? libraryPath)
     {
         GdalImage file = GdalImage.Open(path, libraryPath);

@@ -23,7 +23,7 @@ public sealed record MapProperties(
     public static string ValidValues => string.Join(", ", Names);
 
     /// <summary>Reads a text such as "scale=3.16e-4,west=-180".</summary>
-    /// <exception cref="BadInputException">A name is unknown or given twice, or a value is no number or out of range.</exception>
+    /// <exception cref="BadInputException">A name is unknown or given twice, or a value is not a number or out of range.</exception>
     public static MapProperties Parse(string text)
     {
         Dictionary<string, double> values = new(StringComparer.Ordinal);
@@ -32,7 +32,7 @@ public sealed record MapProperties(
             string[] pair = part.Split('=', 2, StringSplitOptions.TrimEntries);
             if (pair.Length != 2 || !Names.Contains(pair[0], StringComparer.Ordinal) || !NumberText.TryParse(pair[1], out double value))
             {
-                throw new BadInputException($"'{part}' is no property of a map; name=number is needed, with one of {ValidValues}.");
+                throw new BadInputException($"'{part}' is not a property of a map; name=number is needed, with one of {ValidValues}.");
             }
 
             if (!values.TryAdd(pair[0], value))

@@ -7,8 +7,8 @@ namespace Msisf.Adapters.Raster.Heights;
 /// <summary>How the stored numbers of a raster become heights in m: height = offset + factor number.</summary>
 /// <param name="Factor">m a step.</param>
 /// <param name="Offset">m.</param>
-/// <param name="Lowest">m: what is lower is no height.</param>
-/// <param name="Highest">m: what is higher is no height.</param>
+/// <param name="Lowest">m: what is lower is not a height.</param>
+/// <param name="Highest">m: what is higher is not a height.</param>
 internal readonly record struct HeightRule(double Factor, double Offset, double Lowest, double Highest)
 {
     /// <summary>m: by so much and more sums in floats may be off; what is so near to a limit is looked at one by one.</summary>
@@ -80,7 +80,7 @@ internal readonly record struct HeightRule(double Factor, double Offset, double 
 /// <param name="IsKnown">Whether somebody says it: the user, the file, or the table of known products.</param>
 internal readonly record struct HeightUnit(double Metres, bool IsKnown)
 {
-    /// <summary>The unit that the user says, else the file, else the table of known products; else metres.</summary>
+    /// <summary>The unit that the user says, otherwise the file, otherwise the table of known products; otherwise metres.</summary>
     /// <exception cref="BadInputException">The file's is none that is known.</exception>
     public static HeightUnit Of(string path, GdalImage image, HeightOptions given)
     {
@@ -100,9 +100,9 @@ internal readonly record struct HeightUnit(double Metres, bool IsKnown)
         "M" or "METRE" or "METER" or "METRES" or "METERS" => 1.0,
         "KM" or "KILOMETRE" or "KILOMETER" or "KILOMETRES" or "KILOMETERS" => 1000.0,
         "FT" or "FOOT" or "FEET" or "INTERNATIONAL FOOT" => throw new BadInputException(
-            $"{path}: its heights are in '{unit}'; metres or kilometres are needed. If they are, add ,scale=0.3048 to its name."),
+            $"{path}: its heights are in '{unit}'; m or km are needed. If they are feet, add ,scale=0.3048 to its name."),
         "US-FT" or "US SURVEY FOOT" or "FTUS" or "FOOT_US" => throw new BadInputException(
-            $"{path}: its heights are in '{unit}'; metres or kilometres are needed. If they are, add ,scale=0.3048006096 to its name."),
+            $"{path}: its heights are in '{unit}'; m or km are needed. If they are feet, add ,scale=0.3048006096 to its name."),
         _ => throw new BadInputException(
             $"{path}: its heights are in '{unit}'; metres or kilometres are needed. Add ,scale=METRES to its name: "
                 + $"metres in one '{unit}'."),

@@ -84,7 +84,7 @@ public static class LdemCatalog
     public static int ResolutionOf(string labelOrImage) => ReadCylindrical(labelOrImage, body: null).PixelsPerDegree;
 
     /// <summary>
-    /// Resolution of the models of a folder, px/deg: the usual one if it has such a model, or none at all; else that of its only ones.
+    /// Resolution of the models of a folder, px/deg: the usual one if it has such a model, or none at all; otherwise that of its only ones.
     /// </summary>
     /// <param name="folder">The folder, which exists.</param>
     /// <param name="usual">px/deg: the resolution that counts among several.</param>
@@ -172,7 +172,7 @@ public static class LdemCatalog
     }
 
     /// <summary>
-    /// The model of which a label is: with the parts beside it, if these make up the whole Moon or a band around it, else itself.
+    /// The model that a label belongs to: with the parts beside it, if these make up the whole Moon or a band around it, otherwise itself.
     /// </summary>
     private static LdemSet WithSiblings(LdemLabel label)
     {

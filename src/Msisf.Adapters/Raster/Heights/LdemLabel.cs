@@ -74,7 +74,7 @@ public sealed record LdemLabel(
     /// <summary>By how much a sample value may be outside the limits.</summary>
     internal double Slack => HasIntegers ? 0.0 : Tolerances.FloatSampleLimits * (Maximum - Minimum);
 
-    /// <summary>m: radius of the sphere of the heights: LOLA's for the Moon, whatever OFFSET is, else that of the label.</summary>
+    /// <summary>m: radius of the sphere of the heights: LOLA's for the Moon, whatever OFFSET is, otherwise that of the label.</summary>
     public double ReferenceRadius => Body.IsMoon ? MoonConstants.ReferenceRadius : Offset;
 
     /// <summary>Bytes of a sample.</summary>

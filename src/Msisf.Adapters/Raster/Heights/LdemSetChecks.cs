@@ -116,8 +116,8 @@ internal static class LdemSetChecks
 /// <summary>
 /// The name of a part of a split product: the archive puts the part's borders into it, e.g. "LDEM_512_00N_45N_000_090_FLOAT".
 /// </summary>
-/// <param name="Before">What stands before the borders, e.g. "LDEM_512"; the whole name if it has none.</param>
-/// <param name="After">What stands behind them, e.g. "_FLOAT".</param>
+/// <param name="Before">What is before the borders, e.g. "LDEM_512"; the whole name if it has none.</param>
+/// <param name="After">What is behind them, e.g. "_FLOAT".</param>
 internal sealed partial record LdemPartName(string Before, string After, bool HasBorders)
 {
     /// <summary>The name without borders: what the parts of one model have in common.</summary>

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
 
-/// <summary>The levels of detail of a model: from its sidecar if there is a valid one, else computed when they are read.</summary>
+/// <summary>The levels of detail of a model: from its sidecar if there is a valid one, otherwise computed when they are read.</summary>
 public sealed class ModelLevels : IDisposable
 {
     private ModelLevels(LodLevels levels, PyramidFile? file, string? warning) => (Levels, Sidecar, Warning) = (levels, file, warning);

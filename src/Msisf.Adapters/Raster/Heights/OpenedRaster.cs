@@ -118,7 +118,7 @@ internal sealed class OpenedRaster : IDisposable
     /// <summary>Opens a file.</summary>
     /// <param name="libraryPath">MSISF_GDAL, or null.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
-    /// <exception cref="BadInputException">The file is no image, or not of a part of the Moon in a projection that is read.</exception>
+    /// <exception cref="BadInputException">The file is not an image, or not of a part of the Moon in a projection that is read.</exception>
     public static OpenedRaster Open(string path, string? libraryPath)
     {
         GdalImage file = GdalImage.Open(

@@ -95,7 +95,7 @@ internal readonly record struct UndeclaredGaps(long Count, int Line, int Sample,
     /// <summary>A sentence for the log.</summary>
     /// <param name="name">The model's, or its file's.</param>
     public static string NoteOf(string name, UndeclaredGaps gaps) => Invariant(
-        $"{name}: {gaps.Count} pixels are no heights, though the file does not declare them as without data; the first is line "
+        $"{name}: {gaps.Count} pixels cannot be heights, though the file does not say that they have no data; the first is line "
             + $"{gaps.Line + 1}, sample {gaps.Sample + 1} ({gaps.Value:R}). They are left without ground, or to a coarser model.");
 
     /// <summary>With one more.</summary>

@@ -60,7 +60,7 @@ internal sealed class PdsLabelParser
     /// <summary>Reads the label of an ISIS cube up to its End.</summary>
     /// <param name="text">The label; what follows End is not looked at.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="BadInputException">The text is no label; the message names file and line.</exception>
+    /// <exception cref="BadInputException">The text is not a label; the message names file and line.</exception>
     public static PdsObject ParseCube(string text, string file) => new PdsLabelParser(text, file).ReadLabel();
 
     private PdsObject ReadLabel()

@@ -2,7 +2,7 @@ namespace Msisf.Adapters.Raster.Pds;
 
 /// <summary>A value of a PDS3 label: one text, or a sequence or set of values.</summary>
 /// <param name="Text">The text without quotes; empty for a sequence or set.</param>
-/// <param name="IsQuoted">The text stood in quotes, so it is no number.</param>
+/// <param name="IsQuoted">The text stood in quotes, so it is not a number.</param>
 /// <param name="Unit">Unit as written, e.g. "pix/deg"; null if none is given.</param>
 /// <param name="Items">The values of a sequence or set; null for one text.</param>
 /// <param name="Line">Line of the label, from 1.</param>
@@ -80,7 +80,7 @@ internal sealed class PdsObject(string file, string name, int line)
     public double RequiredNumber(string keyword, string? unit = null) => Number(keyword, Required(keyword), unit);
 
     /// <summary>The number of a keyword; null if it is missing or 'N/A'.</summary>
-    /// <exception cref="BadInputException">It is no finite number, or has another unit.</exception>
+    /// <exception cref="BadInputException">It is not a finite number, or has another unit.</exception>
     public double? OptionalNumber(string keyword, string? unit = null) =>
         Find(keyword) is { } value && value.Word != "N/A" ? Number(keyword, value, unit) : null;
 
@@ -95,7 +95,7 @@ internal sealed class PdsObject(string file, string name, int line)
     }
 
     /// <summary>The whole number of a keyword; null if it is missing.</summary>
-    /// <exception cref="BadInputException">It is no whole number, or out of range.</exception>
+    /// <exception cref="BadInputException">It is not a whole number, or out of range.</exception>
     public int? OptionalInteger(string keyword, int minimum, int maximum) =>
         Find(keyword) is null ? null : RequiredInteger(keyword, minimum, maximum);
 

@@ -59,7 +59,7 @@ internal sealed class PdsTokenizer(string text, string file)
         }
     }
 
-    /// <summary>What stands before a closing sign, without the characters that open it.</summary>
+    /// <summary>What is before a closing sign, without the characters that open it.</summary>
     private string TakeTo(string closing, int opening, string what)
     {
         int start = _position + opening;

@@ -47,7 +47,7 @@ internal sealed class ConfigFiles(ProgramHost host)
     /// <param name="path">The file; relative paths in it start at its folder.</param>
     /// <param name="rank">See <see cref="ConfigValue"/>.</param>
     /// <param name="isOfRun">Whether all options are those of a run.</param>
-    /// <exception cref="BadInputException">A key is no option, or can't have its value.</exception>
+    /// <exception cref="BadInputException">A key is not an option, or can't have its value.</exception>
     public IEnumerable<ConfigValue> Values(string path, IEnumerable<ConfigEntry> entries, int rank = 1, bool isOfRun = false)
     {
         foreach (ConfigEntry entry in entries)

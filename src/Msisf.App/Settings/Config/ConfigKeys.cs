@@ -46,13 +46,13 @@ internal static class ConfigKeys
         if (ofRun is null && Refused.TryGetValue(entry.Key, out string? reason))
         {
             throw new BadInputException(
-                $"{place}'{entry.Key}' can't stand in a configuration file: it {reason}. Give it on the command line.");
+                $"{place}'{entry.Key}' can't be in a configuration file: it {reason}. Give it on the command line.");
         }
 
         if ((ofRun ?? Keys.GetValueOrDefault(entry.Key)) is not { } option)
         {
             throw new BadInputException(
-                $"{place}{NumberText.Shown(entry.Key)} is no option{Hint(entry.Key)} "
+                $"{place}{NumberText.Shown(entry.Key)} is not an option{Hint(entry.Key)} "
                     + "'msis config show' lists all.");
         }
 

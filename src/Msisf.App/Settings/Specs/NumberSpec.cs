@@ -20,11 +20,11 @@ internal sealed record NumberSpec(string Name, OptionRole Role, string ValueName
     public override string? DefaultValue => Default is { } number ? TextOf(number) : null;
 
     /// <summary>Reads the number, or the default, which must exist.</summary>
-    /// <exception cref="UsageException">The value is no finite number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is not a finite number, or it is out of range.</exception>
     public double Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
     /// <summary>Reads the number; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The value is no finite number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is not a finite number, or it is out of range.</exception>
     public double? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)
@@ -84,20 +84,20 @@ internal sealed record NumberListSpec(string Name, OptionRole Role, IReadOnlyLis
     public override bool TakesSeveralWords => true;
 
     /// <summary>Reads the numbers in their order, in the units of the command line; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is no number.</exception>
+    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is not a number.</exception>
     public double[]? Read(OptionValues values) => values.Words(this) is { } words
         ? this.Value(
             () => Fields is [string only] ? StateText.ParseList(Name, words, only) : StateText.ParseNumbers(Name, words, Fields))
         : null;
 
     /// <summary>Reads times of a list of any length; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The braces are unbalanced, or a value is no time.</exception>
+    /// <exception cref="UsageException">The braces are unbalanced, or a value is not a time.</exception>
     public CalendarTime[]? ReadTimes(OptionValues values) => values.Words(this) is { } words
         ? this.Value(() => StateText.ParseTimes(Name, words))
         : null;
 
     /// <summary>Reads a time and the numbers behind it; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is no time or number.</exception>
+    /// <exception cref="UsageException">The braces are unbalanced, the count is wrong, or a value is not a time or number.</exception>
     public (CalendarTime Time, double[] Numbers)? ReadState(OptionValues values) => values.Words(this) is { } words
         ? this.Value(() => StateText.ParseState(Name, words, Fields))
         : null;
@@ -120,11 +120,11 @@ internal sealed record WholeNumberSpec(string Name, OptionRole Role, string Valu
     public override string? DefaultValue => Default?.ToString(CultureInfo.InvariantCulture);
 
     /// <summary>Reads the number, or the default, which must exist.</summary>
-    /// <exception cref="UsageException">The value is no whole number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is not a whole number, or it is out of range.</exception>
     public int Read(OptionValues values) => ReadIfGiven(values) ?? Default!.Value;
 
     /// <summary>Reads the number; null if the option is not given.</summary>
-    /// <exception cref="UsageException">The value is no whole number, or it is out of range.</exception>
+    /// <exception cref="UsageException">The value is not a whole number, or it is out of range.</exception>
     public int? ReadIfGiven(OptionValues values)
     {
         if (values.Text(this) is not string text)

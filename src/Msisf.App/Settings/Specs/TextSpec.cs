@@ -54,6 +54,6 @@ internal sealed record TimeSpec(string Name, OptionRole Role, string Help) : Opt
     public override string ValueName => "TIME";
 
     /// <summary>Reads the time, which must be given.</summary>
-    /// <exception cref="BadInputException">The value is no time.</exception>
+    /// <exception cref="BadInputException">The value is not a time.</exception>
     public CalendarTime Read(OptionValues values) => this.Named(() => TimeText.Parse(values.Text(this)!));
 }

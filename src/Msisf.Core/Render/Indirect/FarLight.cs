@@ -120,7 +120,7 @@ internal sealed class FarLight(GroundLights lights, GroupSight sight, LightSampl
 
     /// <summary>A point of far ground that was chosen.</summary>
     /// <param name="Light">Which.</param>
-    /// <param name="Weight">For how many it stands.</param>
+    /// <param name="Weight">For how many it is.</param>
     /// <param name="Shared">How likely the pixels around see it.</param>
     /// <param name="Facing">The points of the group that face it, as bits.</param>
     /// <param name="Seeing">Those of them that see it; none if that is not asked for.</param>

@@ -16,7 +16,7 @@ internal sealed class GroundLights(int count)
     /// <summary>Normals of their facets, length 1.</summary>
     public Vector3D[] Normals { get; } = new Vector3D[count];
 
-    /// <summary>m^2: area of the ground for which each stands.</summary>
+    /// <summary>m^2: area of the ground for which each is.</summary>
     public double[] Areas { get; } = new double[count];
 
     /// <summary>m: from each point, ground within this distance is looked at by rays instead.</summary>
@@ -32,7 +32,7 @@ internal sealed class GroundLights(int count)
     public Vector3D[] ToSun { get; } = new Vector3D[count];
 
     /// <summary>
-    /// The sunlight on the ground for which each stands over what there would be if the Sun shone on all of it as it shines on the point.
+    /// The sunlight on the ground for which each is over what there would be if the Sun shone on all of it as it shines on the point.
     /// </summary>
     public double[] FromSun { get; } = new double[count];
 

@@ -35,7 +35,7 @@ internal ref struct GroundRay
     /// <inheritdoc cref="PerX"/>
     public float PerZ { get; }
 
-    /// <summary>m: distance of the facet that was met, else of the ray's end.</summary>
+    /// <summary>m: distance of the facet that was met, otherwise of the ray's end.</summary>
     public double End { get; private set; }
 
     /// <summary>Whether a facet was met.</summary>

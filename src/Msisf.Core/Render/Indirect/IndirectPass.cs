@@ -40,7 +40,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
     /// <summary>Parts of pixels that make a group.</summary>
     private const int PartsOfGroup = 8;
 
-    /// <summary>Near ground may stand higher than the first samples have met, rad and over what they met.</summary>
+    /// <summary>Near ground may be higher than the first samples have met, rad and over what they met.</summary>
     private const double LeastTop = 0.02;
     private const double MarginOfTop = 1.2;
 

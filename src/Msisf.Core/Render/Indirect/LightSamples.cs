@@ -63,7 +63,7 @@ internal sealed class LightSamples(SurfaceModel surface, FrameCamera camera, Nat
     /// <summary>Takes the laws of both reflections, and sums up the samples of a point.</summary>
     /// <param name="receiver">The point.</param>
     /// <param name="found">Receives the sum.</param>
-    /// <param name="hasMap">Whether the weights of the places count what the map says; else it is looked up.</param>
+    /// <param name="hasMap">Whether the weights of the places count what the map says; otherwise it is looked up.</param>
     public void SumUp(int receiver, GatheredLight found, bool hasMap)
     {
         int count = Sources.Count;
@@ -142,5 +142,5 @@ internal sealed class LightSamples(SurfaceModel surface, FrameCamera camera, Nat
 /// <summary>A place that light comes from.</summary>
 /// <param name="Point">m, body-fixed.</param>
 /// <param name="Normal">Of its facet, length 1.</param>
-/// <param name="Weight">How its brightness counts: the solid angle for which it stands, sr, and more.</param>
+/// <param name="Weight">How its brightness counts: the solid angle for which it is, sr, and more.</param>
 internal readonly record struct LitPlace(Vector3D Point, Vector3D Normal, double Weight);

@@ -19,7 +19,7 @@ internal sealed class SharedSight
     private const int FewestParts = 16;
     private const int MostParts = 64;
 
-    /// <summary>Pixels that are looked from together stand in squares with sides of so many.</summary>
+    /// <summary>Pixels that are looked from together are in squares with sides of so many.</summary>
     private const int Edge = 8;
 
     /// <summary>Bytes: more brightness is not kept, but found again.</summary>
@@ -98,7 +98,7 @@ internal sealed class SharedSight
     /// <param name="seen">
     /// Receives for each bright point how likely it is seen; 0 if no pixel tells. <see cref="BrightLights.PaddedLength"/> elements.
     /// </param>
-    /// <param name="isUnsure">Receives as many, 1 where the pixels say different things, or nothing, else 0.</param>
+    /// <param name="isUnsure">Receives as many, 1 where the pixels say different things, or nothing, otherwise 0.</param>
     public void Mix(double x, double y, Span<float> seen, Span<float> isUnsure)
     {
         (int left, float right) = Between(_x, x);
@@ -124,7 +124,7 @@ internal sealed class SharedSight
         }
     }
 
-    /// <summary>The weight where one of sixteen bits is set, else 0.</summary>
+    /// <summary>The weight where one of sixteen bits is set, otherwise 0.</summary>
     private static Vector512<float> Weighted(ulong bits, float weight)
     {
         Vector512<uint> ofLane = Vector512.Create(1u, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);

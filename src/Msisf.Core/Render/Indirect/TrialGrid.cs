@@ -5,7 +5,7 @@ namespace Msisf.Core.Render.Indirect;
 /// <param name="strips">Number of strips.</param>
 internal sealed class TrialGrid(int groups, int strips)
 {
-    /// <summary>How far the groups stand whose samples tell how unsure a group is, if its own happen to agree.</summary>
+    /// <summary>How far the groups are whose samples tell how unsure a group is, if its own happen to agree.</summary>
     private const int Neighbours = 2;
 
     /// <summary>How often the bounds of the effort, a factor of four apart, are brought nearer to each other: to a thousandth.</summary>

@@ -30,7 +30,7 @@ internal sealed class AlbedoSampler
     /// </param>
     /// <param name="ofLaw">The law's radiance factors, which the map scales.</param>
     /// <param name="isSite">
-    /// Whether only pixels count whose middles lie on the map; else also those half a pixel of a level beside it.
+    /// Whether only pixels count whose middles lie on the map; otherwise also those half a pixel of a level beside it.
     /// </param>
     public void Scale(
         SunlitPoints points, FrameCamera camera, double width, AlbedoMap map, double? factorOfReference, double[] ofLaw,

@@ -14,7 +14,7 @@ internal sealed class PixelSunlight
     /// <summary>Not 0 where terrain hides the whole light; for the Sun's disc also where the facet faces away from all of it.</summary>
     public byte[] Hidden { get; private set; } = [];
 
-    /// <summary>Visible fraction of the light, 0 to 1: of the Sun's disc, or for several samples together; else empty.</summary>
+    /// <summary>Visible fraction of the light, 0 to 1: of the Sun's disc, or for several samples together; otherwise empty.</summary>
     public double[] VisibleFractions { get; private set; } = [];
 
     /// <summary>Mask of the points of the Sun's disc that terrain hides; empty if the light is a point.</summary>

@@ -106,7 +106,7 @@ internal sealed class LensTiling(CameraModel model, LensSamples samples)
 
 /// <summary>Some pixels of an image with a lens, small enough that a linear map puts each sample near its pixel.</summary>
 /// <param name="Map">
-/// The linear map; it is no approximation of the samples, which stay where they are, but the plane that is drawn in.
+/// The linear map; it is not an approximation of the samples, which stay where they are, but the plane that is drawn in.
 /// </param>
 /// <param name="Margin">px: maximum distance of a sample from its pixel along columns or rows.</param>
 /// <param name="Tangents">The samples lie in this part of the ideal image plane.</param>

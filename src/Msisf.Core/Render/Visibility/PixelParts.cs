@@ -5,7 +5,7 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Render.Visibility;
 
 /// <summary>
-/// The parts of pixels that show one facet each: the samples of a pixel on the same facet are one part, which stands at their mean and has
+/// The parts of pixels that show one facet each: the samples of a pixel on the same facet are one part, which is at their mean and has
 /// one brightness. Its light is that of its receivers: of the part itself or, where a shadow's border may be near, of each sample. One
 /// object is used for many bands.
 /// </summary>

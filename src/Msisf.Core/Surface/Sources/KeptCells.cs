@@ -64,7 +64,7 @@ internal static class KeptCells
         }
     }
 
-    /// <summary>Removes the whole fan around a pole if a part of it is gone, so that the pole is no corner of a border.</summary>
+    /// <summary>Removes the whole fan around a pole if a part of it is gone, so that the pole is not a corner of a border.</summary>
     private static void RemoveFans(FacetMesh mesh, CellMask mask)
     {
         foreach (int line in mesh.IsClosed ? (int[])[-1, mesh.SouthFanLine] : [])

@@ -29,7 +29,7 @@ internal sealed class NestedParts
                 string name = parts[part].Grid.ProductId;
                 throw new BadInputException(whole[part].WithCells(KeptCells.Of(whole[part], [])).IsLeftOut
                     ? $"{name} has no cell whose samples all have data. Give a file with heights, or leave it out."
-                    : $"Of {name} nothing would be seen: finer models cover all of it. Leave it out.");
+                    : $"Nothing of {name} would be seen: finer models cover all of it. Leave it out.");
             }
         }
 

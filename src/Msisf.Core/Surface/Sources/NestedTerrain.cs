@@ -4,7 +4,7 @@ namespace Msisf.Core.Surface.Sources;
 
 /// <summary>
 /// Several elevation models as one surface: everywhere the finest model that has data, joined without a crack and without a step
-/// (docs/surface.md). It is closed if one of them is of the whole Moon; else there is nothing around the maps. The seams are made
+/// (docs/surface.md). It is closed if one of them is of the whole Moon; otherwise there is nothing around the maps. The seams are made
 /// when the surface is first needed. Safe for several threads.
 /// </summary>
 public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround

@@ -72,5 +72,5 @@ internal sealed class Outline
 /// <summary>An outermost sample of a model.</summary>
 /// <param name="Direction">Unit vector, body-fixed.</param>
 /// <param name="Radius">m.</param>
-/// <param name="Count">For how many samples it stands.</param>
+/// <param name="Count">For how many samples it is.</param>
 internal readonly record struct OutlineSample(int Line, int Sample, Vector3D Direction, double Radius, int Count);

@@ -103,5 +103,5 @@ internal sealed class OutlineField
 /// <summary>How much higher a model is than the ground of a coarser one, at a sample of its outline.</summary>
 /// <param name="Place">The sample's place on the reference sphere, m, body-fixed.</param>
 /// <param name="Height">m: the finer model's height less that of the coarser one.</param>
-/// <param name="Length">m of the outline for which the sample stands.</param>
+/// <param name="Length">m of the outline for which the sample is.</param>
 internal readonly record struct OutlineDifference(Vector3D Place, double Height, double Length);

@@ -19,7 +19,7 @@ public sealed class Dspsa(IGlobalGrid grid)
     /// <summary>Selects the tiles.</summary>
     /// <param name="camera">The camera, above the surface.</param>
     /// <param name="sunPositionBodyFixed">m, body-fixed; null if the light is at the camera, where it casts no visible shadow.</param>
-    /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is no higher than the terrain.</exception>
+    /// <exception cref="BadInputException">The camera is inside the Moon, or the Sun is not higher than the terrain.</exception>
     public TileSelection Select(ICamera camera, Vector3D? sunPositionBodyFixed, int threads = 1, CancellationToken cancellation = default)
     {
         foreach (CameraBand band in camera.Bands)

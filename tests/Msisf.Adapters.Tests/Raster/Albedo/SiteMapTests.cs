@@ -120,7 +120,7 @@ public sealed class SiteMapTests : IDisposable
         }
 
         Assert.Contains("factor is a number from", Refused(Moon(0.1), $"{site},factor=bright"));
-        Assert.Contains("'scal=2' is no property of a map", Refused(Moon(0.1), $"{site},scal=2"));
+        Assert.Contains("'scal=2' is not a property of a map", Refused(Moon(0.1), $"{site},scal=2"));
     }
 
     private static double At(AlbedoMap map, double latitude, double longitude)

@@ -41,7 +41,7 @@ public sealed class LdemGapTests : IDisposable
         if (isWorthANote)
         {
             Assert.Contains(
-                "LDEM_1.IMG: 4 pixels are no heights, though the file does not declare them as without data; the first is line 11, "
+                "LDEM_1.IMG: 4 pixels cannot be heights, though the file does not say that they have no data; the first is line 11, "
                     + "sample 21 (", map.NoteOfGaps(), StringComparison.Ordinal);
         }
 

@@ -28,7 +28,7 @@ public sealed class RasterGapTests : IDisposable
     public void Open_UndeclaredValue_IsNoDataWithANote(string value, string text)
     {
         using GeoTiffGrid grid = Open($"a[100:103, 200:260] = {value}; a[270, 5] = {value}");
-        Assert.Contains($"181 pixels are no heights", grid.NoteOfGaps(), StringComparison.Ordinal);
+        Assert.Contains($"181 pixels cannot be heights", grid.NoteOfGaps(), StringComparison.Ordinal);
         Assert.Contains($"the first is line 101, sample 201 {text}", grid.NoteOfGaps(), StringComparison.Ordinal);
         Assert.True(grid.MayHaveGaps);
         bool[] gaps = new bool[TestRaster.Samples];
@@ -80,7 +80,7 @@ public sealed class RasterGapTests : IDisposable
     public void Open_WarpedMapWithUndeclaredValue_HasOnlyHeights(string value)
     {
         using GeoTiffGrid grid = Open($"{Orthographic}; a[100:110, 90:99] = {value}");
-        Assert.Contains("90 pixels are no heights", grid.NoteOfGaps(), StringComparison.Ordinal);
+        Assert.Contains("90 pixels cannot be heights", grid.NoteOfGaps(), StringComparison.Ordinal);
         GridWindow window = grid.Window;
         bool[] gaps = new bool[window.Samples];
         double[] radius = new double[1];
@@ -103,7 +103,7 @@ public sealed class RasterGapTests : IDisposable
     public void Open_WarpedMapWithSeveralUndeclaredValues_LeavesThemAllOut()
     {
         using GeoTiffGrid grid = Open(Orthographic + "; a[3, 4] = np.nan; a[11, 12] = -32768; a[100:110, 90:99] = -9999");
-        Assert.Contains("92 pixels are no heights", grid.NoteOfGaps(), StringComparison.Ordinal);
+        Assert.Contains("92 pixels cannot be heights", grid.NoteOfGaps(), StringComparison.Ordinal);
         Assert.Contains("the first is line 4, sample 5 (NaN)", grid.NoteOfGaps(), StringComparison.Ordinal);
     }
 
