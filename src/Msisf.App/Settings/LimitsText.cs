@@ -26,7 +26,7 @@ internal static class LimitsText
             bool isAngle = pair[0].ToLowerInvariant() is "turn" or "sun";
             if (pair.Length != 2 || !(isAngle || pair[0].ToLowerInvariant() is "height" or "step" or "position"))
             {
-                throw new UsageException($"'{part}' is no limit. Give some of {Keys}: height=1,position=10.");
+                throw new UsageException($"'{part}' is not a limit. Give some of {Keys}: height=1,position=10.");
             }
 
             double most = isAngle ? MostDegrees : MostMetres;
