@@ -11,7 +11,7 @@ namespace Msisf.App.Settings;
 /// <summary>The options of cameras that scan.</summary>
 internal static class ScanOptions
 {
-    /// <summary>Lines: each has a state of its own and is written when it is drawn, so there is not a limit of memory.</summary>
+    /// <summary>Lines: each has a state of its own and is written when it is drawn, so there is no limit of memory.</summary>
     private const int MaxExposures = 10_000_000;
 
     public static WholeNumberSpec Lines { get; } = new(
