@@ -35,7 +35,7 @@ done
 if [ ${#systems[@]} -eq 0 ]; then
     read -ra systems <<<"$(names_of_targets | paste -sd ' ')"
     # Nobody here has a Mac to try them on.
-    [ "$test" = no ] || systems=(linux-x64 linux-arm64 win-x64)
+    [ "$test" = no ] || systems=(linux-x64 linux-arm64 win-x64 any)
 fi
 have dpkg-deb || die 'dpkg-deb is missing: apt-get install dpkg'
 have python3 || die 'python3 is missing: apt-get install python3'
@@ -58,10 +58,10 @@ SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y Directory.
 export SOURCE_DATE_EPOCH
 same_times() { find "$1" -exec touch --no-dereference --date="@$SOURCE_DATE_EPOCH" {} +; }
 
-# stage_program SYSTEM TREE: the installation. Windows has the program at its top, the other systems a starter there.
+# stage_program SYSTEM TREE: the installation. On Windows, and where .NET starts it, the program is at the top; elsewhere a starter.
 stage_program() {
     mkdir -p "$2/lib/fonts" "$2/input/ldem" "$2/input/albedo"
-    if [[ $1 = win-* ]]; then
+    if [[ $1 = win-* || $1 = any ]]; then
         cp -R "obj/programs/$1/." "$2"
         rm "$2/sources"
     else
@@ -120,15 +120,16 @@ Description: synthetic images of the Moon for optical navigation
 CONTROL
 }
 
-# write_texts TREE: manual page and completions, which are the same for all systems.
+# write_texts TREE: manual page and completions, which are the same for all systems, by the program for this one.
 write_texts() {
     local file words mark place
+    scripts/build.sh --for linux-x64
     while IFS='|' read -r file words mark; do
         [ -n "$file" ] || continue
         place=$1/usr/${file/zsh\/site-functions/zsh\/vendor-completions}
         mkdir -p "${place%/*}"
         # shellcheck disable=SC2086 # one or two words
-        "$own_program" $words >"$place" || die "msis $words failed: please report this"
+        obj/programs/linux-x64/msis $words >"$place" || die "msis $words failed: please report this"
         grep -qF -- "$mark" "$place" || die "msis $words has not its mark \"$mark\": please report this"
     done <<<"$installed_texts"
     gzip --no-name --best "$1/usr/share/man/man1/msis.1"
@@ -154,17 +155,17 @@ give() {
     [ "$test" = yes ] || say "$folder/$1"
 }
 
-scripts/build.sh --for linux-x64
-own_program=$root/obj/programs/linux-x64/msis
 for system in "${systems[@]}"; do
     read_target "$system"
     scripts/build.sh --for "$system"
     tree=$work/msisf-$version-$system
     stage_program "$system" "$tree"
-    pack_archive "$system" "$tree"
+    if [ -n "$target_python" ]; then
+        pack_archive "$system" "$tree"
+        python3 scripts/lib/archives.py wheel "$tree" "$work" "$target_python"
+        give "msisf-$version-py3-none-$target_python.whl"
+    fi
     [ -z "$target_debian" ] || pack_deb "$tree"
-    python3 scripts/lib/archives.py wheel "$tree" "$work" "$target_python"
-    give "msisf-$version-py3-none-$target_python.whl"
     python3 scripts/lib/archives.py tool "$tree" "$work" "$version" "$system"
     give "msisf.$system.$version.nupkg"
     rm -rf "$tree"

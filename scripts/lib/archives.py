@@ -79,11 +79,13 @@ def wheel(tree, folder, platform):
 
 
 def tool(tree, folder, version, system):
-    """The program of one system. Its settings name the file to be started, beside them."""
-    start = f'{COMMAND}.exe' if system.startswith('win-') else COMMAND
+    """The program of one system. Its settings name the file to be started, beside them; for any system .NET starts it."""
+    start, runner = (f'{COMMAND}.exe' if system.startswith('win-') else COMMAND), 'executable'
+    if system == 'any':
+        start, runner = f'{NAME}.dll', 'dotnet'
     place = f'tools/any/{system}'
     files = {f'{place}/{name}': file for name, file in files_of(tree).items()}
-    settings = SETTINGS.format(COMMAND, f' EntryPoint="{start}" Runner="executable"', '')
+    settings = SETTINGS.format(COMMAND, f' EntryPoint="{start}" Runner="{runner}"', '')
     write_tool(folder, f'{NAME}.{system}', version, 'DotnetToolRidPackage', f'{place}/DotnetToolSettings.xml', settings, files)
 
 

@@ -4,7 +4,7 @@
 # make_bare_root FOLDER
 make_bare_root() {
     local program library
-    mkdir -p "$1"/{bin,dev,proc,tmp}
+    mkdir -p "$1/bin"
     for program in sh readlink; do
         cp -L "$(command -v "$program")" "$1/bin"
     done
@@ -12,6 +12,11 @@ make_bare_root() {
     for library in /lib64/ld-linux-x86-64.so.2 /lib/x86_64-linux-gnu/lib{c.so.6,m.so.6,dl.so.2,pthread.so.0,rt.so.1}; do
         install -D -m 755 "$library" "$1$library"
     done
+    add_devices "$1"
+}
+
+add_devices() { # ROOT
+    mkdir -p "$1"/{dev,proc,tmp}
     mknod -m 666 "$1/dev/null" c 1 3
     mknod -m 666 "$1/dev/urandom" c 1 9
 }
@@ -30,15 +35,33 @@ add_python() {
         -exec ldd {} + 2>/dev/null | sed -n 's|.*=> \(/[^ ]*\) .*|\1|p' | sort -u)
 }
 
-# within_root FOLDER COMMAND...: its processes see their own /proc, which goes with them.
+# What tells the kernel that programs for ARM on 64 bits run under qemu: the head of such a file, and which bits of it count.
+arm_programs=':arm64:M::\x7fELF\x02\x01\x01\x00\x00\x00\x00\x00\x00\x00\x00\x00\x02\x00\xb7\x00'
+arm_programs+=':\xff\xff\xff\xff\xff\xff\xff\x00\xff\xff\xff\xff\xff\xff\xff\xff\xfe\xff\xff\xff'
+
+# within_root FOLDER COMMAND...: its processes see their own /proc, which goes with them. Programs for ARM run there, and nowhere else on
+# this machine: that needs Linux 6.7.
 within_root() {
+    local own=() interpreter=''
+    if [ -e "$1/lib/ld-linux-aarch64.so.1" ]; then
+        own=(--user --map-root-user)
+        interpreter=$arm_programs:$(command -v qemu-aarch64-static):FPC
+    fi
     # shellcheck disable=SC2016 # expanded by the inner shell
-    env -i PATH=/usr/bin:/bin "$(command -v unshare)" --mount --pid --fork --kill-child \
-        sh -c 'mount -t proc proc "$1/proc" && cd "$1" && root=$1 && shift && exec /usr/sbin/chroot "$root" "$@"' sh "$@"
+    env -i PATH=/usr/bin:/bin INTERPRETER="$interpreter" "$(command -v unshare)" "${own[@]}" --mount --pid --fork --kill-child sh -ec '
+        if [ -n "$INTERPRETER" ]; then
+            mount -t binfmt_misc none "$1/proc"
+            printf "%s" "$INTERPRETER" >"$1/proc/register"
+        fi
+        mount -t proc proc "$1/proc"
+        cd "$1"
+        root=$1
+        shift
+        exec /usr/sbin/chroot "$root" "$@"' sh "$@"
 }
 
-# try_package ROOT STARTER FOLDER: draws there by command line and by server. FOLDER has the pictures that are right, and gets what comes
-# of it.
+# try_package ROOT STARTER FOLDER FILE...: draws there by command line and by server. FOLDER has the pictures that are right, and gets what
+# comes of it; the named ones have to be the same.
 try_package() {
     local root=$1 starter=$2 file
     mkdir -p "$3/here"
@@ -47,7 +70,7 @@ try_package() {
         cat "$3/here/stderr" >&2
         return 1
     }
-    for file in trial.png trial.annotated.png; do
+    for file in "${@:4}"; do
         cmp "$root/tmp/out/$file" "$3/$file" || return 1
     done
     try_server "$3" within_root "$root" "$starter" serve

@@ -38,6 +38,20 @@ try_arm() { # FOLDER VERSION
     compare_programs runs_elsewhere "$reference/msis" "$program" "$1/arm/runs" same_outputs || die "what differs is in $1/arm/runs"
     dpkg-deb -x "$1/msisf_$2_arm64.deb" "$1/arm/deb"
     diff -rq --no-dereference "$1/arm/$name/publish" "$1/arm/deb/usr/lib/msisf/publish" || die "the packages for ARM differ: see $1"
+    try_pip_on_arm "$@"
+}
+
+# With Debian's Python and NumPy for ARM.
+try_pip_on_arm() { # FOLDER VERSION
+    local there=$1/arm/pip library
+    unpack_packages arm64 "$there" dash coreutils python3-numpy
+    add_devices "$there"
+    for library in "$there"/usr/lib/*/{blas,lapack}/*.so.3; do # as their packages do when they are installed
+        ln -s --relative "$library" "${library%/*/*}"
+    done
+    unpack_wheel "$1/msisf-$2-py3-none-manylinux_2_34_aarch64.whl" "$there/usr/lib/python3/dist-packages"
+    try_package "$there" /usr/lib/python3/dist-packages/bin/msis "$1/trial" trial.png || die "the package for pip does not draw on ARM: see $1"
+    try_python "$1" "$there"
 }
 
 try_windows() { # FOLDER VERSION

@@ -27,13 +27,18 @@ publish_native() {
     ln -s "msis-$3" "$folder/msis"
 }
 
-# publish_with_jit SYSTEM FOLDER: the same one program, with the parts of .NET that it needs beside it.
+# publish_with_jit SYSTEM FOLDER: the same one program, with the parts of .NET that it needs beside it; for any system without them.
 publish_with_jit() {
-    local end=''
+    local end='' target=(-r "$1" -p:WithJit=true)
     [[ $1 != win-* ]] || end=.exe
-    publish_program Msisf.Native "$2" -r "$1" -p:WithJit=true
+    [ "$1" != any ] || target=(--no-self-contained)
+    publish_program Msisf.Native "$2" "${target[@]}"
     mv "$2/msisf$end" "$2/msis$end"
-    rm -f "$2"/msis-server{,.exe} "$2"/msis{,-server}.runtimeconfig.json "$2"/{createdump*,*.pdb,*.xml}
+    rm -f "$2"/msis-server{,.exe} "$2"/msis{,-server}.runtimeconfig.json "$2"/{createdump*,*.xml}
+    find "$2" -name '*.pdb' -delete
+    if [ "$1" = any ]; then
+        rm -r "$2/msis" "$2"/runtimes/linux-{*bionic,*riscv64,*loongarch64,x86}* # the program of this system; systems that .NET does not run on
+    fi
 }
 
 # publish_on_dotnet FOLDER: with .NET's own package for this system beside it the program brings .NET along, and its first image needs two

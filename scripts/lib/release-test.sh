@@ -24,6 +24,7 @@ test_release() {
                 ;;
             linux-arm64) try_arm "$1" "$2" ;;
             win-x64) try_windows "$1" "$2" ;;
+            any) try_tool_of_any "$1" "$2" ;;
             *) say "missing: a machine to try $system on" ;;
         esac
     done
@@ -31,33 +32,61 @@ test_release() {
 
 # Archive, Debian package, package for pip and .NET tool, each in a root file system of its own.
 try_own_packages() {
-    local name=msisf-$2-linux-x64 kind
+    local name=msisf-$2-linux-x64 pictures=(trial.png trial.annotated.png) kind
     for kind in archive deb pip tool; do
         make_bare_root "$1/$kind"
     done
     mkdir "$1/archive/opt"
     tar -xzf "$1/$name.tar.gz" -C "$1/archive/opt"
-    try_package "$1/archive" "/opt/$name/msis" "$1/trial" || die "the archive does not draw: see $1"
+    try_package "$1/archive" "/opt/$name/msis" "$1/trial" "${pictures[@]}" || die "the archive does not draw: see $1"
 
     dpkg-deb -x "$1/msisf_$2_amd64.deb" "$1/deb"
-    try_package "$1/deb" msis "$1/trial" || die "the Debian package does not draw: see $1"
+    try_package "$1/deb" msis "$1/trial" "${pictures[@]}" || die "the Debian package does not draw: see $1"
 
-    install_parts pip || die 'pip is needed to try its package.'
     add_python "$1/pip"
-    /usr/bin/python3 -m pip install --quiet --root-user-action=ignore --no-index --no-deps --target "$1/pip/usr/lib/python3/dist-packages" \
-        "$1/msisf-$2-py3-none-manylinux_2_34_x86_64.whl" || die "pip can't install: see $1"
-    try_package "$1/pip" /usr/lib/python3/dist-packages/bin/msis "$1/trial" || die "the package for pip does not draw: see $1"
-    within_root "$1/pip" python3 -c "$(python_trial)" || die "import msisf does not draw: see $1"
-    cmp "$1/pip/tmp/python.png" "$1/trial/trial.png" || die "import msisf draws another picture: see $1"
+    unpack_wheel "$1/msisf-$2-py3-none-manylinux_2_34_x86_64.whl" "$1/pip/usr/lib/python3/dist-packages"
+    try_package "$1/pip" /usr/lib/python3/dist-packages/bin/msis "$1/trial" "${pictures[@]}" || die "the package for pip does not draw: see $1"
+    try_python "$1" "$1/pip"
 
-    DOTNET_CLI_HOME=$1 dotnet tool install msisf --version "$2" --source "$1" --tool-path "$1/tool/opt" >"$1/tool/log" ||
-        die "dotnet tool install fails: see $1/tool/log"
-    try_package "$1/tool" /opt/msis "$1/trial" || die "the .NET tool does not draw: see $1"
+    install_tool "$1" "$2" "$1/tool/opt"
+    try_package "$1/tool" /opt/msis "$1/trial" "${pictures[@]}" || die "the .NET tool does not draw: see $1"
     # shellcheck disable=SC2046 # words
-    DOTNET_CLI_HOME=$1 dotnet dnx msisf --yes --source "$1" $(words_of_trial) --output-dir "$1/dnx" >"$1/tool/log" 2>&1 ||
+    NUGET_PACKAGES=$1/nuget DOTNET_CLI_HOME=$1 dotnet dnx msisf --yes --source "$1" $(words_of_trial) --output-dir "$1/dnx" >"$1/tool/log" 2>&1 ||
         die "dnx fails: see $1/tool/log"
     cmp "$1/dnx/trial.png" "$1/trial/trial.png" || die "dnx draws another picture: see $1"
     say 'Archive, Debian package, package for pip and .NET tool draw and serve with the C library alone.'
+}
+
+# The tool as it is on a system without a package of its own: on the .NET of the machine.
+try_tool_of_any() { # FOLDER VERSION
+    mkdir "$1/any"
+    cp "$1/msisf.any.$2.nupkg" "$1/any"
+    python3 scripts/lib/archives.py tools "$1/any" "$2" any
+    install_tool "$1/any" "$2" "$1/any/opt"
+    # shellcheck disable=SC2046 # words
+    "$1/any/opt/msis" $(words_of_trial) --output-dir "$1/any/out" >"$1/any/log" 2>&1 || die "the .NET tool for any system fails: see $1/any/log"
+    diff -rq "$1/any/out" "$1/trial" --exclude=here || die "the .NET tool for any system draws another picture: see $1"
+    try_server "$1/trial" "$1/any/opt/msis" serve || die "the server of the .NET tool for any system does not draw: see $1"
+    say 'The .NET tool for any system draws and serves on the .NET of this machine.'
+}
+
+# install_tool SOURCE VERSION FOLDER: from that source alone, and not from what an earlier try has left among this user's packages.
+install_tool() {
+    NUGET_PACKAGES=$1/nuget DOTNET_CLI_HOME=$1 dotnet tool install msisf --version "$2" --source "$1" --tool-path "$3" >"$1/tool.log" ||
+        die "dotnet tool install fails: see $1/tool.log"
+}
+
+# unpack_wheel WHEEL FOLDER: as pip does for the system that the wheel is for.
+unpack_wheel() {
+    local platform=${1##*-none-}
+    install_parts pip || die 'pip is needed to try its package.'
+    /usr/bin/python3 -m pip install --quiet --root-user-action=ignore --no-index --no-deps --only-binary :all: --platform "${platform%.whl}" \
+        --target "$2" "$1" || die "pip can't install $1"
+}
+
+try_python() { # FOLDER ROOT
+    within_root "$2" python3 -c "$(python_trial)" || die "import msisf does not draw: see $1"
+    cmp "$2/tmp/python.png" "$1/trial/trial.png" || die "import msisf draws another picture: see $1"
 }
 
 # The picture of the trial, as a client of Python gets it at once.

@@ -17,6 +17,7 @@ internal static class ServerProgram
     private const string Name = "msis-server";
     private const string Variable = "MSISF_SERVER";
     private const string Folder = "server";
+    private const string DotnetProgram = "dotnet";
 
     /// <summary>Runs the server until it ends, or is cancelled.</summary>
     /// <param name="cancellation">Ends the server; it finishes what it is doing.</param>
@@ -40,8 +41,17 @@ internal static class ServerProgram
 
     private static ChildProgram Of(ProgramHost host, IReadOnlyList<string> words) =>
         host.HoldsServer && host.Environment(Variable) is null
-            ? new ChildProgram(Environment.ProcessPath!, [Word, .. words])
+            ? ThisOne([Word, .. words])
             : new ChildProgram(Find(host), words);
+
+    /// <summary>As a .NET tool the program may be one that .NET's own program runs, which is named first then.</summary>
+    private static ChildProgram ThisOne(IReadOnlyList<string> words)
+    {
+        string started = Environment.ProcessPath!;
+        return Path.GetFileNameWithoutExtension(started) == DotnetProgram
+            ? new ChildProgram(started, [Environment.GetCommandLineArgs()[0], .. words])
+            : new ChildProgram(started, words);
+    }
 
     private static string Find(ProgramHost host)
     {
