@@ -71,6 +71,7 @@ try_windows() { # FOLDER VERSION
     try_windows_names "$1/windows" "$program"
     try_windows_batch "$1/windows" "$program"
     try_windows_input "$1/windows" "$program"
+    try_windows_wheel "$@"
     say "Windows under Wine:"
     compare_programs runs_elsewhere "$reference/msis" "$program" "$1/windows/runs" same_numbers || die "what differs is in $1/windows/runs"
     wineserver -k || true
@@ -137,6 +138,15 @@ try_windows_batch() { # FOLDER PROGRAM
     (cd "$1" && wine cmd /c pieces.bat) >"$1/log" 2>&1 || die "a batch file does not run: see $1/log"
     "$2" verify "$1/pieces" >"$1/log" 2>&1 || die "a batch file leaves frames out: see $1/log"
     [ "$(find "$1/pieces" -name '*.png' | wc -l)" -eq 12 ] || die "a batch file makes too few frames: see $1/log"
+}
+
+# What pip installs holds the program too.
+try_windows_wheel() { # FOLDER VERSION
+    unpack_wheel "$1/msisf-$2-py3-none-win_amd64.whl" "$1/windows/pip"
+    # shellcheck disable=SC2046 # words
+    wine "$1/windows/pip/msisf/_installation/msis.exe" $(words_of_trial) --output-dir "$1/windows/pip/out" >"$1/log" 2>&1 ||
+        die "the program in the package for pip does not draw on Windows: see $1/log"
+    cmp "$1/windows/pip/out/trial.png" "$1/trial/trial.png" || die "the package for pip draws another picture on Windows: see $1"
 }
 
 # What people write on Windows has CR LF. A detector's files are FITS, for which there is no library here.

@@ -98,15 +98,20 @@ with msisf.Moon() as moon:
 PYTHON
 }
 
-# The programs stand in this tree, so that they name the same files.
+# The programs stand in this tree, so that they name the same files. Each is judged by the tests of the command line too, and writes what
+# the one on .NET writes.
 compare_levels() {
-    local level
+    local level program
+    dotnet build tests/Msisf.Cli.Tests -p:Optimize=true -p:RunAnalyzers=false -v quiet -nologo || die 'the tests of the command line are not built.'
     for level in $target_levels; do
         if [ "$level" = x86-64-v4 ] && ! grep -qw avx512vl /proc/cpuinfo; then
             say "missing: a processor with AVX-512, so $level is not tried"
             continue
         fi
-        say "$level and .NET's JIT:"
-        compare_programs runs_to_compare "$1/jit/msis" "$root/obj/programs/linux-x64/msis-$level" "$1/$level" same_bytes || die "what differs is in $1/$level"
+        program=$root/obj/programs/linux-x64/msis-$level
+        MSISF_PROGRAM=$program dotnet test tests/Msisf.Cli.Tests/bin/Debug/net10.0/Msisf.Cli.Tests.dll >"$1/$level.log" ||
+            die "the tests of the command line fail on $level: see $1/$level.log"
+        say "$level passes the tests of the command line. $level and .NET's JIT:"
+        compare_programs runs_to_compare "$1/jit/msis" "$program" "$1/$level" same_bytes || die "what differs is in $1/$level"
     done
 }
