@@ -83,7 +83,7 @@ try_server() {
     rm -f "$folder/here"/{input,address}
     mkfifo "$folder/here/input"
     exec {hold}<>"$folder/here/input"
-    "${@:2}" --listen=127.0.0.1:0 --end-with-input >"$folder/here/address" 2>"$folder/here/stderr" <"$folder/here/input" {hold}>&- &
+    "${@:2}" --listen=127.0.0.1:0 --end-with-input --max-seconds=600 >"$folder/here/address" 2>"$folder/here/stderr" <"$folder/here/input" {hold}>&- &
     server=$!
     for _ in $(seq 600); do
         read -r address <"$folder/here/address" && break

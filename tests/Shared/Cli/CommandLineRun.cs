@@ -23,14 +23,20 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
     public static CommandLineRun Of(
         IReadOnlyList<string> arguments, string standardInput = "", Dictionary<string, string>? environment = null)
     {
-        Dictionary<string, string> variables = new(environment ?? []);
-        variables.TryAdd("XDG_CONFIG_HOME", "/no-settings");
-        if (TestedProgram.Named is { } built)
+        if (TestedProgram.Named is not { } built)
         {
-            ChildRun run = ChildRun.Of(built, arguments, Environment.CurrentDirectory, standardInput, variables);
-            return new CommandLineRun(run.ExitCode, run.Output, run.Error);
+            return InThisProcess(arguments, standardInput, environment);
         }
 
+        ChildRun run = ChildRun.Of(built, arguments, Environment.CurrentDirectory, standardInput, Variables(environment));
+        return new CommandLineRun(run.ExitCode, run.Output, run.Error);
+    }
+
+    /// <summary>Runs the program in this process, whatever MSISF_PROGRAM names; otherwise as <see cref="Of"/>.</summary>
+    public static CommandLineRun InThisProcess(
+        IReadOnlyList<string> arguments, string standardInput = "", Dictionary<string, string>? environment = null)
+    {
+        Dictionary<string, string> variables = Variables(environment);
         using StringWriter output = new();
         using StringWriter error = new();
         string? Variable(string name) => variables.GetValueOrDefault(name) ?? Environment.GetEnvironmentVariable(name);
@@ -40,5 +46,12 @@ internal sealed record CommandLineRun(int ExitCode, string Output, string Error)
             .GetAwaiter()
             .GetResult();
         return new CommandLineRun(exitCode, output.ToString(), error.ToString());
+    }
+
+    private static Dictionary<string, string> Variables(Dictionary<string, string>? given)
+    {
+        Dictionary<string, string> variables = new(given ?? []);
+        variables.TryAdd("XDG_CONFIG_HOME", "/no-settings");
+        return variables;
     }
 }
