@@ -89,11 +89,11 @@ try_python() { # FOLDER ROOT
     cmp "$2/tmp/python.png" "$1/trial/trial.png" || die "import msisf draws another picture: see $1"
 }
 
-# The picture of the trial, as a client of Python gets it at once.
+# The picture of the trial, as a client of Python gets it; on a busy machine under qemu in more than a minute.
 python_trial() {
     cat <<'PYTHON'
 import msisf
-with msisf.Moon() as moon:
+with msisf.Moon(serve=["--max-seconds", "600"], timeout=600) as moon:
     moon.render((-58.6, -14.5, 60000), time="2010-04-06T20:24:00Z", nadir=True, width=320, height=240).save("/tmp/python.png")
 PYTHON
 }
