@@ -107,7 +107,7 @@ internal static class NavigationOptions
     };
 
     public static TextSpec Certify { get; } = new(
-        "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Limits).OfRuns(), "KEY=SIGMA,...",
+        "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Certify).OfRuns(), "KEY=SIGMA,...",
         "The least and greatest brightness of each pixel, and which are lit or dark for certain, while the ground's heights (height, in m; "
             + "step: that of their model, in m), the camera (position, in m; turn, in degrees) and the Sun (sun, in degrees) are off "
             + "by up to --certify-sigmas standard deviations: height=1,position=10,turn=0.01,sun=0.05")
@@ -116,7 +116,8 @@ internal static class NavigationOptions
     };
 
     public static NumberSpec Sigmas { get; } = new(
-        "--certify-sigmas", DecidesBytes.ByOthers, "K", "How many standard deviations --certify allows; a model's step counts half, once")
+        "--certify-sigmas", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Sigmas).OfRuns(), "K",
+        "How many standard deviations --certify allows; a model's step counts half, once")
     {
         Default = 3.0,
         Limits = new NumberRange(0.0, MaxSigmas),

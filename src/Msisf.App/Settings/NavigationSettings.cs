@@ -39,6 +39,12 @@ internal sealed record NavigationSettings
     /// <summary>The numbers of which the image's information is found; null for none.</summary>
     public IReadOnlyList<Parameter>? Information { get; init; }
 
+    /// <summary>How accurately ground, camera and Sun are known, as the user says it; null if nothing is bounded.</summary>
+    public string? Certify { get; init; }
+
+    /// <summary>How many standard deviations of these are allowed; null if nothing is bounded.</summary>
+    public double? Sigmas { get; init; }
+
     /// <summary>The limits within which pixels are bounded; null for none.</summary>
     public Uncertainty? Limits { get; init; }
 
@@ -99,6 +105,8 @@ internal sealed record NavigationSettings
                 FlowFormats = formats,
                 Sensitivity = sensitivity,
                 Information = information,
+                Certify = certify?.ToLowerInvariant().Replace(" ", string.Empty, StringComparison.Ordinal),
+                Sigmas = certify is null ? null : NavigationOptions.Sigmas.Read(values),
                 Limits = limits,
                 Rim = NavigationOptions.Rim.Read(values),
                 LeastDiameter = NavigationOptions.CraterSize.Read(values),
