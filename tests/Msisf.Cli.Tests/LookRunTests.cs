@@ -16,7 +16,8 @@ public sealed class LookRunTests : IDisposable
     [RequiresTheory(Part.Ldem4)]
     [InlineData("photo", "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --refine 1 --exposure auto")]
     [InlineData("truth", "--renderer native --samples 1 --shading facet --sun point --surface terrain")]
-    [InlineData("photo --samples 4 --refine none", "--renderer native --samples 4 --shading smooth --sun disc --reflectance moon --exposure auto")]
+    [InlineData(
+        "photo --samples 4 --refine none", "--renderer native --samples 4 --shading smooth --sun disc --reflectance moon --exposure auto")]
     public void Run_Look_HasTheBytesAndTheCommandOfItsOptions(string look, string options)
     {
         Assert.Equal((0, string.Empty), Draw("look", $"--look {look}"));

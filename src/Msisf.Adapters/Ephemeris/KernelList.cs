@@ -171,5 +171,6 @@ public static class KernelList
     /// <summary>The absolute path of a kernel that the user names.</summary>
     internal static string Existing(string file) => Path.GetFullPath(file) is var path && File.Exists(path)
         ? path
-        : throw new BadInputException($"{path}: no such kernel. Correct the name, or get the kernel ('msis fetch kernels' gets those of msis).");
+        : throw new BadInputException(
+            $"{path}: no such kernel. Correct the name, or get the kernel ('msis fetch kernels' gets those of msis).");
 }

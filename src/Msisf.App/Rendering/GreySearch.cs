@@ -13,7 +13,7 @@ internal static class GreySearch
     /// <summary>Part of the lit pixels of all frames that stay below white.</summary>
     private const double KeptShare = 0.995;
 
-    /// <summary>Linear grey, level 159 of sRGB, that half of the lit pixels do not exceed: even ground in high light is not all near white.</summary>
+    /// <summary>Linear grey (level 159 of sRGB) that half of the lit pixels do not exceed: even ground is not near white.</summary>
     private const double MostOfMedian = 0.35;
 
     /// <summary>Digits of the exposure, so that machines whose sines differ in the last bit find the same.</summary>

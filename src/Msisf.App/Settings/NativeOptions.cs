@@ -68,8 +68,8 @@ internal static class NativeOptions
 
     public static TextSpec Exposure { get; } = new(
         "--exposure", DecidesBytes.As(frame => frame.Native?.Grey.Exposure), $"X|{Automatic}",
-        "Linear grey of a radiance factor of 1, where 1 is white; auto: so bright that 99.5 % of the lit pixels stay below white, and half of "
-            + "them at level 159 or below, found from small images of 32 frames spread over the whole run")
+        "Linear grey of a radiance factor of 1, where 1 is white; auto: so bright that 99.5 % of the lit pixels stay below white, and half "
+            + "of them at level 159 or below, found from small images of 32 frames spread over the whole run")
     {
         Words = [Automatic],
         DefaultNote = Invariant($"{ExposureOfMoon} for moon, nac and hapke with w, otherwise {ExposureOfOtherLaws}"),
