@@ -1,6 +1,5 @@
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.App.Preview;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Attitude;

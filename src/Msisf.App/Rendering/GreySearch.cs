@@ -1,7 +1,6 @@
 using System.Globalization;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
-using Msisf.App.Preview;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 
