@@ -9,8 +9,8 @@ using Msisf.Core.Scene;
 namespace Msisf.App.Rendering;
 
 /// <summary>
-/// Finds the exposure time of <c>--exposure-time auto</c>, or the exposure of <c>--exposure auto</c>, from frames spread over the whole run, whichever of its frames a call makes, so
-/// that pieces and restarts find the same.
+/// Finds the exposure time of <c>--exposure-time auto</c>, or the exposure of <c>--exposure auto</c>, from frames spread over the whole
+/// run, whichever of its frames a call makes, so that pieces and restarts find the same.
 /// </summary>
 internal static class ExposureSearch
 {
@@ -135,14 +135,14 @@ internal sealed class ExposureNote(DetectorSettings settings, bool isNoiseChosen
         string saturated = Said(run, Saturated, isSaturated, MuchSaturated);
         string empty = Said(run, Empty, isEmpty, MuchEmpty);
         log.Note(
-            $"Exposure of {NumberSpec.TextOf(settings.ExposureTime)} s: of the lit pixels {saturated} are saturated, {empty} empty (less "
-                + $"than one DN of light). {Remedy(_survey.LongestTime())}");
+            $"Exposure of {NumberSpec.TextOf(settings.ExposureTime)} s: {saturated} of the lit pixels are saturated, {empty} are empty "
+                + $"(less than one DN of light). {Remedy(_survey.LongestTime())}");
     }
 
-    /// <summary>What the exposure time would have to be.</summary>
+    /// <summary>Which exposure time suits them.</summary>
     private static string Remedy(double? seconds) => seconds is { } time
-        ? $"For {Percent(ExposureSurvey.KeptShare)} of them below full well and highest DN it would have to be {NumberSpec.TextOf(time)} s "
-            + $"({NativeOptions.ExposureTime.Name})."
+        ? $"To keep {Percent(ExposureSurvey.KeptShare)} of them below full well and highest DN, use {NativeOptions.ExposureTime.Name} "
+            + $"{NumberSpec.TextOf(time)}."
         : "No exposure time keeps them below full well and highest DN: look at bias, gain, full well and dark current.";
 
     private static double Saturated(ExposureShares frame) => frame.Lit == 0 ? 0.0 : (double)frame.Saturated / frame.Lit;
