@@ -108,9 +108,9 @@ internal static class NavigationOptions
 
     public static TextSpec Certify { get; } = new(
         "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Certify).OfRuns(), "KEY=SIGMA,...",
-        "The least and greatest brightness of each pixel, and which are lit or dark for certain, while the ground's heights (height, in m; "
-            + "step: that of their model, in m), the camera (position, in m; turn, in degrees) and the Sun (sun, in degrees) are off "
-            + "by up to --certify-sigmas standard deviations: height=1,position=10,turn=0.01,sun=0.05")
+        "The least and greatest brightness of each pixel, and which pixels are lit or dark for certain. Standard deviations are given: of "
+            + "heights (height), the model's step (step) and the camera (position) in m, of the camera (turn) and the Sun (sun) in "
+            + "degrees, e.g. height=1,position=10,turn=0.01")
     {
         Separator = ",",
     };
