@@ -5,7 +5,9 @@
 runs_to_compare() {
     local state="--fixed-state {55289,2E6,2E6,0,-0.2391176183943345,0.0990457605412876,0.3696438106143861,0.8923991008325228}"
     local low="--position -19.4,267,60000 --time 2010-04-03T00:00:00Z"
-    local columns=lat=latitude,lon=longitude,diam_km=diameter_km
+    local craters=$PWD/obj/craters.csv
+    grep -v ',0$' lib/places/features.csv >"$craters"
+    local high="--position -19.4,267,900000 --time 2010-04-03T00:00:00Z"
     local series="--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004]"
     local small="--renderer native --width 200 --height 160 --batch --output-dir out"
     cat <<RUNS
@@ -25,17 +27,17 @@ $low --camera $PWD/input/navigation-camera.yaml --renderer native --exposure-tim
 $series $small --jobs 1
 $series --dry-run --format json
 $series --dry-run --format csv
-$low --camera $PWD/input/navigation-camera.yaml --renderer native --camera-model isis,pds4,isd --map orthographic,2000 --batch --output-dir out
+$low --camera $PWD/input/navigation-camera.yaml --renderer native --camera-model pds4,isd --map orthographic,2000 --batch --output-dir out
 $low --camera $PWD/input/navigation-camera.yaml --renderer native --layers radiance-factor --layers-format npy --information pose --batch --output-dir out
-$low $small --craters $PWD/lib/places/features.csv --landmarks $PWD/lib/places/features.csv --columns $columns --rendering-annotation
-$low $small --craters $PWD/lib/places/features.csv --columns $columns --layers crater,facet --surface terrain --grid 40
+$low $small --craters $craters --landmarks $craters --rendering-annotation --camera-model isis
+$low $small --craters $craters --layers crater,cell --surface terrain --grid 40
 $series $small --stereo 500 --flow pair --flow-format fits,npy,flo,kitti --frames 1:2
 $low $small --sky --layers object,mask --layers-format npy --layers-precision single
-$low $small --sensitivity position,sun --layers-format npy
+$low $small --sensitivity position-x,sun-east --layers-format npy
 $low $small --sensitivity all --layers depth --map equirectangular,1500 --layers-precision single
-$low --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 60 --motion {0,1600,0,0,0,0} --layers depth,normal --camera-model csm,isis,pds4 --batch --output-dir out
-$low --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 1700 --scan-period 0.05 --motion {0,1600,0,0,0,0} --layers depth,normal --camera-model csm --batch --output-dir out
-$low --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 1700 --scan-period 0.05 --motion {0,1600,0,0,0,0} --layers depth,facet --layers-format npy --batch --output-dir out
+$low --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 60 --motion {0,1600,0,0,0,0} --layers depth,normal --camera-model csm,pds4 --batch --output-dir out
+$high --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 1700 --scan-period 0.005 --motion {0,1600,0,0,0,0} --layers depth,normal --camera-model csm --batch --output-dir out
+$high --camera $PWD/cameras/lroc-nac-l.yaml --renderer native --lines 1700 --scan-period 0.005 --motion {0,1600,0,0,0,0} --layers depth,cell --layers-format npy --batch --output-dir out
 $low --batch --output-dir out --width 200 --height 160 --pattern-repos patterns
 $low --batch --output-dir out --width 200 --height 160 --pattern-repos patterns --rendering-annotation --surface terrain --camera-model opencv,csm
 ldem synthesize --res 4 --seed 3 --output-dir out --batch
@@ -68,7 +70,7 @@ application/x-npy {$place,"layers":["depth"]}
 application/fits {$place,"layers":["depth","normal"],"layers-precision":"single"}
 application/json {$place,"surface":"terrain","grid":10,"stars":true,"planets":true,"earth":true}
 application/xml {$place,"grid":10}
-multipart/mixed {$place,"layers":["normal","facet","mask"],"layers-format":"npy","surface":"terrain","grid":20}
+multipart/mixed {$place,"layers":["normal","cell","mask"],"layers-format":"npy","surface":"terrain","grid":20}
 multipart/mixed,application/json {$place,"camera-model":["csm","isd","opencv"],"layers":["depth"]}
 REQUESTS
 }

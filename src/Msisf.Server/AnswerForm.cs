@@ -1,5 +1,6 @@
 using Microsoft.Extensions.Primitives;
 using Microsoft.Net.Http.Headers;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.Core.Layers;
 
@@ -18,6 +19,7 @@ internal sealed record AnswerForm(string Main, string Image, string Meta)
     public const string Json = "application/json";
     public const string Xml = "application/xml";
     public const string Text = "text/plain";
+    public const string Tiff = "image/tiff";
     public const string Multipart = "multipart/mixed";
 
     private static readonly string[] Images = [Png, Raw, Npy];
@@ -34,6 +36,16 @@ internal sealed record AnswerForm(string Main, string Image, string Meta)
 
     /// <summary>Whether the answer has several parts.</summary>
     public bool IsMultipart => Main == Multipart;
+
+    /// <summary>The content type of a file of a product.</summary>
+    public static string OfFile(string name) => Path.GetExtension($".{name}") switch
+    {
+        ".npy" => Npy,
+        ".fits" => Fits,
+        ".json" => Json,
+        ".tif" => Tiff,
+        _ => Text,
+    };
 
     /// <summary>Reads the header Accept; without one the answer is a PNG.</summary>
     /// <exception cref="RefusedException">It names nothing that the server has.</exception>
@@ -61,13 +73,14 @@ internal sealed record AnswerForm(string Main, string Image, string Meta)
 
 /// <summary>What an answer will hold, known before anything is drawn.</summary>
 /// <param name="HasImage">Whether the image is in it.</param>
-/// <param name="Layers">Its layers; null for none.</param>
-/// <param name="IsFits">Whether they are written as FITS.</param>
-/// <param name="HasNumbers">Whether a detector's digital numbers are in it, as FITS.</param>
+/// <param name="Products">What else of the frame, but the meta file.</param>
 /// <param name="Meta">Content type of the meta file; null without.</param>
 /// <param name="Bytes">Its length without compression.</param>
-internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, bool HasNumbers, string? Meta, long Bytes)
+internal sealed record AnswerPlan(bool HasImage, IReadOnlyList<Product> Products, string? Meta, long Bytes)
 {
+    /// <summary>The only layer of an answer that holds it alone, or behind the image; null for others.</summary>
+    public Layer? Layer { get; private init; }
+
     /// <summary>bytes: longer answers are sent while they are made.</summary>
     public const long LargestInMemory = 64L << 20;
 
@@ -81,17 +94,17 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
     {
         NativeSettings native = settings.Native;
         bool isLayer = native.Layers is not null && form.Main is AnswerForm.Raw or AnswerForm.Npy;
-        bool isFits = form.IsMultipart ? native.LayersFormat == LayersFormat.Fits : form.Main == AnswerForm.Fits;
         bool hasImage = (!isLayer || form.HasBoth)
             && (form.IsMultipart || form.Main is AnswerForm.Png or AnswerForm.Raw or AnswerForm.Npy);
-        LayerSet? layers = form.IsMultipart || isLayer || isFits ? native.Layers : null;
-        bool hasNumbers = native.Detector is { } detector
-            && (form.IsMultipart ? detector.WritesFits : native.Layers is null && isFits);
+        Product[] products = form.IsMultipart
+            ? [.. ProductTable.Of(settings).Where(product => product.PlaceInAnswer is not null).OrderBy(product => product.PlaceInAnswer)]
+            : isLayer || (form.Main == AnswerForm.Fits && native.Layers is not null) ? [ProductTable.Named("layers")]
+            : form.Main == AnswerForm.Fits && native.Detector is not null ? [ProductTable.Named("numbers")]
+            : [];
         string? meta = form.IsMultipart ? form.Meta : form.Main is AnswerForm.Xml or AnswerForm.Json ? form.Main : null;
-        int bytesOfPixel = (hasImage ? native.Detector is null ? native.BitDepth / 8 : sizeof(ushort) : 0)
-            + (layers?.Layers.Sum(layer => layer.Planes * layer.StoredType(native.LayersPrecision).Size()) ?? 0)
-            + (hasNumbers ? sizeof(ushort) : 0);
-        return new AnswerPlan(hasImage, layers, isFits, hasNumbers, meta, (long)settings.Width * settings.Height * bytesOfPixel);
+        double bytesOfImage = hasImage ? native.Detector is null ? native.BitDepth / 8 : sizeof(ushort) : 0;
+        double bytes = (bytesOfImage * settings.Width * settings.Height) + products.Sum(product => product.DiskBytes(settings));
+        return new AnswerPlan(hasImage, products, meta, (long)bytes) { Layer = isLayer ? native.Layers!.Layers[0] : null };
     }
 
     /// <summary>Refuses what can't be answered.</summary>
@@ -99,17 +112,12 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
     public void Check(AnswerForm form, RenderSettings settings, int maxMegabytes)
     {
         int layers = settings.Native.Layers?.Layers.Count ?? 0;
-        if (settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } wrong)
-        {
-            throw new RefusedException(
-                StatusCodes.Status400BadRequest,
-                $"'camera-model' {wrong.Word} holds the image too, and is for runs of msis. Leave it out.");
-        }
-
         string? problem = form.Main switch
         {
             _ when settings.CameraFormats.Count > 0 && !form.IsMultipart =>
                 $"'camera-model' is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
+            _ when settings.Map is not null && !form.IsMultipart =>
+                $"'map' is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
             AnswerForm.Fits when layers == 0 && settings.Native.Detector is null =>
                 $"{form.Main} is for layers, and the request {LayersNeeded}",
             AnswerForm.Raw or AnswerForm.Npy when layers > 1 =>
@@ -123,7 +131,7 @@ internal sealed record AnswerPlan(bool HasImage, LayerSet? Layers, bool IsFits, 
 
         if (Bytes > maxMegabytes * BytesOfAMegabyte)
         {
-            string fewer = Layers is null ? string.Empty : "fewer 'layers', 'layers-precision' single or ";
+            string fewer = layers == 0 ? string.Empty : "fewer 'layers', 'layers-precision' single or ";
             throw new RefusedException(
                 StatusCodes.Status413PayloadTooLarge,
                 Invariant(

@@ -1,13 +1,11 @@
 using System.Diagnostics;
-using Msisf.Adapters.CameraExport;
 using Msisf.Adapters.Layers;
 using Msisf.Adapters.Metadata;
+using Msisf.App.Products;
 using Msisf.App.Rendering;
 using Msisf.App.Serving;
 using Msisf.App.Settings;
 using Msisf.Core.Layers;
-using Msisf.Core.Metadata;
-using Msisf.Core.Render;
 using Msisf.Core.Render.Photometry;
 
 namespace Msisf.Server;
@@ -67,8 +65,7 @@ internal sealed class FrameAnswers(StreamPool pool)
         CancellationToken cancellation)
     {
         AnswerPlan plan = AnswerPlan.Of(form, session.Settings);
-        bool hasCameras = session.Settings.CameraFormats.Count > 0;
-        if (plan is { HasImage: true, Layers: null, HasNumbers: false, Meta: { } both, IsSentAsMade: false } && threads > 1 && !hasCameras)
+        if (plan is { HasImage: true, Products.Count: 0, Meta: { } both, IsSentAsMade: false } && threads > 1)
         {
             WriteBoth(answer, session, frame, image, form, both, threads, cancellation);
             return;
@@ -79,34 +76,32 @@ internal sealed class FrameAnswers(StreamPool pool)
             AddImage(answer, image, form.IsMultipart ? form.Image : form.Main, threads);
         }
 
-        if (plan is { Layers: null, HasNumbers: false, Meta: null })
+        if (plan is { Products.Count: 0, Meta: null })
         {
             return;
         }
 
-        RenderedFrame rendered = image.ToRendered(Stream.Null);
-        FrameMetadata metadata = session.Describe(frame, rendered);
-        LayerProvenance provenance = session.Description.Provenance(metadata, rendered);
-        if (plan.Layers is { } layers)
+        ProductFrame drawn = session.ToProducts(frame, image.ToRendered(Stream.Null, threads), cancellation);
+        if (form.Main == AnswerForm.Fits)
         {
-            AddLayers(answer, session, plan, layers, form, new LayersOf(
-                metadata, provenance, FrameNavigation.Mark(rendered.Truth!, metadata.Navigation, rendered.Sky, layers)), cancellation);
+            drawn = drawn with { Settings = drawn.Settings with { Native = drawn.Settings.Native with { LayersFormat = LayerFormat.Fits } } };
         }
 
-        if (plan.HasNumbers)
+        foreach (Product product in plan.Products)
         {
-            answer.Add("dn.fits", AnswerForm.Fits, stream => DetectorFitsWriter.Write(
-                stream, rendered.Numbers!, session.Settings.Native.Detector!.Settings, metadata, provenance));
-        }
+            if (plan.Layer is { } layer)
+            {
+                AddLayer(answer, drawn, layer, form);
+                continue;
+            }
 
-        if (hasCameras)
-        {
-            AddCameraModels(answer, session, frame, rendered, metadata, cancellation);
+            product.Write(drawn, (name, length, write) => answer.AddLarge(
+                name, product.ContentType ?? AnswerForm.OfFile(name), length, write));
         }
 
         if (plan.Meta is { } meta)
         {
-            answer.Add(NameOfMeta(meta), meta, stream => WriteMeta(stream, meta, session, frame, rendered, metadata, cancellation));
+            answer.Add(NameOfMeta(meta), meta, stream => WriteMeta(stream, meta, drawn));
         }
     }
 
@@ -116,11 +111,8 @@ internal sealed class FrameAnswers(StreamPool pool)
         int threads, CancellationToken cancellation)
     {
         Task<MemoryStream> meta = Task.Run(
-            () => answer.Make(stream =>
-            {
-                RenderedFrame rendered = image.ToRendered(Stream.Null);
-                WriteMeta(stream, metaForm, session, frame, rendered, session.Describe(frame, rendered), cancellation);
-            }),
+            () => answer.Make(
+                stream => WriteMeta(stream, metaForm, session.ToProducts(frame, image.ToRendered(Stream.Null), cancellation))),
             CancellationToken.None);
         try
         {
@@ -136,78 +128,38 @@ internal sealed class FrameAnswers(StreamPool pool)
 
     private static string NameOfMeta(string form) => form == AnswerForm.Xml ? "xml" : "json";
 
-    /// <summary>Adds the files of msis, each as "csm.json", "tsai", ...</summary>
-    private static void AddCameraModels(
-        Answer answer, RenderSession session, PreparedFrame frame, RenderedFrame rendered, FrameMetadata metadata,
-        CancellationToken cancellation)
+    private static void WriteMeta(Stream stream, string form, ProductFrame frame)
     {
-        using MemoryStream metaFile = new();
-        WriteMeta(metaFile, AnswerForm.Xml, session, frame, rendered, metadata, cancellation);
-        metaFile.Position = 0;
-        ExportedFrame exported = CameraOfMetaFile.Read(
-            metaFile, $"{frame.Frame.Name}.xml", frame.Frame, metadata, session.Settings) with
-        {
-            Ephemeris = session.Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? session.Engine : null,
-        };
-        IReadOnlyList<CameraFormat> formats = session.Settings.CameraFormats;
-        foreach ((string ending, Action<Stream> write) in CameraFormat.FilesOf(formats, exported, _ => { }, session.Log.Warning))
-        {
-            answer.Add(ending[1..], AnswerForm.Text, write);
-        }
-    }
-
-    private static void AddLayers(
-        Answer answer, RenderSession session, AnswerPlan plan, LayerSet layers, AnswerForm form, LayersOf of,
-        CancellationToken cancellation)
-    {
-        NativeSettings native = session.Settings.Native;
-        if (plan.IsFits)
-        {
-            answer.AddLarge("fits", AnswerForm.Fits, length: null, stream => FitsLayerWriter.Write(
-                stream, of.Metadata, of.Provenance, of.Truth, layers, native.LayersPrecision, native.LayersCompression, cancellation));
-            return;
-        }
-
-        NpyLayerWriter.Write(
-            (name, length, write) => AddLayer(answer, session.Settings, layers, (name, length, write), form),
-            of.Metadata, of.Provenance, of.Truth, layers, native.LayersPrecision, hasHeads: form.Main != AnswerForm.Raw, cancellation);
-    }
-
-    private static void WriteMeta(
-        Stream stream, string form, RenderSession session, PreparedFrame frame, RenderedFrame rendered, FrameMetadata metadata,
-        CancellationToken cancellation)
-    {
-        PixelSampler pixels = session.Description.Sampler(frame.Frame, rendered);
         if (form == AnswerForm.Xml)
         {
-            MetadataXmlWriter.Write(stream, metadata, pixels, cancellation: cancellation);
+            MetadataXmlWriter.Write(stream, frame.Metadata, frame.Pixels, cancellation: frame.Cancellation);
             return;
         }
 
-        MetadataJson.Write(stream, metadata, pixels, cancellation);
+        MetadataJson.Write(stream, frame.Metadata, frame.Pixels, frame.Cancellation);
     }
 
-    /// <summary>A layer of its own is sent without the JSON file.</summary>
-    private static void AddLayer(
-        Answer answer, RenderSettings settings, LayerSet layers, (string Name, long? Length, Action<Stream> Write) file, AnswerForm form)
+    /// <summary>Adds a layer of its own, without the JSON file.</summary>
+    private static void AddLayer(Answer answer, ProductFrame frame, Layer layer, AnswerForm form)
     {
-        if (file.Length is null)
-        {
-            if (form.IsMultipart)
-            {
-                answer.Add(file.Name, AnswerForm.Json, file.Write);
-            }
-
-            return;
-        }
-
-        Layer layer = layers.Layers[0];
+        RenderSettings settings = frame.Settings;
+        LayerPrecision precision = settings.Native.LayersPrecision;
+        LayerSet layers = settings.Native.Layers!;
         (string Name, string Value)[] headers = form.Main != AnswerForm.Raw ? [] :
         [
-            .. SizeOf(settings.Width, settings.Height, TypeOf(layer.StoredType(settings.Native.LayersPrecision))),
+            .. SizeOf(settings.Width, settings.Height, TypeOf(layer.StoredType(precision))),
             ("X-Msisf-Planes", layer.Planes.ToString(CultureInfo.InvariantCulture)),
         ];
-        answer.AddLarge(file.Name, form.IsMultipart ? AnswerForm.Npy : form.Main, file.Length, file.Write, headers);
+        NpyLayerWriter.Write(
+            (name, length, write) =>
+            {
+                if (length is not null)
+                {
+                    answer.AddLarge(name, form.Main, length, write, headers);
+                }
+            },
+            frame.Metadata, frame.Provenance, frame.TruthFor(layers), layers, precision, hasHeads: form.Main != AnswerForm.Raw,
+            frame.Cancellation);
     }
 
     private static string TypeOf(LayerType type) => type switch
@@ -238,7 +190,4 @@ internal sealed class FrameAnswers(StreamPool pool)
         ("X-Msisf-Bits", image.Bits.ToString(CultureInfo.InvariantCulture)),
         ("X-Msisf-Transfer", image.Transfer is { } transfer ? transfer == GreyTransfer.Srgb ? "srgb" : "linear" : "detector"),
     ];
-
-    /// <summary>What the files of layers are written from.</summary>
-    private sealed record LayersOf(FrameMetadata Metadata, LayerProvenance Provenance, IGroundTruth Truth);
 }

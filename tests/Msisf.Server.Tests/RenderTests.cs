@@ -137,7 +137,6 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
 
     [RequiresTheory(Part.Ldem4)]
     [InlineData("csm", "image/png", HttpStatusCode.NotAcceptable, "'camera-model' is for answers of several parts")]
-    [InlineData("csm,isis", "multipart/mixed", HttpStatusCode.BadRequest, "'camera-model' isis holds the image too")]
     [InlineData("tsa", "multipart/mixed", HttpStatusCode.BadRequest, "'tsa' is not a format of camera models")]
     public async Task CameraModelsThatCannotBeSent_AreRefused(string formats, string accept, HttpStatusCode status, string problem)
     {

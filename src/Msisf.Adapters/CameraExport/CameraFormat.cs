@@ -111,29 +111,11 @@ public sealed class CameraFormat
     }
 
     /// <summary>Writes the files of formats.</summary>
-    /// <param name="files">Receives them.</param>
-    /// <param name="stem">Path of the frame's files, without extension.</param>
+    /// <param name="put">Receives them.</param>
     /// <param name="note">Gets how exact the model of a scan is, one line.</param>
     /// <param name="warn">The same where it is less exact than promised.</param>
-    /// <returns>Their paths.</returns>
-    public static IReadOnlyList<string> Write(
-        IEnumerable<CameraFormat> formats, AtomicFileSet files, string stem, ExportedFrame frame, Action<string> note,
-        Action<string> warn)
-    {
-        List<string> paths = [];
-        foreach ((string ending, Action<Stream> write) in FilesOf(formats, frame, note, warn))
-        {
-            files.Write(stem + ending, write);
-            paths.Add(stem + ending);
-        }
-
-        return paths;
-    }
-
-    /// <summary>The files of formats: their endings, and what writes them.</summary>
-    /// <inheritdoc cref="Write" path="/param"/>
-    public static IEnumerable<(string Ending, Action<Stream> Write)> FilesOf(
-        IEnumerable<CameraFormat> formats, ExportedFrame frame, Action<string> note, Action<string> warn)
+    public static void Write(
+        IEnumerable<CameraFormat> formats, PutFile put, ExportedFrame frame, Action<string> note, Action<string> warn)
     {
         ExportedFrame written = frame;
         bool isCsm = formats.Any(format => format.IsCsm);
@@ -149,8 +131,10 @@ public sealed class CameraFormat
             (csm.Misfit > CsmScan.Promised ? warn : note)(csm.Describe(frame.Name, scan.Period));
         }
 
-        return formats.SelectMany(format => format._files)
-            .Select(file => (file.Ending, (Action<Stream>)(stream => file.Write(stream, written))));
+        foreach (ExportedFile file in formats.SelectMany(format => format._files))
+        {
+            put(file.Ending[1..], null, stream => file.Write(stream, written));
+        }
     }
 
     private static ExportedFile Text(string ending, Action<TextWriter, ExportedFrame> write) =>

@@ -9,18 +9,21 @@ using static Msisf.Adapters.CameraExport.MetaFileFrame;
 
 namespace Msisf.Adapters.CameraExport;
 
-/// <summary>Reads how the image of a meta file was scanned, and the states of its exposures.</summary>
+/// <summary>How the image of a meta file was scanned, and the states of its exposures.</summary>
 internal static class ScanRows
 {
+    /// <summary>How a frame was scanned, with the digits of its meta file.</summary>
+    public static ExportedScan Of(Scan scan, FrameMetadata frame) => Of(
+        scan.Kind, scan.Count, scan.Period, scan is { Kind: ScanKind.PushFrame, FlipsFramelets: true },
+        [.. RowStates.Of(frame).Select(LongE.Round)], LongE.Round(frame.HeightOverTerrain));
+
     /// <summary>Reads it.</summary>
     /// <param name="height">px: of the image.</param>
-    /// <param name="path">For messages.</param>
-    /// <param name="rowStates">The states of all rows from elsewhere; null if they are not known.</param>
+    /// <param name="path">Of the meta file, beside which the states of all rows may be.</param>
     /// <param name="heightOverTerrain">m: of the camera.</param>
     /// <exception cref="BadInputException">The states of all rows are nowhere.</exception>
     /// <exception cref="FormatException">A number is missing.</exception>
-    public static ExportedScan Read(
-        XElement scan, int height, string path, Func<double[]?> rowStates, double heightOverTerrain)
+    public static ExportedScan Read(XElement scan, int height, string path, double heightOverTerrain)
     {
         ScanKind kind = ScanXml.KindOf(Text(scan, "kind")) ?? throw new FormatException($"the scan '{Text(scan, "kind")}' is not known.");
         int count = int.Parse(Text(scan, "exposures"), NumberStyles.None, CultureInfo.InvariantCulture);
@@ -31,21 +34,24 @@ internal static class ScanRows
 
         bool flips = kind == ScanKind.PushFrame && (scan.Attribute("flip")?.Value ?? throw new BadInputException(
             $"{path}: the file is of a version of msis that did not write yet how framelets are read. Make the image again.")) == "yes";
-        int rows = height / count;
-        double[] numbers = NumbersOf(scan, height, path, rowStates);
+        return Of(kind, count, Number(Text(scan, "period")), flips, NumbersOf(scan, height, path), heightOverTerrain);
+    }
+
+    private static ExportedScan Of(ScanKind kind, int count, double period, bool flips, double[] numbers, double heightOverTerrain)
+    {
+        int rows = numbers.Length / RowStates.Names.Count / count;
         CameraState[] states = [.. Enumerable.Range(0, count).Select(exposure => StateOf(numbers, exposure * rows))];
         bool growsUpwards = states[0].Seconds > states[^1].Seconds;
-        return new ExportedScan(
-            kind, Number(Text(scan, "period")), growsUpwards, flips, growsUpwards ? [.. states.Reverse()] : states, heightOverTerrain);
+        return new ExportedScan(kind, period, growsUpwards, flips, growsUpwards ? [.. states.Reverse()] : states, heightOverTerrain);
     }
 
     /// <summary>The numbers of all rows, with the digits of the meta file: whichever file they are from, they are the same.</summary>
-    private static double[] NumbersOf(XElement scan, int height, string path, Func<double[]?> rowStates)
+    private static double[] NumbersOf(XElement scan, int height, string path)
     {
         XElement[] rows = [.. scan.Elements("Row")];
         double[]? numbers = rows.Length == height
             ? [.. rows.SelectMany(Numbers)]
-            : rowStates()?.Select(number => Number(LongE.ToText(number))).ToArray();
+            : RowStateFiles.Find(path)?.Select(LongE.Round).ToArray();
         if (numbers is null)
         {
             throw new BadInputException(Invariant(

@@ -41,7 +41,7 @@ public sealed class AtomicFileSet : IDisposable
     });
 
     /// <summary>Writes text on a stream, which stays open: UTF-8 without byte order mark, LF.</summary>
-    internal static StreamWriter TextWriterOn(Stream stream) =>
+    public static StreamWriter TextWriterOn(Stream stream) =>
         new(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), bufferSize: 65536, leaveOpen: true) { NewLine = "\n" };
 
     /// <summary>Length and checksum of a file that is written but not committed.</summary>
@@ -55,29 +55,27 @@ public sealed class AtomicFileSet : IDisposable
         return measured;
     }
 
-    /// <summary>Reads a file that is written but not committed.</summary>
-    /// <param name="path">Its final name.</param>
-    /// <param name="read">Reads the content.</param>
-    /// <exception cref="ExternalPartException">It can't be read.</exception>
-    public T Read<T>(string path, Func<Stream, T> read)
+    /// <summary>Takes files whose names begin alike.</summary>
+    /// <param name="stem">What they begin with, before a dot.</param>
+    /// <param name="paths">Receives their paths, in the order in which they are begun.</param>
+    public PutFile Under(string stem, List<string> paths) => (name, _, write) =>
     {
-        string temporary = _pending.Single(file => file.Path == path).Temporary;
-        return FileErrors.ToExternalPart($"{path}: can't be read", () =>
-        {
-            using FileStream stream = File.OpenRead(temporary);
-            return read(stream);
-        });
-    }
+        string path = $"{stem}.{name}";
+        paths.Add(path);
+        Write(path, write);
+    };
 
     /// <summary>Gives all files their final names, in the order in which they were written; existing files are replaced.</summary>
+    /// <param name="lastFirst">Whether the order is the other way round.</param>
     /// <exception cref="ExternalPartException">The file system refuses.</exception>
-    public void Commit()
+    public void Commit(bool lastFirst = false)
     {
         while (_pending.Count > 0)
         {
-            (string temporary, string path) = _pending[0];
+            int next = lastFirst ? _pending.Count - 1 : 0;
+            (string temporary, string path) = _pending[next];
             Wrapped(path, () => File.Move(temporary, path, overwrite: true));
-            _pending.RemoveAt(0);
+            _pending.RemoveAt(next);
         }
     }
 
@@ -103,4 +101,21 @@ public sealed class AtomicFileSet : IDisposable
     }
 
     private static void Wrapped(string path, Action work) => FileErrors.ToExternalPart($"{path}: can't be written", work);
+}
+
+/// <summary>Takes a file: on disk, or as a part of an answer.</summary>
+/// <param name="name">Its name without what the names of all its files begin with, e.g. "depth.npy".</param>
+/// <param name="length">bytes; null if that is not known before it is written.</param>
+/// <param name="write">Writes the content.</param>
+public delegate void PutFile(string name, long? length, Action<Stream> write);
+
+/// <summary>What is written on a <see cref="PutFile"/>.</summary>
+public static class PutFiles
+{
+    /// <summary>Puts a text file, UTF-8 without byte order mark, LF.</summary>
+    public static void Text(this PutFile put, string name, Action<TextWriter> write) => put(name, null, stream =>
+    {
+        using StreamWriter writer = AtomicFileSet.TextWriterOn(stream);
+        write(writer);
+    });
 }

@@ -38,10 +38,8 @@ public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? lib
     public static void RequireGdal(string? libraryPath) => GdalMapWriter.RequireGdal(libraryPath);
 
     /// <summary>Writes the image: I/F, or the numbers of a detector.</summary>
-    /// <param name="files">Receives the file.</param>
-    /// <param name="stem">Path of the frame's files, without extension.</param>
-    /// <returns>Its path.</returns>
-    public string WriteImage(AtomicFileSet files, string stem, ExportedImage image)
+    /// <param name="put">Receives the file.</param>
+    public void WriteImage(PutFile put, ExportedImage image)
     {
         float[] numbers = new float[image.Width * image.Height];
         for (int row = 0; row < image.Height; row++)
@@ -49,47 +47,48 @@ public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? lib
             image.ReadRow(row, numbers.AsSpan(row * image.Width, image.Width));
         }
 
-        return Write<float>(files, stem + EndingOf(null), numbers, float.NaN, "Float32", [
+        Write<float>(put, EndingOf(null), numbers, float.NaN, "Float32", [
             ("DESCRIPTION", image.IsDigital ? "Digital numbers of the detector" : "Radiance factor I/F")]);
     }
 
     /// <summary>Writes layers, each with its planes as bands.</summary>
-    /// <param name="files">Receives the files.</param>
-    /// <param name="stem">Path of the frame's files, without extension.</param>
+    /// <param name="put">Receives the files.</param>
     /// <param name="provenance">Of the frame.</param>
     /// <param name="precision">Of real numbers.</param>
-    /// <returns>Their paths.</returns>
-    public IReadOnlyList<string> WriteLayers(
-        AtomicFileSet files, string stem, IGroundTruth truth, LayerProvenance provenance, LayerSet layers, LayerPrecision precision,
-        CancellationToken cancellation)
-    {
-        List<string> paths = [];
-        LayerSampler sampler = new(truth, provenance);
-        LayerPasses.Run(
-            sampler, layers.Layers, precision, LayerLayout.ForCFitsio, layer => paths.Add(WriteLayer(files, stem, layer)), cancellation);
-        return paths;
-    }
+    public void WriteLayers(
+        PutFile put, IGroundTruth truth, LayerProvenance provenance, LayerSet layers, LayerPrecision precision,
+        CancellationToken cancellation) => LayerPasses.Run(
+        new LayerSampler(truth, provenance), layers.Layers, precision, LayerLayout.ForCFitsio, layer => WriteLayer(put, layer),
+        cancellation);
 
-    private string WriteLayer(AtomicFileSet files, string stem, StoredLayer layer)
+    private void WriteLayer(PutFile put, StoredLayer layer)
     {
-        string path = stem + EndingOf(layer.Layer);
+        string ending = EndingOf(layer.Layer);
         (string, string)[] about =
         [
             ("DESCRIPTION", frame.Globe.Describe(layer.Layer.Description)),
             .. layer.Layer.Unit.Length > 0 ? [("UNIT", layer.Layer.Unit)] : ((string, string)[])[],
             .. layer.Layer.PlaneNames.Select((name, plane) => (Invariant($"BAND{plane + 1}"), name)),
         ];
-        return layer.Type switch
+        switch (layer.Type)
         {
-            LayerType.Real64 => Write(files, path, MemoryMarshal.Cast<byte, double>(layer.Bytes), double.NaN, "Float64", about),
-            LayerType.Real32 => Write(files, path, MemoryMarshal.Cast<byte, float>(layer.Bytes), float.NaN, "Float32", about),
-            LayerType.Unsigned8 => Write(files, path, layer.Bytes, NoByte, "Byte", about),
-            _ => Write(files, path, MemoryMarshal.Cast<byte, int>(layer.Bytes), Layer.UndefinedNumber, "Int32", about),
-        };
+            case LayerType.Real64:
+                Write(put, ending, MemoryMarshal.Cast<byte, double>(layer.Bytes), double.NaN, "Float64", about);
+                break;
+            case LayerType.Real32:
+                Write(put, ending, MemoryMarshal.Cast<byte, float>(layer.Bytes), float.NaN, "Float32", about);
+                break;
+            case LayerType.Unsigned8:
+                Write(put, ending, layer.Bytes, NoByte, "Byte", about);
+                break;
+            default:
+                Write(put, ending, MemoryMarshal.Cast<byte, int>(layer.Bytes), Layer.UndefinedNumber, "Int32", about);
+                break;
+        }
     }
 
-    private string Write<T>(
-        AtomicFileSet files, string path, ReadOnlySpan<T> numbers, T none, string type, (string Key, string Value)[] about)
+    private void Write<T>(
+        PutFile put, string ending, ReadOnlySpan<T> numbers, T none, string type, (string Key, string Value)[] about)
         where T : unmanaged
     {
         int cells = map.Pixels.Length;
@@ -105,7 +104,7 @@ public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? lib
             }
         }
 
-        files.Write(path, stream => GdalMapWriter.Write(
+        put(ending[1..], null, stream => GdalMapWriter.Write(
             stream,
             MemoryMarshal.AsBytes(values.AsSpan()),
             new GdalMap(type, map.Grid, _reference.Wkt, Invariant($"{none}"))
@@ -115,7 +114,6 @@ public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? lib
                 Metadata = [.. about, .. _reference.Items, .. _origin],
             },
             libraryPath));
-        return path;
     }
 
     private static string EndingOf(Layer? layer) => layer is null ? ".map.tif" : $".{layer.Name}.map.tif";

@@ -40,6 +40,14 @@ public static class LongE
         return Length;
     }
 
+    /// <summary>The number that a meta file's text of a number reads back to.</summary>
+    /// <param name="value">Finite.</param>
+    public static double Round(double value)
+    {
+        Span<byte> ascii = stackalloc byte[MaximumLength];
+        return double.Parse(ascii[..Write(value, ascii)], NumberStyles.Float, CultureInfo.InvariantCulture);
+    }
+
     /// <summary>A number as text.</summary>
     /// <param name="value">Finite.</param>
     /// <param name="digits">Significant digits.</param>

@@ -4,6 +4,7 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Input;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;

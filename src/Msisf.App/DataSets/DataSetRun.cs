@@ -5,6 +5,7 @@ using Msisf.Adapters.Navigation;
 using Msisf.App.Cluster;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Rendering;
 using Msisf.App.Series;
 using Msisf.App.Settings;

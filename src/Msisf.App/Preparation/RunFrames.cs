@@ -39,7 +39,7 @@ internal sealed record RunFrames(
         RefuseUnrepeatable(trajectory, cameras);
         foreach (RenderSettings settings in cameras)
         {
-            ResourceCheck.CheckExposures(settings, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes);
+            ExposureRoom.Check(settings, GC.GetGCMemoryInfo().TotalAvailableMemoryBytes);
         }
 
         RenderSettings first = cameras[0];
@@ -115,6 +115,27 @@ internal sealed record RunFrames(
         foreach (string mistake in PlausibleMistakes.FieldOfView(Settings.FieldOfViewDegrees, widest, cell))
         {
             host.Log.Warning(mistake);
+        }
+    }
+}
+
+/// <summary>Rejects scans whose states do not fit into memory.</summary>
+internal static class ExposureRoom
+{
+    /// <summary>Bytes of a scan's exposure: its state, its camera, and what is written of it.</summary>
+    private const long BytesOfExposure = 2200;
+
+    /// <summary>Checks the memory for the states of a scan's exposures, before they are made.</summary>
+    /// <param name="memoryThere">Bytes of memory that can be used.</param>
+    /// <exception cref="BadInputException">It is not sufficient.</exception>
+    public static void Check(RenderSettings settings, long memoryThere)
+    {
+        long needed = BytesOfExposure * (settings.Scan?.Count ?? 0);
+        if (needed > memoryThere)
+        {
+            throw new BadInputException(Invariant(
+                $"the states of {settings.Scan!.Count} exposures of a scan need {needed >> 20} MiB of memory, {memoryThere >> 20} MiB are "
+                    + $"there. Make the scan in parts of fewer exposures, each from its own --time on."));
         }
     }
 }

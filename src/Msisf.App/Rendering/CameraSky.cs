@@ -1,4 +1,5 @@
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;
 using Msisf.Core.Ephemeris;
@@ -101,14 +102,4 @@ internal sealed record FrameLights(StarLights? Stars, BodyLights? Bodies, IReadO
         Stars?.Collect(exposure, detector, image, cancellation);
         Bodies?.Collect(exposure, detector, image, cancellation);
     }
-}
-
-/// <summary>What a frame shows of the sky.</summary>
-/// <param name="Stars">Null where none are drawn.</param>
-/// <param name="Bodies">Null where none are drawn.</param>
-/// <param name="Factors">What the sky adds to radiance factors of pixels, by rows from 0; empty with a detector.</param>
-internal sealed record SkyOfFrame(StarsOfFrame? Stars, BodiesOfFrame? Bodies, IReadOnlyList<(int Pixel, double Factor)> Factors)
-{
-    /// <summary>How the sky lies, for each band of the frame's camera.</summary>
-    public required IReadOnlyList<SkyAxes> Axes { get; init; }
 }

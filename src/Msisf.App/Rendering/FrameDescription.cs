@@ -1,4 +1,5 @@
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Layers;
@@ -38,10 +39,21 @@ internal sealed class FrameDescription(
         Orientation = Orientation,
         Scan = frame.Scan,
         Rig = settings.Rig,
+        Stars = rendered.Sky?.Stars,
+        Bodies = rendered.Sky?.Bodies,
     };
 
-    /// <summary>The pixels that the meta file lists.</summary>
-    public PixelSampler Sampler(Frame frame, RenderedFrame rendered)
+    /// <summary>The frame as its products are written from it.</summary>
+    /// <param name="metadata">What <see cref="Describe"/> says, with the truth for navigation.</param>
+    public ProductFrame ToProducts(
+        Frame frame, RenderedFrame rendered, FrameMetadata metadata, ProductTools tools, CancellationToken cancellation) =>
+        new(settings, frame, rendered, metadata, Sampler(frame, rendered), Provenance(metadata, rendered))
+        {
+            Tools = tools,
+            Cancellation = cancellation,
+        };
+
+    private PixelSampler Sampler(Frame frame, RenderedFrame rendered)
     {
         PixelGrid grid = new(frame.Camera.Width, frame.Camera.Height, settings.GridHorizontal, settings.GridVertical);
         if (settings.Surface == PixelSurface.Sphere)
@@ -56,7 +68,7 @@ internal sealed class FrameDescription(
     }
 
     /// <summary>What the layers' headers say of their origin.</summary>
-    public LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
+    private LayerProvenance Provenance(FrameMetadata metadata, RenderedFrame rendered) => new(
         model.Grid.ProductId,
         rendered.Resolution,
         LevelOf(rendered),

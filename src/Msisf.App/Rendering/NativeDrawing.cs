@@ -1,6 +1,7 @@
 using System.Runtime;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Detector;

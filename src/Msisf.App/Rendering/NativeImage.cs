@@ -2,6 +2,7 @@ using System.Buffers;
 using System.Runtime.InteropServices;
 using Msisf.Adapters.Render;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.Core.Camera;
 using Msisf.Core.Certainty;
 using Msisf.Core.Detector;

@@ -2,6 +2,7 @@ using Msisf.Adapters.Render;
 using Msisf.Adapters.Scene;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
 using Msisf.Core.Metadata;

@@ -1,13 +1,12 @@
 using Msisf.Adapters.Ephemeris;
 using Msisf.Adapters.IO;
-using Msisf.Adapters.Layers;
 using Msisf.Adapters.Manifest;
-using Msisf.Adapters.Maps;
 using Msisf.Adapters.Raster.Albedo;
 using Msisf.Adapters.Raster.Heights;
 using Msisf.Adapters.Render;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Series;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
@@ -46,6 +45,11 @@ internal sealed class RenderRun
     private async Task<IReadOnlyList<FrameOutputs>> RunAsync(TrajectorySettings trajectory, CancellationToken cancellation)
     {
         _times.BeginRun();
+        foreach (RenderSettings camera in _cameras)
+        {
+            ProductTable.RefuseInStrips(camera);
+        }
+
         using EphemerisSource ephemeris = new(Settings, _host);
 
         // The checksums take long and are needed late, so they are started first.
@@ -91,20 +95,16 @@ internal sealed class RenderRun
         return await RenderAsync(run, plan, inputs, maps, (navigation, ofModels), sky, cancellation).ConfigureAwait(false);
     }
 
-    /// <summary>Checks for the libraries that some options need, before any work is done.</summary>
+    /// <summary>Checks for the libraries that products need, before any work is done.</summary>
     private void RequireParts()
     {
-        if (Settings.Map is not null)
+        foreach (Product product in ProductTable.Of(Settings))
         {
-            ImageMapFiles.RequireGdal(_host.Environment("MSISF_GDAL"));
-        }
-
-        if (Settings.Native is { Layers: not null, LayersFormat: LayersFormat.Fits } or { Detector.WritesFits: true }
-            || Settings.Native.Navigation is { } wanted && wanted.FlowFormatNames?.Contains("fits") == true)
-        {
-            FitsLayerWriter.RequireCFitsio();
+            product.Require(Settings, GdalPath);
         }
     }
+
+    private string? GdalPath => _host.Environment("MSISF_GDAL");
 
     private string FindPovRay() =>
         PovOptions.Program.NamedInErrors(() => PovRayProgram.Find(Settings.PovPath, _host.Environment("PATH") ?? string.Empty));
@@ -128,8 +128,7 @@ internal sealed class RenderRun
         FrameFiles[] files = [.. _cameras.Select(settings => new FrameFiles(
             settings,
             new FrameDescription(settings, run.Model, plan.Version, () => inputs.All(settings.Camera)) { Orientation = run.Orientation },
-            comparison, ledger, _times, _host.Log, truth.Navigation, truth.OfModels,
-            settings.Map is { } map ? new MapOutputs(map, settings.Native, _host.Environment("MSISF_GDAL"), _host.Log) : null,
+            comparison, ledger, _times, new ProductTools(_host.Log, GdalPath, truth.OfModels), truth.Navigation,
             craters))];
         ExposureNote?[] exposures = [.. _cameras.Zip(run.Cameras, (settings, camera) => settings.Native.Detector is { } detector
             ? new ExposureNote(detector.Settings, isNoiseChosen: camera.States[0].Noise is not null)

@@ -2,6 +2,7 @@ using Msisf.Adapters.IO;
 using Msisf.Adapters.Manifest;
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 
 namespace Msisf.App.Series;
 
@@ -139,7 +140,7 @@ internal sealed class FrameLedger : IDisposable
     /// <summary>Removes files that have the name of a file of the frame, but are not among those that were made now.</summary>
     private void RemoveOthers(FrameRecord made)
     {
-        foreach (string name in FrameFileNames.Of(made.Name).Except(made.Files.Select(file => file.Name)))
+        foreach (string name in ProductTable.NamesOf(made.Name).Except(made.Files.Select(file => file.Name)))
         {
             string path = Path.Combine(_folder, name);
             if (File.Exists(path) && (!_owners.Value.TryGetValue(name, out string? owner) || owner == made.Name))

@@ -1,5 +1,6 @@
 using Msisf.Adapters.Manifest;
 using Msisf.App.Host;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.App.Settings.Specs;
 
@@ -63,7 +64,7 @@ internal static class ReplacedFrames
         HashSet<string> names = [.. plan.Frames.Select(planned => planned.Frame.Name)];
         string[] files = [.. StrayFile.In(folder, known)
             .Select(file => file.Name)
-            .Where(file => FrameFileNames.FramesOf(file).Any(names.Contains))];
+            .Where(file => ProductTable.FramesOf(file).Any(names.Contains))];
         if (files.Length > 0)
         {
             string others = files.Length > NamedFiles ? $" and {files.Length - NamedFiles} more" : string.Empty;
@@ -122,7 +123,7 @@ internal sealed record StrayFile(string Name, bool IsLeftOver, string Reason)
     private static StrayFile Of(string name, ManifestContent manifest)
     {
         string[] frames =
-            FrameFileNames.IsMadeLater(name) ? [] : [.. FrameFileNames.FramesOf(name).Where(frame => IsFrame(frame, manifest))];
+            ProductTable.IsMadeLater(name) ? [] : [.. ProductTable.FramesOf(name).Where(frame => IsFrame(frame, manifest))];
         return frames.Length == 0 ? new StrayFile(name, IsLeftOver: false, Unknown)
             : new StrayFile(name, IsLeftOver: true, frames.Any(manifest.Frames.ContainsKey) ? OfOtherSettings : WithoutRecord);
     }

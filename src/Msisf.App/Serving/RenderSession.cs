@@ -1,5 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Camera;
@@ -21,6 +22,7 @@ internal sealed class RenderSession : IDisposable
     private readonly NativeLevels _levels;
     private readonly ServedEphemeris _ephemeris;
     private readonly FrameNavigation? _navigation;
+    private readonly FrameDescription _description;
     private readonly IReadOnlyList<InputFile> _lists;
     private readonly ProgramHost _host;
 
@@ -40,13 +42,10 @@ internal sealed class RenderSession : IDisposable
         NavigationInputs? lists = NavigationInputs.Open(Settings.Native.Navigation, _model.Opened.Grid.ReferenceRadius);
         _navigation = lists is null ? null : new FrameNavigation(lists);
         _lists = [.. lists?.Files ?? [], .. sky?.Files ?? []];
-        Description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
+        _description = new FrameDescription(Settings, _model.Opened, host.Version, Inputs);
     }
 
     public RenderSettings Settings { get; }
-
-    /// <summary>What the meta files tell beside the image.</summary>
-    public FrameDescription Description { get; }
 
     public ElevationModel Model => _model.Opened;
 
@@ -113,14 +112,18 @@ internal sealed class RenderSession : IDisposable
             _levels.FirstInventedPart(camera, Settings.Native.Render.DetailSubsamplesPerAxis)).Read(pixels);
     }
 
-    /// <summary>What the meta file says of a frame.</summary>
-    public FrameMetadata Describe(PreparedFrame frame, RenderedFrame rendered) =>
-        Description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with
+    /// <summary>A drawn frame as its products are written from it.</summary>
+    public ProductFrame ToProducts(PreparedFrame frame, RenderedFrame rendered, CancellationToken cancellation)
+    {
+        ProductTools tools = new(
+            _host.Log, _host.Environment("MSISF_GDAL"),
+            Settings.CameraFormats.Any(format => format.NeedsEphemeris) ? Engine : null);
+        FrameMetadata metadata = _description.Describe(frame.Frame, rendered, ArgumentsOf(frame)) with
         {
             Navigation = _navigation?.Of(rendered),
-            Stars = rendered.Sky?.Stars,
-            Bodies = rendered.Sky?.Bodies,
         };
+        return _description.ToProducts(frame.Frame, rendered, metadata, tools, cancellation);
+    }
 
     public void Dispose() => _maps.Dispose();
 

@@ -141,12 +141,12 @@ internal static class NativeOptions
         Words = [LayerSet.AllText, .. LayerCatalogue.All.Select(layer => layer.Name)],
     };
 
-    public static ChoiceSpec<LayersFormat> LayersFormat { get; } = new(
+    public static ChoiceSpec<LayerFormat> LayersFormat { get; } = new(
         "--layers-format", DecidesBytes.As(frame => frame.WithLayers?.LayersFormat),
-        [new Choice("fits", Settings.LayersFormat.Fits), new Choice("npy", Settings.LayersFormat.Npy)],
+        [.. LayerFormat.All.Select(format => new Choice(format.Word, format))],
         "Format of the layers: one file, or one a layer")
     {
-        Default = Settings.LayersFormat.Fits,
+        Default = LayerFormat.Fits,
     };
 
     public static ChoiceSpec<LayerPrecision> LayersPrecision { get; } = new(

@@ -47,7 +47,7 @@ internal sealed record NativeSettings
     /// <summary>Layers of ground truth to write; null for none.</summary>
     public required LayerSet? Layers { get; init; }
 
-    public required LayersFormat LayersFormat { get; init; }
+    public required LayerFormat LayersFormat { get; init; }
 
     public required LayerPrecision LayersPrecision { get; init; }
 
@@ -74,11 +74,4 @@ internal sealed record NativeSettings
         FindsExposureTime = false,
         Detector = Detector! with { Settings = Detector.Settings with { ExposureTime = seconds } },
     };
-}
-
-/// <summary>File format of the layers.</summary>
-internal enum LayersFormat
-{
-    Fits,
-    Npy,
 }

@@ -88,7 +88,6 @@ internal static class RenderSettingsReader
             ListPatterns = PovOptions.ListPatterns.Read(values),
             Timing = RunOptions.Timing.Read(values),
         };
-        StripRules.Refuse(settings);
         CameraModelOptions.Require(settings);
         return settings;
     }

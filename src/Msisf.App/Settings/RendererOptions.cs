@@ -43,7 +43,7 @@ internal static class RendererOptions
                     : [],
             "is given, but no --layers. Name the layers, or leave it out.");
         if (NativeOptions.LayersCompression.Read(values) != LayerCompression.None
-            && NativeOptions.LayersFormat.Read(values) != LayersFormat.Fits)
+            && NativeOptions.LayersFormat.Read(values) != LayerFormat.Fits)
         {
             throw NativeOptions.LayersCompression.Wrong(
                 "gzip is for --layers-format fits. Choose one of them, or compress the .npy files afterwards.", NativeOptions.LayersFormat);

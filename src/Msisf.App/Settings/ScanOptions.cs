@@ -145,7 +145,7 @@ internal sealed record JitterFile(string Path, string Sha256, Jitter Jitter, lon
     public InputFile ToInput() => new(InputKind.Jitter, System.IO.Path.GetFileName(Path), Bytes, Sha256);
 }
 
-/// <summary>Which scanned images are drawn strip by strip, because they are too large for the memory, and what they can't have.</summary>
+/// <summary>Which scanned images are drawn strip by strip, because they are too large for the memory.</summary>
 internal static class StripRules
 {
     /// <summary>px: larger images are drawn in strips; one of so many takes some 1.6 GB.</summary>
@@ -160,29 +160,4 @@ internal static class StripRules
     /// <param name="height">px.</param>
     public static bool IsStriped(Scan? scan, int width, int height) =>
         scan is { Kind: not ScanKind.RollingShutter } && (long)width * height > LargestWhole;
-
-    /// <summary>Refuses what needs all of an image that is drawn in strips.</summary>
-    /// <exception cref="UsageException">An option asks for it.</exception>
-    public static void Refuse(RenderSettings settings)
-    {
-        if (!IsStriped(settings.Scan, settings.Width, settings.Height))
-        {
-            return;
-        }
-
-        string? wrong = settings.Annotate ? OutputOptions.Annotation.Name
-            : settings.Native.Navigation is not null ? "truth for navigation"
-            : settings.Native.Sky is { IsDrawn: true } ? "the sky"
-            : settings.Map is not null ? MapOptions.Map.Name
-            : settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
-                ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
-            : settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}"
-            : null;
-        if (wrong is not null)
-        {
-            throw new UsageException($"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of "
-                + "it "
-                + $"at once. Leave it out, or scan fewer lines: {LargestWhole / settings.Width} are drawn as a whole.");
-        }
-    }
 }

@@ -47,7 +47,7 @@ internal static class CameraModelExport
                 Ephemeris = opened?.Engine,
                 Image = formats.Any(format => format.HasPixels) ? ExportedImage.Read(metaFile, frame) : null,
             };
-            paths.AddRange(CameraFormat.Write(formats, files, stem, exported, host.Log.Note, host.Log.Warning));
+            CameraFormat.Write(formats, files.Under(stem, paths), exported, host.Log.Note, host.Log.Warning);
         }
 
         files.Commit();

@@ -51,8 +51,9 @@ public sealed class LayerBandsTests : IDisposable
     private string[] Npy(string stem, int rows)
     {
         using AtomicFileSet files = new();
-        IReadOnlyList<string> paths = NpyLayerWriter.Write(
-            files, _folder[stem], LayerFrame.Metadata, LayerFrame.Provenance, InRows(rows), LayerSet.OfAnyFrame);
+        List<string> paths = [];
+        NpyLayerWriter.Write(
+            files.Under(_folder[stem], paths), LayerFrame.Metadata, LayerFrame.Provenance, InRows(rows), LayerSet.OfAnyFrame);
         files.Commit();
         return [.. paths];
     }

@@ -109,8 +109,9 @@ public sealed class NpyLayerWriterTests : IDisposable
             RendererKind.Native,
             []);
         using AtomicFileSet files = new();
-        IReadOnlyList<string> paths = NpyLayerWriter.Write(
-            files, _folder["frame"], frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
+        List<string> paths = [];
+        NpyLayerWriter.Write(
+            files.Under(_folder["frame"], paths), frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
                 Sun, 4),
             LayerSet.Parse(layers));
         files.Commit();

@@ -1,11 +1,8 @@
 using Msisf.Adapters.Layers;
 using Msisf.App.Settings;
-using Msisf.Core.Camera;
-using Msisf.Core.Layers;
-using Msisf.Core.Metadata;
 using Msisf.Core.Render;
 
-namespace Msisf.App.Preparation;
+namespace Msisf.App.Products;
 
 /// <summary>Rejects images too large for this computer's memory, and runs too large for its disk, before any work is done.</summary>
 internal static class ResourceCheck
@@ -30,43 +27,17 @@ internal static class ResourceCheck
     /// <summary>Strips of a scanned image in memory: those that are drawn and those whose ground truth is kept.</summary>
     private const long StripsKept = 16;
 
-    /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
-    private const long LayerBytesPerPixel = 24;
-
     /// <summary>
     /// Bytes per pixel of a detector: electrons, charge, throughput, radiance without the margin (doubles), fixed pattern (two floats),
     /// numbers, saturation, and the FITS file.
     /// </summary>
     private const long DetectorBytesPerPixel = 48;
 
-    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed, and there may be a FITS file too.</summary>
-    private const long NumbersBytesPerPixel = 4;
-
-    /// <summary>Bytes per pixel on disk of a cube, or of another camera model that holds the image.</summary>
-    private const long ExportedBytesPerPixel = 4;
-
-    /// <summary>Bytes per pixel of the annotated image in memory: four bytes, and the PNG at its largest.</summary>
-    private const long AnnotationBytesPerPixel = 8;
-
     /// <summary>Maximum bytes per pixel on disk: POV-Ray's buffer file, its PNG, and the program's copy of that.</summary>
     private const long DiskBytesPerPixel = PovRayBytesPerPixel + 3 + 3;
 
     /// <summary>Maximum bytes per pixel on disk with the program's own renderer: a PNG of 16 bits, and its copy.</summary>
     private const long NativeDiskBytesPerPixel = 4;
-
-    /// <summary>Bytes of a scan's exposure: its state, its camera, and what is written of it.</summary>
-    private const long BytesOfExposure = 2200;
-
-    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere.</summary>
-    private const long MetaBytesPerPoint = 240;
-
-    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the terrain.</summary>
-    private const long TerrainMetaBytesPerPoint = 1000;
-
-    /// <summary>
-    /// Typical bytes per pixel in the PNG of an image of the Moon: 0.12 to 0.31 in the README's images; an annotated image doubles it.
-    /// </summary>
-    private const double DefaultPngBytesPerPixel = 0.3;
 
     /// <summary>The number of frames to draw at once: as many as cores and memory allow, unless <c>--jobs</c> gives a number.</summary>
     /// <param name="settings">Settings of the run; the number given by <c>--jobs</c> is not checked here.</param>
@@ -125,33 +96,14 @@ internal static class ResourceCheck
         }
     }
 
-    /// <summary>Checks the memory for the states of a scan's exposures, before they are made.</summary>
-    /// <param name="memoryThere">Bytes of memory that can be used.</param>
-    /// <exception cref="BadInputException">It is not sufficient.</exception>
-    public static void CheckExposures(RenderSettings settings, long memoryThere)
-    {
-        long needed = BytesOfExposure * (settings.Scan?.Count ?? 0);
-        if (needed > memoryThere)
-        {
-            throw new BadInputException(Invariant(
-                $"the states of {settings.Scan!.Count} exposures of a scan need {Size(needed)} of memory, {Size(memoryThere)} are there. "
-                    + $"Make the scan in parts of fewer exposures, each from its own --time on."));
-        }
-    }
-
     /// <summary>Bytes of the files of a frame at most while it is made, and those of its finished files.</summary>
     private static (long Drawing, double Finished) DiskOfFrame(RenderSettings settings)
     {
-        long pixels = Pixels(settings);
-        long layers = pixels * (settings.Native.Layers?.Layers.Sum(
-            layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0);
-        long numbers = settings.Native.Detector is null ? 0 : NumbersBytesPerPixel * pixels;
-        long exported = ExportedBytesPerPixel * settings.CameraFormats.Count(format => format.HasPixels) * pixels;
-        long others = layers + numbers + exported + MetaBytes(settings);
-        double images = DefaultPngBytesPerPixel * settings.Native.BitDepth / 8.0 * (settings.Annotate ? 2.0 : 1.0) * pixels;
-        bool isCompressedOnDisk = IsStriped(settings) && settings.Native.LayersCompression == LayerCompression.Gzip;
+        double finished = ProductTable.Of(settings).Sum(product => product.DiskBytes(settings));
         long drawing = settings.Renderer == RendererKind.Native ? NativeDiskBytesPerPixel : DiskBytesPerPixel;
-        return ((drawing * pixels) + others + (isCompressedOnDisk ? layers : 0), images + others);
+        bool isCompressedOnDisk = IsStriped(settings) && settings.Native.LayersCompression == LayerCompression.Gzip;
+        return (
+            (drawing * Pixels(settings)) + (long)finished + (isCompressedOnDisk ? (long)ProductTable.LayerBytes(settings) : 0), finished);
     }
 
     private static bool IsStriped(RenderSettings settings) => StripRules.IsStriped(settings.Scan, settings.Width, settings.Height);
@@ -162,16 +114,10 @@ internal static class ResourceCheck
     {
         long pixels = IsStriped(settings) ? StripsKept * StripRules.PixelsOfStrip : Pixels(settings);
         long drawing = settings.Renderer == RendererKind.Native
-            ? ((NativeBytesPerPixel * (settings.Shutter is null ? 1 : 2)) + (settings.Native.Layers is null ? 0 : LayerBytesPerPixel)
+            ? ((NativeBytesPerPixel * (settings.Shutter is null ? 1 : 2))
                 + (settings.Native.Detector is null ? 0 : DetectorBytesPerPixel)) * pixels
             : Math.Min(PovRayImageBuffer, PovRayBytesPerPixel * pixels);
-        return drawing + (settings.Annotate ? AnnotationBytesPerPixel * pixels : 0);
-    }
-
-    private static long MetaBytes(RenderSettings settings)
-    {
-        PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
-        return (settings.Surface == PixelSurface.Terrain ? TerrainMetaBytesPerPoint : MetaBytesPerPoint) * grid.Columns * grid.Rows;
+        return drawing + (ProductTable.Of(settings).Sum(product => product.MemoryBytesPerPixel) * pixels);
     }
 
     private static void Refuse(RenderSettings settings, string what, string remedy, long needed, long there)

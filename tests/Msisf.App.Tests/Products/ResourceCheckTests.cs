@@ -1,10 +1,11 @@
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Settings;
 using Msisf.App.Tests.Settings;
 using Msisf.Core.Errors;
 using Xunit;
 
-namespace Msisf.App.Tests.Preparation;
+namespace Msisf.App.Tests.Products;
 
 public sealed class ResourceCheckTests
 {
@@ -46,8 +47,8 @@ public sealed class ResourceCheckTests
     public void CheckExposures_MoreThanMemory_AreRefusedBeforeTheyAreMade()
     {
         RenderSettings settings = Settings("--renderer native --camera lroc-nac-l --lines 500000");
-        ResourceCheck.CheckExposures(settings, 2 * Gibibyte);
-        BadInputException exception = Assert.Throws<BadInputException>(() => ResourceCheck.CheckExposures(settings, Gibibyte));
+        ExposureRoom.Check(settings, 2 * Gibibyte);
+        BadInputException exception = Assert.Throws<BadInputException>(() => ExposureRoom.Check(settings, Gibibyte));
 
         Assert.Contains("500000 exposures of a scan need 1049 MiB of memory, 1024 MiB", exception.Message, StringComparison.Ordinal);
     }

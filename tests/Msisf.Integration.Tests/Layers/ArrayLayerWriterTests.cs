@@ -28,7 +28,7 @@ public sealed class NpyLayerWriterTests : IDisposable
         using (AtomicFileSet files = new())
         {
             NpyLayerWriter.Write(
-                files, _folder["frame"], LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.Parse(name),
+                files.Under(_folder["frame"], []), LayerFrame.Metadata, LayerFrame.Provenance, LayerFrame.Truth, LayerSet.Parse(name),
                 precision);
             files.Commit();
         }

@@ -1,0 +1,360 @@
+using Msisf.Adapters.CameraExport;
+using Msisf.Adapters.IO;
+using Msisf.Adapters.Layers;
+using Msisf.Adapters.Maps;
+using Msisf.Adapters.Metadata;
+using Msisf.Adapters.Navigation;
+using Msisf.Adapters.Render;
+using Msisf.App.Host;
+using Msisf.App.Settings;
+using Msisf.App.Settings.Specs;
+using Msisf.Core.Camera;
+using Msisf.Core.Detector;
+using Msisf.Core.Layers;
+using Msisf.Core.Metadata;
+using Msisf.Core.Render;
+using Msisf.Core.Sensitivity;
+
+namespace Msisf.App.Products;
+
+/// <summary>All that can be written of an image. The order is that in which the files are named; the first one appears last.</summary>
+internal static class ProductTable
+{
+    /// <summary>
+    /// Typical bytes per pixel in the PNG of an image of the Moon: 0.12 to 0.31 in the README's images; an annotated image doubles it.
+    /// </summary>
+    private const double PngBytes = 0.3;
+
+    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed; of its numbers as FITS; of a cube.</summary>
+    private const double NumberBytes = 2.0;
+    private const double CubeBytes = 4.0;
+
+    /// <summary>Bytes per pixel of the annotated image in memory: four bytes, and the PNG at its largest.</summary>
+    private const long AnnotationMemory = 8;
+
+    /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
+    private const long LayerMemory = 24;
+
+    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere, and on the terrain.</summary>
+    private const double PointBytes = 240.0;
+    private const double TerrainPointBytes = 1000.0;
+
+    public static IReadOnlyList<Product> All { get; } =
+    [
+        new("image", [File("the image", [], ".png")], _ => true, Image)
+        {
+            DiskBytes = settings => (PngOf(settings) + (settings.Native.Detector is null ? 0.0 : NumberBytes)) * PixelsOf(settings),
+        },
+        new(
+            "annotated", [File("the meta file drawn on the image", [OutputOptions.Annotation], ".annotated.png")],
+            settings => settings.Annotate, Annotated)
+        {
+            DiskBytes = settings => PngOf(settings) * PixelsOf(settings),
+            MemoryBytesPerPixel = AnnotationMemory,
+            NeedsWhole = _ => OutputOptions.Annotation.Name,
+        },
+        new(
+            "scene", [File("the scene that POV-Ray rendered", [], ".pov")], settings => settings.Renderer == RendererKind.PovRay,
+            (frame, put) => put.Text("pov", frame.Rendered.WriteScene!)),
+        new("meta", [File("the meta file, described below", [], ".xml")], _ => true, Meta)
+        {
+            Phase = Phase.Xml,
+            DiskBytes = settings => MetaBytes(settings),
+        },
+        new(
+            "numbers",
+            [
+                File(
+                    "with a camera that has a detector: its digital numbers ([detector.md](detector.md)); the image has them too", [],
+                    ".dn.fits"),
+            ],
+            settings => settings.Native.Detector is { WritesFits: true }, Numbers)
+        {
+            PlaceInAnswer = 2,
+            DiskBytes = settings => NumberBytes * PixelsOf(settings),
+            Require = (_, _) => FitsLayerWriter.RequireCFitsio(),
+        },
+        new(
+            "camera-model",
+            [
+                File(
+                    "[the camera for other programs](camera-export.md)", [CameraModelOptions.OfRun],
+                    [.. CameraFormat.All.SelectMany(format => format.Endings)]) with
+                {
+                    Shown = "`.csm.json`, `.tsai`, `.opencv.yaml` ...",
+                },
+            ],
+            settings => settings.CameraFormats.Count > 0, CameraModels)
+        {
+            DiskBytes = settings => CubeBytes * settings.CameraFormats.Count(format => format.HasPixels) * PixelsOf(settings),
+            NeedsWhole = settings => settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
+                ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
+                : null,
+            IsMadeLater = true,
+            PlaceInAnswer = 3,
+            ContentType = "text/plain",
+        },
+        new(
+            "craters",
+            [
+                File(
+                    "the craters of the image, as CSV and in COCO's format ([navigation-truth.md](navigation-truth.md#craters)); the meta "
+                        + "file has them too", [NavigationOptions.Craters], ".craters.csv", ".craters.json"),
+            ],
+            settings => settings.Native.Navigation?.Craters is not null, Craters)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Craters.Name,
+        },
+        new(
+            "landmarks",
+            [File("[where the image shows them](navigation-truth.md#landmarks)", [NavigationOptions.Landmarks], ".landmarks.csv")],
+            settings => settings.Native.Navigation?.Landmarks is not null, Landmarks)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Landmarks.Name,
+        },
+        new(
+            "stars", [File("[what the image shows of them](sky.md#where-it-is-written)", [SkyOptions.Stars], ".stars.csv")],
+            settings => settings.Native.Sky?.Catalogue is not null,
+            (frame, put) => put.Text("stars.csv", writer => SkyCsvWriter.Write(writer, frame.Metadata.Stars!)))
+        {
+            Phase = Phase.Sky,
+            NeedsWhole = _ => SkyOptions.Stars.Name,
+        },
+        new(
+            "bodies",
+            [
+                File(
+                    "the same of these", [SkyOptions.Planets, SkyOptions.Earth, SkyOptions.SunInView], ".bodies.csv"),
+            ],
+            settings => settings.Native.Sky is { Bodies.Count: > 0 },
+            (frame, put) => put.Text("bodies.csv", writer => SkyCsvWriter.Write(writer, frame.Metadata.Bodies!)))
+        {
+            Phase = Phase.Sky,
+            NeedsWhole = _ => "the sky",
+        },
+        new(
+            "flow",
+            [
+                File(
+                    "[where the pixels lie in another image](navigation-truth.md#flow-and-stereo)", [NavigationOptions.Flow],
+                    ".flow.fits", ".flow.npy", ".flow-class.npy", ".flow-light.npy", ".flow.json", ".flow.flo", ".flow.png") with
+                {
+                    Shown = "`.flow.*`",
+                },
+            ],
+            settings => settings.Native.Navigation?.Flow is not null, FlowProduct.WriteFlow)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Flow.Name,
+            Require = RequireForFlow,
+        },
+        new(
+            "stereo",
+            [
+                File(
+                    "the same of the image of a camera beside this one", [NavigationOptions.Stereo],
+                    ".stereo.fits", ".disparity.npy", ".disparity-class.npy", ".stereo.json", ".disparity.png") with
+                {
+                    Shown = "`.disparity.*`, `.stereo.*`",
+                },
+            ],
+            settings => settings.Native.Navigation?.Stereo is not null, FlowProduct.WriteStereo)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Stereo.Name,
+            Require = RequireForFlow,
+        },
+        new(
+            "sensitivity",
+            [
+                File(
+                    "[derivatives of each pixel](sensitivities.md#layers), stored like the layers", [NavigationOptions.Sensitivity],
+                    [.. LayerFormat.EndingsOf([.. Parameter.All.Select(SensitivityLayers.NameOf)]).Select(ending => $".sensitivity{ending}")])
+                    with
+                    {
+                        Shown = "`.sensitivity.fits`, or `.sensitivity.d-NAME.npy` with `.sensitivity.layers.json`",
+                    },
+                File("[what the image tells of its pose](sensitivities.md#information)", [NavigationOptions.Information], ".information.csv"),
+            ],
+            settings => settings.Native.Navigation is { Sensitivity: not null } or { Information: not null }, SensitivityProduct.Write)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Sensitivity.Name,
+            Require = (settings, _) =>
+            {
+                if (settings.Native.Navigation!.Sensitivity is not null)
+                {
+                    settings.Native.LayersFormat.Require(null);
+                }
+            },
+        },
+        new(
+            "map",
+            [
+                File("[image and layers on a map](#images-on-a-map)", [MapOptions.Map], [.. ImageMapFiles.Endings]) with
+                {
+                    Shown = "`.map.tif`, `.LAYER.map.tif`",
+                },
+            ],
+            settings => settings.Map is not null, MapProduct.Write)
+        {
+            Phase = Phase.Layers,
+            PlaceInAnswer = 4,
+            NeedsWhole = _ => MapOptions.Map.Name,
+            Require = (_, gdalPath) => ImageMapFiles.RequireGdal(gdalPath),
+        },
+        new(
+            "layers",
+            [
+                File(
+                    "the ground truth of each pixel, described at the end, as `--layers-format` says", [NativeOptions.Layers],
+                    [.. LayerFormat.EndingsOf([.. LayerCatalogue.All.Select(layer => layer.Name)])]) with
+                {
+                    Shown = string.Join(", ", LayerFormat.EndingsOf(["LAYER"]).Select(ending => $"`{ending}`")),
+                },
+            ],
+            settings => settings.Native.Layers is not null, Layers)
+        {
+            Phase = Phase.Layers,
+            PlaceInAnswer = 1,
+            DiskBytes = LayerBytes,
+            MemoryBytesPerPixel = LayerMemory,
+            Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
+        },
+    ];
+
+    /// <summary>The product of a name.</summary>
+    public static Product Named(string name) => All.Single(product => product.Name == name);
+
+    /// <summary>Those that settings ask for.</summary>
+    public static IEnumerable<Product> Of(RenderSettings settings) => All.Where(product => product.IsWanted(settings));
+
+    private static readonly string[] Endings = [.. All.SelectMany(product => product.Files).SelectMany(file => file.Endings)];
+
+    /// <summary>All names that files of a frame can have, whatever a run was asked to write.</summary>
+    public static IEnumerable<string> NamesOf(string frame) => Endings.Select(ending => frame + ending);
+
+    /// <summary>The names of the frames that a file could belong to by its name.</summary>
+    /// <param name="file">Name of the file, without folder.</param>
+    public static IEnumerable<string> FramesOf(string file) => Endings
+        .Where(ending => file.EndsWith(ending, StringComparison.Ordinal))
+        .Select(ending => file[..^ending.Length]);
+
+    /// <summary>Whether a file may be made of a frame that is there, by msis camera-model, so that no record names it.</summary>
+    /// <param name="file">Name of the file, without folder.</param>
+    public static bool IsMadeLater(string file) => All
+        .Where(product => product.IsMadeLater)
+        .SelectMany(product => product.Files)
+        .SelectMany(written => written.Endings)
+        .Any(ending => file.EndsWith(ending, StringComparison.Ordinal));
+
+    /// <summary>Refuses products that need all of an image that is drawn in strips.</summary>
+    /// <exception cref="UsageException">An option asks for one.</exception>
+    public static void RefuseInStrips(RenderSettings settings)
+    {
+        if (!StripRules.IsStriped(settings.Scan, settings.Width, settings.Height))
+        {
+            return;
+        }
+
+        string? wrong = Of(settings).Select(product => product.NeedsWhole(settings)).FirstOrDefault(reason => reason is not null)
+            ?? (settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}" : null);
+        if (wrong is not null)
+        {
+            throw new UsageException($"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of "
+                + "it "
+                + $"at once. Leave it out, or scan fewer lines: {StripRules.LargestWhole / settings.Width} are drawn as a whole.");
+        }
+    }
+
+    /// <summary>Bytes of the layers of a frame.</summary>
+    public static double LayerBytes(RenderSettings settings) => PixelsOf(settings) * (settings.Native.Layers?.Layers.Sum(
+        layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0.0);
+
+    private static ProductFile File(string content, OptionSpec[] options, params string[] endings) => new(endings, options, content);
+
+    private static double PixelsOf(RenderSettings settings) => (double)settings.Width * settings.Height;
+
+    private static double PngOf(RenderSettings settings) => PngBytes * settings.Native.BitDepth / 8.0;
+
+    private static double MetaBytes(RenderSettings settings)
+    {
+        PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
+        return (settings.Surface == PixelSurface.Terrain ? TerrainPointBytes : PointBytes) * grid.Columns * grid.Rows;
+    }
+
+    private static void RequireForFlow(RenderSettings settings, string? gdalPath)
+    {
+        if (settings.Native.Navigation!.FlowFormats.HasFlag(FlowFormats.Fits))
+        {
+            FitsLayerWriter.RequireCFitsio();
+        }
+    }
+
+    private static void Image(ProductFrame frame, PutFile put) => put("png", null, stream =>
+    {
+        frame.Rendered.Image.Position = 0;
+        PngFile.CopyImage(frame.Rendered.Image, stream, frame.Rendered.ImageName);
+    });
+
+    private static void Annotated(ProductFrame frame, PutFile put) => put("annotated.png", null, stream =>
+    {
+        frame.Rendered.Image.Position = 0;
+        AnnotationRenderer.Write(frame.Rendered.Image, stream, frame.Metadata, frame.Pixels, frame.Cancellation);
+    });
+
+    private static void Meta(ProductFrame frame, PutFile put) => put(
+        "xml", null, stream => MetadataXmlWriter.Write(stream, frame.Metadata, frame.Pixels, cancellation: frame.Cancellation));
+
+    private static void Numbers(ProductFrame frame, PutFile put)
+    {
+        DetectorSettings exposed = frame.Settings.Native.Detector!.Settings.Exposed(frame.Frame.ExposureFactor);
+        put("dn.fits", null, stream => DetectorFitsWriter.Write(
+            stream, frame.Rendered.Numbers!, exposed, frame.Metadata, frame.Provenance));
+    }
+
+    /// <summary>The camera with the digits of the meta file; a detector's shutter, which is not in there, too.</summary>
+    private static void CameraModels(ProductFrame frame, PutFile put)
+    {
+        IReadOnlyList<CameraFormat> formats = frame.Settings.CameraFormats;
+        ExportedFrame exported = MetaFileFrame.Of(frame.Frame.Name, frame.Metadata);
+        CameraFormat.Write(
+            formats,
+            put,
+            exported with
+            {
+                Scan = frame.Settings.Shutter is { IsRolling: true } shutter
+                    && frame.Frame is { Scan: null, Motion: { IsRest: false } motion }
+                    ? ExportedScan.OfShutter(exported.Camera, motion, shutter.LineTime, frame.Metadata.HeightOverTerrain)
+                    : exported.Scan,
+                Ephemeris = frame.Tools.Ephemeris,
+                Image = formats.Any(format => format.HasPixels) ? frame.Image : null,
+            },
+            frame.Tools.Log.Note,
+            frame.Tools.Log.Warning);
+    }
+
+    private static void Craters(ProductFrame frame, PutFile put)
+    {
+        FrameMetadata metadata = frame.Metadata;
+        double referenceRadius = metadata.Globe.ReferenceRadius;
+        put.Text(
+            "craters.csv", writer => NavigationCsvWriter.Write(writer, metadata.Navigation!.Craters!, referenceRadius));
+        put("craters.json", null, stream => CocoWriter.Write(
+            stream, metadata.Navigation!.Craters!, metadata.Camera,
+            new CocoSource($"Craters of {frame.Frame.Name}", metadata.Version, [CocoSource.NoLicence]),
+            new CocoImage(frame.Frame.Step, $"{frame.Frame.Name}.png", metadata.SimulationTime), referenceRadius));
+    }
+
+    private static void Landmarks(ProductFrame frame, PutFile put) => put.Text(
+        "landmarks.csv",
+        writer => NavigationCsvWriter.Write(writer, frame.Metadata.Navigation!.Landmarks!, frame.Metadata.Globe.ReferenceRadius));
+
+    private static void Layers(ProductFrame frame, PutFile put)
+    {
+        LayerSet layers = frame.Settings.Native.Layers!;
+        frame.Settings.Native.LayersFormat.Write(frame.Of(layers) with { Truth = frame.TruthFor(layers) }, put);
+    }
+}
