@@ -6,7 +6,7 @@ runs_to_compare() {
     local state="--fixed-state {55289,2E6,2E6,0,-0.2391176183943345,0.0990457605412876,0.3696438106143861,0.8923991008325228}"
     local low="--position -19.4,267,60000 --time 2010-04-03T00:00:00Z"
     local craters=$PWD/obj/craters.csv
-    grep -v ',0$' lib/places/features.csv >"$craters"
+    awk -F, 'NR == 1 || $NF > 0' lib/places/features.csv >"$craters"
     local high="--position -19.4,267,900000 --time 2010-04-03T00:00:00Z"
     local series="--kepler-set {1.9E6,0.05,0.7,1.1,0.9,2.0} --epoch 55289 --time-interval [55289:0.001:55289.004]"
     local small="--renderer native --width 200 --height 160 --batch --output-dir out"
@@ -31,7 +31,7 @@ $low --camera $PWD/input/navigation-camera.yaml --renderer native --camera-model
 $low --camera $PWD/input/navigation-camera.yaml --renderer native --layers radiance-factor --layers-format npy --information pose --batch --output-dir out
 $low $small --craters $craters --landmarks $craters --rendering-annotation --camera-model isis
 $low $small --craters $craters --layers crater,cell --surface terrain --grid 40
-$series $small --stereo 500 --flow pair --flow-format fits,npy,flo,kitti --frames 1:2
+$series $small --stereo 500 --flow pair --flow-format fits,npy,flo,kitti --frames 1:2 --jobs 1
 $low $small --sky --layers object,mask --layers-format npy --layers-precision single
 $low $small --sensitivity position-x,sun-east --layers-format npy
 $low $small --sensitivity all --layers depth --map equirectangular,1500 --layers-precision single

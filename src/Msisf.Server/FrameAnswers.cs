@@ -150,7 +150,7 @@ internal sealed class FrameAnswers(StreamPool pool)
             .. SizeOf(settings.Width, settings.Height, TypeOf(layer.StoredType(precision))),
             ("X-Msisf-Planes", layer.Planes.ToString(CultureInfo.InvariantCulture)),
         ];
-        NpyLayerWriter.Write(
+        ArrayLayerWriter.Write(
             (name, length, write) =>
             {
                 if (length is not null)
@@ -158,8 +158,8 @@ internal sealed class FrameAnswers(StreamPool pool)
                     answer.AddLarge(name, form.Main, length, write, headers);
                 }
             },
-            frame.Metadata, frame.Provenance, frame.TruthFor(layers), layers, precision, hasHeads: form.Main != AnswerForm.Raw,
-            frame.Cancellation);
+            frame.Metadata, frame.Provenance, frame.TruthFor(layers), layers, precision,
+            form.Main == AnswerForm.Raw ? ArrayFormat.Raw : ArrayFormat.Npy, frame.Cancellation);
     }
 
     private static string TypeOf(LayerType type) => type switch

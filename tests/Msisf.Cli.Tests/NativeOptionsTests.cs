@@ -26,7 +26,7 @@ public sealed class NativeOptionsTests : IDisposable
     [InlineData($"{Fixed} --lod-error -0.1", 1, "--lod-error is -0.1; its range is 0 to 100")]
     [InlineData($"{Fixed} --lod-error 101", 1, "--lod-error is 101; its range is 0 to 100")]
     [InlineData($"{Fixed} --lod off --lod-error 1", 1, "--lod-error has no meaning with --lod off")]
-    [InlineData($"{Native} --layers all --layers-format tiff", 1, "--layers-format is 'tiff'; one of fits, npy is needed")]
+    [InlineData($"{Native} --layers all --layers-format tif", 1, "--layers-format is 'tif'; one of fits, npy, tiff is needed")]
     [InlineData($"{Native} --layers all --layers-precision half", 1, "--layers-precision is 'half'; one of double, single is needed")]
     [InlineData($"{Native} --layers all --layers-compression rice", 1, "--layers-compression is 'rice'; one of none, gzip is needed")]
     [InlineData($"{Native} --samples 3", 1, "--samples is 3; the samples form a square grid, so a square number is needed: 1 or 4.")]

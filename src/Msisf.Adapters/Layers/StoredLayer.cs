@@ -43,6 +43,22 @@ internal sealed class StoredLayer : IDisposable
     /// <summary>The numbers.</summary>
     public ReadOnlySpan<byte> Bytes => _bytes.AsSpan(0, _length);
 
+    /// <summary>Writes the rows into a file of an image with more of them.</summary>
+    /// <param name="start">Where the numbers of the image begin.</param>
+    /// <param name="first">Which row of the image the first one is, from 0.</param>
+    /// <param name="height">px: of the image.</param>
+    public void WriteRows(Stream file, long start, int first, int height)
+    {
+        int parts = _layout.IsInterleaved ? 1 : Layer.Planes;
+        int length = _length / parts;
+        long row = length / _height;
+        for (int part = 0; part < parts; part++)
+        {
+            file.Position = start + (((part * (long)height) + first) * row);
+            file.Write(Bytes.Slice(part * length, length));
+        }
+    }
+
     /// <summary>Puts in a row.</summary>
     /// <param name="row">From 0.</param>
     /// <param name="plane">Of the layer, from 0.</param>
@@ -130,6 +146,9 @@ internal readonly record struct LayerLayout(bool IsInterleaved, bool IsBigEndian
 
     /// <summary>That in which CFITSIO takes pixels.</summary>
     public static LayerLayout ForCFitsio => new(IsInterleaved: false, IsBigEndian: !BitConverter.IsLittleEndian);
+
+    /// <summary>That of a page a plane in TIFF.</summary>
+    public static LayerLayout Tiff => new(IsInterleaved: false, IsBigEndian: false);
 
     /// <summary>That of NumPy's arrays.</summary>
     public static LayerLayout Npy => new(IsInterleaved: true, IsBigEndian: !BitConverter.IsLittleEndian);

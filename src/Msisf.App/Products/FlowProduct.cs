@@ -53,7 +53,7 @@ internal static class FlowProduct
             stream, frame.Metadata, frame.Provenance, frame.Truth, layers, cancellation: frame.Cancellation));
         if (Has(frame, FlowFormats.Npy))
         {
-            NpyLayerWriter.Write(
+            ArrayLayerWriter.Write(
                 (file, length, write) => put(file == "layers.json" ? $"{name}.json" : file, length, write),
                 frame.Metadata, frame.Provenance, frame.Truth, layers, cancellation: frame.Cancellation);
         }

@@ -24,11 +24,13 @@ internal readonly record struct LayerFormat(
 
     public static LayerFormat Npy { get; } = new(
         "npy", [$".{NameOfLayer}.npy", ".rowstates.npy", ".layers.json"],
-        static (of, put) => NpyLayerWriter.Write(
-            put, of.Metadata, of.Provenance, of.Truth, of.Layers, of.Precision, cancellation: of.Cancellation),
-        static _ => { });
+        static (of, put) => WriteArrays(of, put, ArrayFormat.Npy), static _ => { });
 
-    public static IReadOnlyList<LayerFormat> All { get; } = [Fits, Npy];
+    public static LayerFormat Tiff { get; } = new(
+        "tiff", [$".{NameOfLayer}.tif", ".rowstates.npy", ".layers.json"],
+        static (of, put) => WriteArrays(of, put, ArrayFormat.Tiff), static _ => { });
+
+    public static IReadOnlyList<LayerFormat> All { get; } = [Fits, Npy, Tiff];
 
     /// <summary>All endings that files of layers can have, in any format.</summary>
     /// <param name="layers">Names of the layers.</param>
@@ -38,6 +40,9 @@ internal readonly record struct LayerFormat(
             ? layers.Select(layer => ending.Replace(NameOfLayer, layer, StringComparison.Ordinal))
             : [ending])
         .Distinct();
+
+    private static void WriteArrays(LayersOfFrame of, PutFile put, ArrayFormat format) => ArrayLayerWriter.Write(
+        put, of.Metadata, of.Provenance, of.Truth, of.Layers, of.Precision, format, of.Cancellation);
 }
 
 /// <summary>Layers of a frame, and how they are written.</summary>

@@ -144,7 +144,7 @@ internal static class NativeOptions
     public static ChoiceSpec<LayerFormat> LayersFormat { get; } = new(
         "--layers-format", DecidesBytes.As(frame => frame.WithLayers?.LayersFormat),
         [.. LayerFormat.All.Select(format => new Choice(format.Word, format))],
-        "Format of the layers: one file, or one a layer")
+        "Format of the layers: one file, or one a layer for NumPy, or for programs that read TIFF")
     {
         Default = LayerFormat.Fits,
     };

@@ -46,7 +46,7 @@ internal static class RendererOptions
             && NativeOptions.LayersFormat.Read(values) != LayerFormat.Fits)
         {
             throw NativeOptions.LayersCompression.Wrong(
-                "gzip is for --layers-format fits. Choose one of them, or compress the .npy files afterwards.", NativeOptions.LayersFormat);
+                "gzip is for --layers-format fits. Choose one of them, or compress the files afterwards.", NativeOptions.LayersFormat);
         }
     }
 }

@@ -14,7 +14,7 @@ using Xunit;
 
 namespace Msisf.Adapters.Tests.Layers;
 
-public sealed class NpyLayerWriterTests : IDisposable
+public sealed class ArrayLayerWriterTests : IDisposable
 {
     private static readonly Vector3D Sun = new(1.5e11, 1e10, 0.0);
 
@@ -94,7 +94,7 @@ public sealed class NpyLayerWriterTests : IDisposable
 
     private static double Dot(double[] a, double[] b) => a.Zip(b, (x, y) => x * y).Sum();
 
-    private IReadOnlyList<string> Write(string layers, Vector3D position)
+    private List<string> Write(string layers, Vector3D position)
     {
         PinholeCamera camera = new(position, UnitQuaternion.Identity, 1.0, 3, 3);
         FrameMetadata frame = new(
@@ -110,7 +110,7 @@ public sealed class NpyLayerWriterTests : IDisposable
             []);
         using AtomicFileSet files = new();
         List<string> paths = [];
-        NpyLayerWriter.Write(
+        ArrayLayerWriter.Write(
             files.Under(_folder["frame"], paths), frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
                 Sun, 4),
             LayerSet.Parse(layers));

@@ -32,11 +32,13 @@ public sealed class LayerBandsTests : IDisposable
         Assert.Equal([path], Directory.GetFiles(_folder.Path));
     }
 
-    [Fact]
-    public void WriteNpy_SomeRowsAtATime_SameBytes()
+    [Theory]
+    [InlineData(ArrayFormat.Npy)]
+    [InlineData(ArrayFormat.Tiff)]
+    public void WriteArrays_SomeRowsAtATime_SameBytes(ArrayFormat format)
     {
-        string[] whole = Npy("whole", LayerFrame.Height);
-        string[] bands = Npy("bands", 7);
+        string[] whole = Arrays("whole", LayerFrame.Height, format);
+        string[] bands = Arrays("bands", 7, format);
 
         Assert.Equal(LayerSet.OfAnyFrame.Layers.Count + 1, whole.Length);
         Assert.Equal(whole.Select(path => path.Replace("whole", "bands", StringComparison.Ordinal)), bands);
@@ -48,12 +50,13 @@ public sealed class LayerBandsTests : IDisposable
     private static SphereTruth InRows(int rows) =>
         new(LayerFrame.Metadata.Camera, LayerFrame.Metadata.SunPositionBodyFixed, 16) { RowsAtOnce = rows };
 
-    private string[] Npy(string stem, int rows)
+    private string[] Arrays(string stem, int rows, ArrayFormat format)
     {
         using AtomicFileSet files = new();
         List<string> paths = [];
-        NpyLayerWriter.Write(
-            files.Under(_folder[stem], paths), LayerFrame.Metadata, LayerFrame.Provenance, InRows(rows), LayerSet.OfAnyFrame);
+        ArrayLayerWriter.Write(
+            files.Under(_folder[stem], paths), LayerFrame.Metadata, LayerFrame.Provenance, InRows(rows), LayerSet.OfAnyFrame,
+            format: format);
         files.Commit();
         return [.. paths];
     }

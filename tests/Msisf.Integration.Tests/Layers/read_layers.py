@@ -1,6 +1,7 @@
 """Opens layers with other people's readers and writes what they see as plain little-endian numbers, in C order.
 
     read_layers.py astropy|gdal FILE.fits FOLDER       one FOLDER/EXTNAME.bin for each extension
+    read_layers.py tiff FILE.tif FOLDER                FOLDER/array.bin, page after page, as GDAL reads them
     read_layers.py numpy FILE.npy FOLDER               FOLDER/array.bin
     read_layers.py projection FILE.fits FOLDER         nothing: projects POSITION by the header's camera
 
@@ -41,6 +42,21 @@ def read_gdal(path, folder):
         save(folder, text.split(", ")[-1], data.ReadAsArray()[..., ::-1, :])
 
 
+def read_tiff(path, folder):
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    names = [name for name, _ in gdal.Open(path).GetSubDatasets()] or [path]
+    pages = [gdal.Open(name) for name in names]
+    print(f"about={'|'.join(page.GetMetadataItem('TIFFTAG_IMAGEDESCRIPTION') for page in pages)}")
+    print(f"software={pages[0].GetMetadataItem('TIFFTAG_SOFTWARE')}")
+    print(f"undefined={pages[0].GetRasterBand(1).GetNoDataValue()}")
+    array = numpy.stack([page.ReadAsArray() for page in pages])
+    print(f"shape={array.shape}")
+    print(f"dtype={array.dtype}")
+    save(folder, "array", array)
+
+
 def read_numpy(path, folder):
     array = numpy.load(path, allow_pickle=False)
     print(f"shape={array.shape}")
@@ -63,4 +79,4 @@ def project(path, folder):
     print(f"error={error.max()}")
 
 
-{"astropy": read_astropy, "gdal": read_gdal, "numpy": read_numpy, "projection": project}[sys.argv[1]](sys.argv[2], sys.argv[3])
+{"astropy": read_astropy, "gdal": read_gdal, "tiff": read_tiff, "numpy": read_numpy, "projection": project}[sys.argv[1]](sys.argv[2], sys.argv[3])
