@@ -84,7 +84,8 @@ internal sealed class FrameAnswers(StreamPool pool)
         ProductFrame drawn = session.ToProducts(frame, image.ToRendered(Stream.Null, threads), cancellation);
         if (form.Main == AnswerForm.Fits)
         {
-            drawn = drawn with { Settings = drawn.Settings with { Native = drawn.Settings.Native with { LayersFormat = LayerFormat.Fits } } };
+            NativeSettings fits = drawn.Settings.Native with { LayersFormat = LayerFormat.Fits };
+            drawn = drawn with { Settings = drawn.Settings with { Native = fits } };
         }
 
         foreach (Product product in plan.Products)

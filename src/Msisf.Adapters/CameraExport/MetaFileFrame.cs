@@ -29,7 +29,9 @@ public static class MetaFileFrame
             RoundedVector(frame.SunPositionBodyFixed),
             frame.Scan is { } scan ? ScanRows.Of(scan, frame) : null).ToExported(
                 name, frame.SimulationTime, frame.CommandLine,
-                frame.Globe.Body.IsMoon ? DrawnGlobe.Moon : frame.Globe with { ReferenceRadius = LongE.Round(frame.Globe.ReferenceRadius) });
+                frame.Globe.Body.IsMoon
+                    ? DrawnGlobe.Moon
+                    : frame.Globe with { ReferenceRadius = LongE.Round(frame.Globe.ReferenceRadius) });
     }
 
     /// <summary>Reads it; the pixels are not read.</summary>

@@ -122,8 +122,13 @@ internal static class TiffHead
             return bytes.ToArray();
         }
 
-        private static void Write(BinaryWriter writer, long value, int size) => 
-            Enumerable.Range(0, size).ToList().ForEach(index => writer.Write((byte)(value >> (8 * index))));
+        private static void Write(BinaryWriter writer, long value, int size)
+        {
+            for (int index = 0; index < size; index++)
+            {
+                writer.Write((byte)(value >> (8 * index)));
+            }
+        }
 
         private static int Even(int length) => (length + 1) & ~1;
 

@@ -41,13 +41,13 @@ internal static class ProductTable
 
     public static IReadOnlyList<Product> All { get; } =
     [
-        new("image", [File("the image", [], ".png")], _ => true, Image)
+        new("image", [File("the image", [], ".png")], _ => true, FrameProducts.Image)
         {
             DiskBytes = settings => (PngOf(settings) + (settings.Native.Detector is null ? 0.0 : NumberBytes)) * PixelsOf(settings),
         },
         new(
             "annotated", [File("the meta file drawn on the image", [OutputOptions.Annotation], ".annotated.png")],
-            settings => settings.Annotate, Annotated)
+            settings => settings.Annotate, FrameProducts.Annotated)
         {
             DiskBytes = settings => PngOf(settings) * PixelsOf(settings),
             MemoryBytesPerPixel = AnnotationMemory,
@@ -56,7 +56,7 @@ internal static class ProductTable
         new(
             "scene", [File("the scene that POV-Ray rendered", [], ".pov")], settings => settings.Renderer == RendererKind.PovRay,
             (frame, put) => put.Text("pov", frame.Rendered.WriteScene!)),
-        new("meta", [File("the meta file, described below", [], ".xml")], _ => true, Meta)
+        new("meta", [File("the meta file, described below", [], ".xml")], _ => true, FrameProducts.Meta)
         {
             Phase = Phase.Xml,
             DiskBytes = settings => MetaBytes(settings),
@@ -68,7 +68,7 @@ internal static class ProductTable
                     "with a camera that has a detector: its digital numbers ([detector.md](detector.md)); the image has them too", [],
                     ".dn.fits"),
             ],
-            settings => settings.Native.Detector is { WritesFits: true }, Numbers)
+            settings => settings.Native.Detector is { WritesFits: true }, FrameProducts.Numbers)
         {
             PlaceInAnswer = 2,
             DiskBytes = settings => NumberBytes * PixelsOf(settings),
@@ -84,7 +84,7 @@ internal static class ProductTable
                     Shown = "`.csm.json`, `.tsai`, `.opencv.yaml` ...",
                 },
             ],
-            settings => settings.CameraFormats.Count > 0, CameraModels)
+            settings => settings.CameraFormats.Count > 0, FrameProducts.CameraModels)
         {
             DiskBytes = settings => CubeBytes * settings.CameraFormats.Count(format => format.HasPixels) * PixelsOf(settings),
             NeedsWhole = settings => settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
@@ -101,7 +101,7 @@ internal static class ProductTable
                     "the craters of the image, as CSV and in COCO's format ([navigation-truth.md](navigation-truth.md#craters)); the meta "
                         + "file has them too", [NavigationOptions.Craters], ".craters.csv", ".craters.json"),
             ],
-            settings => settings.Native.Navigation?.Craters is not null, Craters)
+            settings => settings.Native.Navigation?.Craters is not null, FrameProducts.Craters)
         {
             Phase = Phase.Navigation,
             NeedsWhole = _ => NavigationOptions.Craters.Name,
@@ -109,7 +109,7 @@ internal static class ProductTable
         new(
             "landmarks",
             [File("[where the image shows them](navigation-truth.md#landmarks)", [NavigationOptions.Landmarks], ".landmarks.csv")],
-            settings => settings.Native.Navigation?.Landmarks is not null, Landmarks)
+            settings => settings.Native.Navigation?.Landmarks is not null, FrameProducts.Landmarks)
         {
             Phase = Phase.Navigation,
             NeedsWhole = _ => NavigationOptions.Landmarks.Name,
@@ -171,12 +171,16 @@ internal static class ProductTable
             [
                 File(
                     "[derivatives of each pixel](sensitivities.md#layers), stored like the layers", [NavigationOptions.Sensitivity],
-                    [.. LayerFormat.EndingsOf([.. Parameter.All.Select(SensitivityLayers.NameOf)]).Select(ending => $".sensitivity{ending}")])
-                    with
-                    {
-                        Shown = "`.sensitivity.fits`, or `.sensitivity.d-NAME.npy` with `.sensitivity.layers.json`",
-                    },
-                File("[what the image tells of its pose](sensitivities.md#information)", [NavigationOptions.Information], ".information.csv"),
+                    [
+                        .. LayerFormat.EndingsOf([.. Parameter.All.Select(SensitivityLayers.NameOf)])
+                            .Select(ending => $".sensitivity{ending}"),
+                    ]) with
+                {
+                    Shown = "`.sensitivity.fits`, or `.sensitivity.d-NAME.npy` with `.sensitivity.layers.json`",
+                },
+                File(
+                    "[what the image tells of its pose](sensitivities.md#information)", [NavigationOptions.Information],
+                    ".information.csv"),
             ],
             settings => settings.Native.Navigation is { Sensitivity: not null } or { Information: not null }, SensitivityProduct.Write)
         {
@@ -215,7 +219,7 @@ internal static class ProductTable
                     Shown = string.Join(", ", LayerFormat.EndingsOf(["LAYER"]).Select(ending => $"`{ending}`")),
                 },
             ],
-            settings => settings.Native.Layers is not null, Layers)
+            settings => settings.Native.Layers is not null, FrameProducts.Layers)
         {
             Phase = Phase.Layers,
             PlaceInAnswer = 1,
@@ -291,70 +295,5 @@ internal static class ProductTable
         {
             FitsLayerWriter.RequireCFitsio();
         }
-    }
-
-    private static void Image(ProductFrame frame, PutFile put) => put("png", null, stream =>
-    {
-        frame.Rendered.Image.Position = 0;
-        PngFile.CopyImage(frame.Rendered.Image, stream, frame.Rendered.ImageName);
-    });
-
-    private static void Annotated(ProductFrame frame, PutFile put) => put("annotated.png", null, stream =>
-    {
-        frame.Rendered.Image.Position = 0;
-        AnnotationRenderer.Write(frame.Rendered.Image, stream, frame.Metadata, frame.Pixels, frame.Cancellation);
-    });
-
-    private static void Meta(ProductFrame frame, PutFile put) => put(
-        "xml", null, stream => MetadataXmlWriter.Write(stream, frame.Metadata, frame.Pixels, cancellation: frame.Cancellation));
-
-    private static void Numbers(ProductFrame frame, PutFile put)
-    {
-        DetectorSettings exposed = frame.Settings.Native.Detector!.Settings.Exposed(frame.Frame.ExposureFactor);
-        put("dn.fits", null, stream => DetectorFitsWriter.Write(
-            stream, frame.Rendered.Numbers!, exposed, frame.Metadata, frame.Provenance));
-    }
-
-    /// <summary>The camera with the digits of the meta file; a detector's shutter, which is not in there, too.</summary>
-    private static void CameraModels(ProductFrame frame, PutFile put)
-    {
-        IReadOnlyList<CameraFormat> formats = frame.Settings.CameraFormats;
-        ExportedFrame exported = MetaFileFrame.Of(frame.Frame.Name, frame.Metadata);
-        CameraFormat.Write(
-            formats,
-            put,
-            exported with
-            {
-                Scan = frame.Settings.Shutter is { IsRolling: true } shutter
-                    && frame.Frame is { Scan: null, Motion: { IsRest: false } motion }
-                    ? ExportedScan.OfShutter(exported.Camera, motion, shutter.LineTime, frame.Metadata.HeightOverTerrain)
-                    : exported.Scan,
-                Ephemeris = frame.Tools.Ephemeris,
-                Image = formats.Any(format => format.HasPixels) ? frame.Image : null,
-            },
-            frame.Tools.Log.Note,
-            frame.Tools.Log.Warning);
-    }
-
-    private static void Craters(ProductFrame frame, PutFile put)
-    {
-        FrameMetadata metadata = frame.Metadata;
-        double referenceRadius = metadata.Globe.ReferenceRadius;
-        put.Text(
-            "craters.csv", writer => NavigationCsvWriter.Write(writer, metadata.Navigation!.Craters!, referenceRadius));
-        put("craters.json", null, stream => CocoWriter.Write(
-            stream, metadata.Navigation!.Craters!, metadata.Camera,
-            new CocoSource($"Craters of {frame.Frame.Name}", metadata.Version, [CocoSource.NoLicence]),
-            new CocoImage(frame.Frame.Step, $"{frame.Frame.Name}.png", metadata.SimulationTime), referenceRadius));
-    }
-
-    private static void Landmarks(ProductFrame frame, PutFile put) => put.Text(
-        "landmarks.csv",
-        writer => NavigationCsvWriter.Write(writer, frame.Metadata.Navigation!.Landmarks!, frame.Metadata.Globe.ReferenceRadius));
-
-    private static void Layers(ProductFrame frame, PutFile put)
-    {
-        LayerSet layers = frame.Settings.Native.Layers!;
-        frame.Settings.Native.LayersFormat.Write(frame.Of(layers) with { Truth = frame.TruthFor(layers) }, put);
     }
 }

@@ -26,7 +26,7 @@ public sealed class ArrayLayerWriterTests : IDisposable
     public void Write_Mask_IsAnArrayFileOfNumPy()
     {
         // A camera far enough that the corners of 3 x 3 px show space; numpy.lib.format has the head: 64-byte aligned, padded with blanks.
-        IReadOnlyList<string> paths = Write("mask", new Vector3D(4e6, 0.0, 0.0));
+        List<string> paths = Write("mask", new Vector3D(4e6, 0.0, 0.0));
 
         byte[] file = File.ReadAllBytes(paths[0]);
 
@@ -53,7 +53,7 @@ public sealed class ArrayLayerWriterTests : IDisposable
     [Fact]
     public void Write_Provenance_ReadsBackToTheBit()
     {
-        IReadOnlyList<string> paths = Write("tile,depth", new Vector3D(4e6 / 3.0, 0.0, 3e6));
+        List<string> paths = Write("tile,depth", new Vector3D(4e6 / 3.0, 0.0, 3e6));
 
         using JsonDocument json = JsonDocument.Parse(File.ReadAllText(paths[^1]));
 
@@ -69,7 +69,7 @@ public sealed class ArrayLayerWriterTests : IDisposable
     [Fact]
     public void Write_Camera_ProjectsThePositionsOntoTheirPixels()
     {
-        IReadOnlyList<string> paths = Write("position", new Vector3D(2e6, 0.0, 0.0));
+        List<string> paths = Write("position", new Vector3D(2e6, 0.0, 0.0));
         byte[] positions = File.ReadAllBytes(paths[0]);
 
         using JsonDocument json = JsonDocument.Parse(File.ReadAllText(paths[^1]));
@@ -111,7 +111,8 @@ public sealed class ArrayLayerWriterTests : IDisposable
         using AtomicFileSet files = new();
         List<string> paths = [];
         ArrayLayerWriter.Write(
-            files.Under(_folder["frame"], paths), frame, new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
+            files.Under(_folder["frame"], paths), frame,
+            new LayerProvenance("LDEM_16", 4, 2, "native", SpectralBand.Default), new SphereTruth(camera,
                 Sun, 4),
             LayerSet.Parse(layers));
         files.Commit();
