@@ -20,37 +20,19 @@ namespace Msisf.App.Products;
 /// <summary>All that can be written of an image. The order is that in which the files are named; the first one appears last.</summary>
 internal static class ProductTable
 {
-    /// <summary>
-    /// Typical bytes per pixel in the PNG of an image of the Moon: 0.12 to 0.31 in the README's images; an annotated image doubles it.
-    /// </summary>
-    private const double PngBytes = 0.3;
-
-    /// <summary>Bytes per pixel on disk of a detector's image: noise is not compressed; of its numbers as FITS; of a cube.</summary>
-    private const double NumberBytes = 2.0;
-    private const double CubeBytes = 4.0;
-
-    /// <summary>Bytes per pixel of the annotated image in memory: four bytes, and the PNG at its largest.</summary>
-    private const long AnnotationMemory = 8;
-
-    /// <summary>Bytes per pixel in memory while a layer is written: three numbers.</summary>
-    private const long LayerMemory = 24;
-
-    /// <summary>Bytes per grid point in the meta file: the text of one Pixel element on the reference sphere, and on the terrain.</summary>
-    private const double PointBytes = 240.0;
-    private const double TerrainPointBytes = 1000.0;
-
     public static IReadOnlyList<Product> All { get; } =
     [
         new("image", [File("the image", [], ".png")], _ => true, FrameProducts.Image)
         {
-            DiskBytes = settings => (PngOf(settings) + (settings.Native.Detector is null ? 0.0 : NumberBytes)) * PixelsOf(settings),
+            DiskBytes = settings => ProductSizes.PixelsOf(settings)
+                * (ProductSizes.PngOf(settings) + (settings.Native.Detector is null ? 0.0 : ProductSizes.NumberBytes)),
         },
         new(
             "annotated", [File("the meta file drawn on the image", [OutputOptions.Annotation], ".annotated.png")],
             settings => settings.Annotate, FrameProducts.Annotated)
         {
-            DiskBytes = settings => PngOf(settings) * PixelsOf(settings),
-            MemoryBytesPerPixel = AnnotationMemory,
+            DiskBytes = settings => ProductSizes.PngOf(settings) * ProductSizes.PixelsOf(settings),
+            MemoryBytesPerPixel = ProductSizes.AnnotationMemory,
             NeedsWhole = _ => OutputOptions.Annotation.Name,
         },
         new(
@@ -59,7 +41,7 @@ internal static class ProductTable
         new("meta", [File("the meta file, described below", [], ".xml")], _ => true, FrameProducts.Meta)
         {
             Phase = Phase.Xml,
-            DiskBytes = settings => MetaBytes(settings),
+            DiskBytes = ProductSizes.MetaBytes,
         },
         new(
             "numbers",
@@ -71,7 +53,7 @@ internal static class ProductTable
             settings => settings.Native.Detector is { WritesFits: true }, FrameProducts.Numbers)
         {
             PlaceInAnswer = 2,
-            DiskBytes = settings => NumberBytes * PixelsOf(settings),
+            DiskBytes = settings => ProductSizes.NumberBytes * ProductSizes.PixelsOf(settings),
             Require = (_, _) => FitsLayerWriter.RequireCFitsio(),
         },
         new(
@@ -86,7 +68,8 @@ internal static class ProductTable
             ],
             settings => settings.CameraFormats.Count > 0, FrameProducts.CameraModels)
         {
-            DiskBytes = settings => CubeBytes * settings.CameraFormats.Count(format => format.HasPixels) * PixelsOf(settings),
+            DiskBytes = settings => ProductSizes.PixelsOf(settings)
+                * ProductSizes.CubeBytes * settings.CameraFormats.Count(format => format.HasPixels),
             NeedsWhole = settings => settings.CameraFormats.FirstOrDefault(format => format.HasPixels) is { } model
                 ? $"{CameraModelOptions.OfRun.Name} {model.Word}"
                 : null,
@@ -195,6 +178,22 @@ internal static class ProductTable
             },
         },
         new(
+            "certain",
+            [
+                File(
+                    "[bounds of each pixel](sensitivities.md#certain-pixels), stored like layers", [NavigationOptions.Certify],
+                    [.. LayerFormat.EndingsOf(CertainLayers.Names).Select(ending => $".certain{ending}")]) with
+                {
+                    Shown = "`.certain.fits`, or `.certain.NAME.npy` with `.certain.layers.json`",
+                },
+            ],
+            settings => settings.Native.Navigation?.Limits is not null, SensitivityProduct.WriteCertain)
+        {
+            Phase = Phase.Navigation,
+            NeedsWhole = _ => NavigationOptions.Certify.Name,
+            Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
+        },
+        new(
             "map",
             [
                 File("[image and layers on a map](#images-on-a-map)", [MapOptions.Map], [.. ImageMapFiles.Endings]) with
@@ -223,8 +222,8 @@ internal static class ProductTable
         {
             Phase = Phase.Layers,
             PlaceInAnswer = 1,
-            DiskBytes = LayerBytes,
-            MemoryBytesPerPixel = LayerMemory,
+            DiskBytes = ProductSizes.LayerBytes,
+            MemoryBytesPerPixel = ProductSizes.LayerMemory,
             Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
         },
     ];
@@ -273,21 +272,7 @@ internal static class ProductTable
         }
     }
 
-    /// <summary>Bytes of the layers of a frame.</summary>
-    public static double LayerBytes(RenderSettings settings) => PixelsOf(settings) * (settings.Native.Layers?.Layers.Sum(
-        layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0.0);
-
     private static ProductFile File(string content, OptionSpec[] options, params string[] endings) => new(endings, options, content);
-
-    private static double PixelsOf(RenderSettings settings) => (double)settings.Width * settings.Height;
-
-    private static double PngOf(RenderSettings settings) => PngBytes * settings.Native.BitDepth / 8.0;
-
-    private static double MetaBytes(RenderSettings settings)
-    {
-        PixelGrid grid = new(settings.Width, settings.Height, settings.GridHorizontal, settings.GridVertical);
-        return (settings.Surface == PixelSurface.Terrain ? TerrainPointBytes : PointBytes) * grid.Columns * grid.Rows;
-    }
 
     private static void RequireForFlow(RenderSettings settings, string? gdalPath)
     {

@@ -103,7 +103,7 @@ internal static class ResourceCheck
         long drawing = settings.Renderer == RendererKind.Native ? NativeDiskBytesPerPixel : DiskBytesPerPixel;
         bool isCompressedOnDisk = IsStriped(settings) && settings.Native.LayersCompression == LayerCompression.Gzip;
         return (
-            (drawing * Pixels(settings)) + (long)finished + (isCompressedOnDisk ? (long)ProductTable.LayerBytes(settings) : 0), finished);
+            (drawing * Pixels(settings)) + (long)finished + (isCompressedOnDisk ? (long)ProductSizes.LayerBytes(settings) : 0), finished);
     }
 
     private static bool IsStriped(RenderSettings settings) => StripRules.IsStriped(settings.Scan, settings.Width, settings.Height);
