@@ -35,6 +35,7 @@ internal sealed class RunConversion(ProgramHost host)
         TrajectorySettings trajectory = TrajectorySettingsReader.Read(values);
         IReadOnlyList<RenderSettings> cameras = RigOptions.Read(values);
         RenderSettings settings = cameras[0];
+        ProductTable.RefuseInStrips(settings);
         if (trajectory is BatchFileSettings { IsStandardInput: true })
         {
             throw new UsageException("--batch-file -: standard input can't be read again by each piece. Save it to a file, and give that.");

@@ -1,5 +1,6 @@
 using Msisf.App.Host;
 using Msisf.App.Preparation;
+using Msisf.App.Products;
 using Msisf.App.Rendering;
 using Msisf.App.Settings;
 using Msisf.Core.Lod;
@@ -30,6 +31,7 @@ internal static class DryRun
         CancellationToken cancellation)
     {
         RenderSettings settings = run.Settings;
+        ProductTable.RefuseInStrips(settings);
         ElevationModel? model = IfThere(onDemand, settings, host);
         GroundCheck.Refuse(run.Frames, model, settings.ShutterSpan, cancellation, settings.Body, trajectory);
         using SignalPreview? signal = Signal(settings, run, onDemand, ephemeris, host, cancellation);
