@@ -67,10 +67,11 @@ public static class MetaFileFrame
         DrawnGlobe globe = body is null ? DrawnGlobe.Moon : new DrawnGlobe(
             CelestialBody.Find(Text(body, "name")) ?? throw new FormatException($"the body '{Text(body, "name")}' is not known."),
             Number(Text(body, "referenceRadius")));
+        double[] k = NumbersOf(Child(camera, "K"), 9);
         int height = int.Parse(Text(camera, "height"), NumberStyles.None, CultureInfo.InvariantCulture);
         XElement q = Child(Child(general, "CameraOrientation"), "Quaternion");
         return new Numbers(
-            (int.Parse(Text(camera, "width"), NumberStyles.None, CultureInfo.InvariantCulture), height), NumbersOf(Child(camera, "K"), 9),
+            (int.Parse(Text(camera, "width"), NumberStyles.None, CultureInfo.InvariantCulture), height), k,
             camera.Element("Distortion") is { } lens ? Lens(Text(lens, "model"), NumbersOf(lens)) : null,
             new CameraState(
                 Vector(general, "CameraPosition"),
