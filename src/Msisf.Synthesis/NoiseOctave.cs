@@ -66,8 +66,8 @@ internal sealed class NoiseOctave
 
     /// <summary>Adds the octave to one line of heights, m.</summary>
     /// <param name="columnTables">From <see cref="ColumnTables"/>.</param>
-    /// <param name="sinLatitude">Of the line.</param>
-    /// <param name="cosLatitude">Of the line.</param>
+    /// <param name="sinLatitude">Sine of the latitude of the line.</param>
+    /// <param name="cosLatitude">Cosine of the latitude of the line.</param>
     /// <param name="mareFraction">0 (highlands) to 1 (mare), one a column.</param>
     /// <param name="heights">m, one a column; as many as the frame's stride.</param>
     public void AddTo(

@@ -47,6 +47,10 @@ PATTERNS = [
 LITERAL = re.compile(r'\$?@?"((?:[^"\\\n]|\\.)*)"')
 JOINT = re.compile(r'"\s*\)?\s*\+\s*(?:Invariant\()?\$?"')
 INSERTED = re.compile(r"\{[^{}]*\}")
+REMARK = re.compile(r'^((?:[^"\n/]|"(?:[^"\\\n]|\\.)*"|/(?!/))*)///?(?!/)(.*)')
+NAMED = re.compile(r"<(?:see|paramref|typeparamref)\b[^>]*/>|<c>.*?</c>", re.DOTALL)
+ELEMENT = re.compile(r"</?\w[^<>]*>")
+SENTENCE = re.compile(r"[^\0\s](?:(?<![.;])\s|[^\0\s])*")
 LINE_COMMENT = re.compile(r"^\s*//.*$", re.MULTILINE)
 SHORTEST_TEXT = 4     # words: what has fewer is a name or a format
 
@@ -112,6 +116,20 @@ def texts(code):
         if len(text.split()) >= SHORTEST_TEXT:
             line = 1 + joined.count("\n", 0, match.start()) + joined.count("\0", 0, match.start())
             yield from ((line, sentence) for sentence in re.split(r"(?<=[.;])\s+", text))
+
+
+def remarks(code):
+    """(line, sentence) of the comments of C# code, each element of a doc comment a text of its own."""
+    start, words = 0, []
+    for number, line in enumerate([*code.split("\n"), ""], 1):
+        found = REMARK.search(line)
+        if words and (not found or found.group(1).strip()):
+            text = ELEMENT.sub("\0", NAMED.sub("X", "\n".join(words)))
+            yield from ((start + text.count("\n", 0, sentence.start()), " ".join(sentence.group().split())) for sentence in SENTENCE.finditer(text))
+            words = []
+        if found:
+            start = start if words else number
+            words.append(found.group(2))
 
 
 def main():

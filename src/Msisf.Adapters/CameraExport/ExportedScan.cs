@@ -7,7 +7,7 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="Period">s from one exposure to the next.</param>
 /// <param name="GrowsUpwards">Whether the first exposure is the lowest of the image.</param>
 /// <param name="FlipsFramelets">Whether the rows of each framelet are read from the lowest to the topmost.</param>
-/// <param name="States">Of all exposures, the first one's first.</param>
+/// <param name="States">States of all exposures, the first one's first.</param>
 /// <param name="HeightOverTerrain">m: of the camera.</param>
 public sealed record ExportedScan(
     ScanKind Kind, double Period, bool GrowsUpwards, bool FlipsFramelets, IReadOnlyList<CameraState> States, double HeightOverTerrain)

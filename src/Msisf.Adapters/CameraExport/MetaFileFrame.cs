@@ -150,7 +150,7 @@ public static class MetaFileFrame
     /// <summary>What a meta file says of a camera.</summary>
     /// <param name="Size">px: width and height of the image.</param>
     /// <param name="K">By rows.</param>
-    /// <param name="State">Of a frame.</param>
+    /// <param name="State">State of a frame.</param>
     private sealed record Numbers(
         (int Width, int Height) Size, double[] K, Distortion? Lens, CameraState State, Vector3D Sun, ExportedScan? Scan)
     {

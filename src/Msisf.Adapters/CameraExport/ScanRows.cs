@@ -19,7 +19,7 @@ internal static class ScanRows
 
     /// <summary>Reads it.</summary>
     /// <param name="height">px: of the image.</param>
-    /// <param name="path">Of the meta file, beside which the states of all rows may be.</param>
+    /// <param name="path">Path of the meta file, beside which the states of all rows may be.</param>
     /// <param name="heightOverTerrain">m: of the camera.</param>
     /// <exception cref="BadInputException">The states of all rows are nowhere.</exception>
     /// <exception cref="FormatException">A number is missing.</exception>

@@ -70,7 +70,7 @@ internal sealed class CraterColumns
 
     /// <summary>Reads a crater.</summary>
     /// <param name="row">The line.</param>
-    /// <param name="number">Of the crater, from 1.</param>
+    /// <param name="number">Number of the crater, from 1.</param>
     /// <param name="maxDiameter">m: no crater is larger.</param>
     /// <exception cref="BadInputException">A value is wrong.</exception>
     public Crater Read(CsvRow row, int number, double maxDiameter)

@@ -21,7 +21,7 @@ internal static class StarLimits
 
 /// <summary>The fields of a line whose borders are '|'.</summary>
 /// <param name="fileName">For messages.</param>
-/// <param name="number">Of the line, from 1.</param>
+/// <param name="number">Number of the line, from 1.</param>
 /// <param name="needed">What such a line is, for messages.</param>
 internal readonly struct BarredLine(string line, string fileName, int number, string needed)
 {

@@ -56,7 +56,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>Starts an IMAGE extension.</summary>
-    /// <param name="path">Of a file for it while CFITSIO has it; null to have it in memory.</param>
+    /// <param name="path">Path of a file for it while CFITSIO has it; null to have it in memory.</param>
     /// <param name="bitsPerPixel">BITPIX.</param>
     /// <param name="lengths">NAXIS1 (fastest), NAXIS2, ...</param>
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
@@ -123,7 +123,7 @@ internal sealed unsafe class FitsUnit : IDisposable
     }
 
     /// <summary>The same image compressed without loss, in tiles of whole rows, as a table that readers show as the image.</summary>
-    /// <param name="path">Of a file for it while CFITSIO has it; null to have it in memory.</param>
+    /// <param name="path">Path of a file for it while CFITSIO has it; null to have it in memory.</param>
     /// <param name="lengths">NAXIS1, NAXIS2, ... of the image.</param>
     /// <exception cref="ExternalPartException">CFITSIO fails.</exception>
     public FitsUnit Compressed(string? path, int tileRows, params ReadOnlySpan<long> lengths)

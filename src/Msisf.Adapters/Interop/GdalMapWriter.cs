@@ -104,7 +104,7 @@ internal static unsafe class GdalMapWriter
 }
 
 /// <summary>What GDAL is told of a map.</summary>
-/// <param name="Type">Of its numbers, in GDAL's words.</param>
+/// <param name="Type">Type of its numbers, in GDAL's words.</param>
 /// <param name="Grid">Its cells.</param>
 /// <param name="Wkt">Its coordinate reference system.</param>
 /// <param name="NoData">The number of cells without data.</param>

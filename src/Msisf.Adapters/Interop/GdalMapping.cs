@@ -22,7 +22,7 @@ internal sealed unsafe class GdalMapping : IDisposable
     }
 
     /// <summary>Maps a band of 16-bit integers or floats.</summary>
-    /// <param name="band">Of an open image, which is closed after this.</param>
+    /// <param name="band">Band of an open image, which is closed after this.</param>
     /// <param name="type">GDAL's number of the type of its values.</param>
     /// <returns>Null if its pixels don't lie in a file like that.</returns>
     public static GdalMapping? Of(GdalNative gdal, nint band, int type)
@@ -52,7 +52,7 @@ internal sealed unsafe class GdalMapping : IDisposable
     }
 
     /// <summary>Reads a part of a row.</summary>
-    /// <param name="line">Of the image, from 0.</param>
+    /// <param name="line">Line of the image, from 0.</param>
     /// <param name="sample">The first pixel.</param>
     /// <param name="values">Receives the stored values.</param>
     public void Read(int line, int sample, Span<float> values)

@@ -16,8 +16,8 @@ public static class ArrayLayerWriter
     /// <param name="frame">Goes into the JSON file.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
-    /// <param name="precision">Of their real numbers.</param>
-    /// <param name="format">Of the arrays.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
+    /// <param name="format">Format of the arrays.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(

@@ -13,7 +13,7 @@ internal static class FitsLayerBands
     /// <summary>Writes the layers as they are.</summary>
     /// <param name="stream">Receives them; can seek.</param>
     /// <param name="sampler">Computes them.</param>
-    /// <param name="precision">Of their real numbers.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
     /// <param name="newImage">Makes the unit of a layer, as an image of a pixel.</param>
     /// <param name="cancellation">Stops between rows.</param>
     public static void Write(
@@ -67,7 +67,7 @@ internal static class FitsLayerBands
     /// <summary>Writes the layers compressed, by way of files beside the stream's, which go when they are done with.</summary>
     /// <param name="stream">Receives them.</param>
     /// <param name="sampler">Computes them.</param>
-    /// <param name="precision">Of their real numbers.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
     /// <param name="newImage">Makes the unit of a layer in a file, without its pixels.</param>
     /// <param name="compressed">Compresses a unit into a file.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
@@ -112,7 +112,7 @@ internal static class FitsLayerBands
 
     /// <summary>Writes pixels of a unit.</summary>
     /// <param name="first">Where they begin in the image.</param>
-    /// <param name="type">Of the pixels.</param>
+    /// <param name="type">Type of the pixels.</param>
     /// <param name="bytes">The pixels, in memory order of the machine.</param>
     public static void Put(FitsUnit image, long first, LayerType type, ReadOnlySpan<byte> bytes)
     {

@@ -25,8 +25,8 @@ public static class FitsLayerWriter
     /// <param name="frame">Goes into the primary header.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>
-    /// <param name="precision">Of their real numbers.</param>
-    /// <param name="compression">Of their data.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
+    /// <param name="compression">Compression of their data.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="ExternalPartException">CFITSIO is missing or fails.</exception>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>

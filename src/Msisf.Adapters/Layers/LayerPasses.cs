@@ -17,8 +17,8 @@ internal static class LayerPasses
     /// <summary>Computes all layers of some rows at a time, from the top: the frame is drawn once, and never kept as a whole.</summary>
     /// <param name="sampler">The frame.</param>
     /// <param name="layers">Which, in their order.</param>
-    /// <param name="precision">Of their real numbers.</param>
-    /// <param name="layout">Of their numbers in memory.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
+    /// <param name="layout">Layout of their numbers in memory.</param>
     /// <param name="use">Gets the number of the first row, and these rows of each layer; their memory is used again afterwards.</param>
     /// <param name="cancellation">Stops between rows.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
@@ -36,8 +36,8 @@ internal static class LayerPasses
     /// <summary>Computes layers and passes them on, one after the other.</summary>
     /// <param name="sampler">The frame.</param>
     /// <param name="layers">Which, in their order.</param>
-    /// <param name="precision">Of their real numbers.</param>
-    /// <param name="layout">Of their numbers in memory.</param>
+    /// <param name="precision">Precision of their real numbers.</param>
+    /// <param name="layout">Layout of their numbers in memory.</param>
     /// <param name="use">Gets each layer; its memory is used again afterwards.</param>
     /// <param name="cancellation">Stops between rows and between layers.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>

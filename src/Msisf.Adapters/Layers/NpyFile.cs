@@ -25,7 +25,7 @@ public static partial class NpyFile
 
     /// <summary>Writes the head; the data follows in C order, in the machine's byte order.</summary>
     /// <param name="stream">Receives it.</param>
-    /// <param name="type">Of the numbers.</param>
+    /// <param name="type">Type of the numbers.</param>
     /// <param name="shape">Slowest axis first.</param>
     public static void WriteHead(Stream stream, LayerType type, params ReadOnlySpan<int> shape) =>
         WriteHead(stream, TypeText(type), shape);

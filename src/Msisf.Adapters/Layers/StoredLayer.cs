@@ -21,7 +21,7 @@ internal sealed class StoredLayer : IDisposable
     private readonly byte[] _bytes;
 
     /// <summary>Takes memory.</summary>
-    /// <param name="type">Of the stored numbers.</param>
+    /// <param name="type">Type of the stored numbers.</param>
     /// <param name="width">px.</param>
     /// <param name="height">px.</param>
     public StoredLayer(Layer layer, LayerType type, LayerLayout layout, int width, int height)
@@ -61,7 +61,7 @@ internal sealed class StoredLayer : IDisposable
 
     /// <summary>Puts in a row.</summary>
     /// <param name="row">From 0.</param>
-    /// <param name="plane">Of the layer, from 0.</param>
+    /// <param name="plane">Number of the layer, from 0.</param>
     /// <param name="values">As <see cref="LayerSampler.SampleRow"/> computes them.</param>
     public void Put(int row, int plane, ReadOnlySpan<double> values)
     {
@@ -183,7 +183,7 @@ internal static class StoredValues
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // else the first rows would be converted with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // otherwise the first rows would be converted with unoptimised vectors
     private static void Narrow(ReadOnlySpan<double> values, Span<float> stored)
     {
         int i = 0;

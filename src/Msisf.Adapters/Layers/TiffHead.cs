@@ -17,8 +17,8 @@ internal static class TiffHead
     private const ushort Long8 = 16;
     private const ushort Ascii = 2;
 
-    /// <param name="version">Of the program.</param>
-    /// <param name="description">Of the layer.</param>
+    /// <param name="version">Version of the program.</param>
+    /// <param name="description">Description of the layer.</param>
     public static byte[] Of(Layer layer, LayerType type, int width, int height, string version, string description)
     {
         long plane = (long)width * height * type.Size();

@@ -12,7 +12,7 @@ public sealed class FrameChecker
     private readonly FileStructure? _structure;
 
     /// <summary>Takes the folder.</summary>
-    /// <param name="folder">Of the outputs.</param>
+    /// <param name="folder">Folder of the outputs.</param>
     /// <param name="depth">How closely to look.</param>
     /// <param name="structure">Looks into files, too, if it is given.</param>
     public FrameChecker(string folder, CheckDepth depth, FileStructure? structure = null)

@@ -66,7 +66,7 @@ public sealed class ManifestFile
     }
 
     /// <summary>Works on the file while no other process does.</summary>
-    /// <typeparam name="T">Of the result.</typeparam>
+    /// <typeparam name="T">Type of the result.</typeparam>
     /// <param name="work">What is done.</param>
     /// <exception cref="ExternalPartException">The file system refuses, or another process keeps the lock.</exception>
     public T Locked<T>(Func<T> work) => FileErrors.ToExternalPart($"{FilePath}: can't be written", () =>

@@ -14,7 +14,7 @@ namespace Msisf.Adapters.Maps;
 /// Writes images and their layers on a map, as Cloud Optimized GeoTIFFs. A cell has the number of the pixel in which its middle is seen.
 /// </summary>
 /// <param name="map">Which pixel each cell shows.</param>
-/// <param name="frame">Of the image.</param>
+/// <param name="frame">Frame of the image.</param>
 /// <param name="libraryPath">MSISF_GDAL, or null.</param>
 public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? libraryPath)
 {
@@ -53,8 +53,8 @@ public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? lib
 
     /// <summary>Writes layers, each with its planes as bands.</summary>
     /// <param name="put">Receives the files.</param>
-    /// <param name="provenance">Of the frame.</param>
-    /// <param name="precision">Of real numbers.</param>
+    /// <param name="provenance">Provenance of the frame.</param>
+    /// <param name="precision">Precision of real numbers.</param>
     public void WriteLayers(
         PutFile put, IGroundTruth truth, LayerProvenance provenance, LayerSet layers, LayerPrecision precision,
         CancellationToken cancellation) => LayerPasses.Run(

@@ -3,7 +3,7 @@ using Msisf.Core.Metadata;
 namespace Msisf.Adapters.Maps;
 
 /// <summary>What a map was made by and from.</summary>
-/// <param name="Version">Of the program.</param>
+/// <param name="Version">Version of the program.</param>
 /// <param name="Command">The arguments that decide what the map holds.</param>
 /// <param name="Inputs">The files.</param>
 public sealed record MapOrigin(string Version, string Command, IReadOnlyList<InputFile> Inputs)

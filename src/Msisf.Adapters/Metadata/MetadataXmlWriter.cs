@@ -19,7 +19,7 @@ public static class MetadataXmlWriter
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
     /// <param name="pixels">Their grid and surface.</param>
-    /// <param name="digits">Of the numbers.</param>
+    /// <param name="digits">Digits of the numbers.</param>
     public static void WriteFrame(Stream stream, FrameMetadata frame, PixelSampler pixels, LongEDigits digits)
     {
         stream.Write(Encoding.UTF8.GetBytes(GeneralInformation(frame, pixels, digits)));
@@ -30,7 +30,7 @@ public static class MetadataXmlWriter
     /// <param name="stream">Receives the file; stays open.</param>
     /// <param name="frame">What holds for the whole frame.</param>
     /// <param name="pixels">Gives the pixels, by rows from the top; its surface decides what the file tells of them.</param>
-    /// <param name="digits">Of the numbers; those of a meta file are the thesis's.</param>
+    /// <param name="digits">Digits of the numbers; those of a meta file are the thesis's.</param>
     /// <param name="cancellation">Stops between rows.</param>
     /// <exception cref="OperationCanceledException">It was stopped.</exception>
     public static void Write(

@@ -18,7 +18,7 @@ internal static class OriginXml
     public const string PiecesChecksum = "sha256OfPieces";
 
     /// <summary>The lines, without the last LF.</summary>
-    /// <param name="digits">Of the numbers.</param>
+    /// <param name="digits">Digits of the numbers.</param>
     public static string Lines(FrameMetadata frame, LongEDigits digits) =>
         string.Join(
             '\n',
@@ -113,7 +113,7 @@ internal static class RigXml
 {
     /// <summary>The lines, each after an LF; empty without a rig.</summary>
     /// <param name="rig">Which camera of a rig took the image; null for none.</param>
-    /// <param name="digits">Of the numbers.</param>
+    /// <param name="digits">Digits of the numbers.</param>
     public static string Lines(RigCamera? rig, LongEDigits digits)
     {
         if (rig is null)
@@ -146,7 +146,7 @@ internal static class ScanXml
     /// <summary>The lines, each after an LF; empty for a frame.</summary>
     /// <param name="frame">The image.</param>
     /// <param name="grid">The rows that are named.</param>
-    /// <param name="digits">Of the numbers.</param>
+    /// <param name="digits">Digits of the numbers.</param>
     public static string Lines(FrameMetadata frame, PixelGrid grid, LongEDigits digits)
     {
         if (frame.Scan is not { } scan)

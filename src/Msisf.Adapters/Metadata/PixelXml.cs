@@ -20,7 +20,7 @@ internal static class PixelXml
 
     /// <summary>Writes the element of a record.</summary>
     /// <param name="destination">At least <see cref="MaximumLength"/> bytes.</param>
-    /// <param name="digits">Of the numbers.</param>
+    /// <param name="digits">Digits of the numbers.</param>
     /// <returns>How many bytes there are.</returns>
     public static int Write(in PixelRecord record, Span<byte> destination, LongEDigits digits = LongEDigits.Thesis)
     {
@@ -130,7 +130,7 @@ internal ref struct ByteText
 
     /// <summary>Begins at the destination's first byte.</summary>
     /// <param name="destination">Receives the text.</param>
-    /// <param name="digits">Of the numbers in the longE format.</param>
+    /// <param name="digits">Digits of the numbers in the longE format.</param>
     public ByteText(Span<byte> destination, LongEDigits digits)
     {
         _destination = destination;

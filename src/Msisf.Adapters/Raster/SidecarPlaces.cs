@@ -12,7 +12,7 @@ public sealed record SidecarPlaces(string Beside, string? Cached)
 {
     /// <summary>The places for a model.</summary>
     /// <param name="productId">The model's name.</param>
-    /// <param name="extension">Of the file, with its dot.</param>
+    /// <param name="extension">Extension of the file, with its dot.</param>
     /// <param name="cacheFolder">The user's cache folder of this program, which need not exist; null if there is none.</param>
     internal static SidecarPlaces Of(string beside, string productId, string extension, string? cacheFolder) =>
         new(beside, cacheFolder is null ? null : Path.Combine(cacheFolder, $"{productId}-{PathKey.Of(beside)}{extension}"));

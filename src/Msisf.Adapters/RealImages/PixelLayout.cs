@@ -5,7 +5,7 @@ namespace Msisf.Adapters.RealImages;
 
 /// <summary>Where and how the pixels of an image lie in a file.</summary>
 /// <param name="Offset">Bytes before the first pixel.</param>
-/// <param name="Type">Of the numbers.</param>
+/// <param name="Type">Type of the numbers.</param>
 /// <param name="IsBigEndian">Their byte order.</param>
 /// <param name="Size">Bands, lines and samples.</param>
 /// <param name="Strides">Bytes from a band, line and sample to the next one; not used with tiles.</param>

@@ -71,7 +71,7 @@ internal sealed record Split(string Name, int Count, IReadOnlyList<Region> Regio
     /// Which split each image, or pair, belongs to: the one that lacks most of its part of all so far. So the first images belong to the
     /// same splits, however many follow.
     /// </summary>
-    /// <param name="parts">Of each split; their sum is 1.</param>
+    /// <param name="parts">Share of each split; their sum is 1.</param>
     public static int[] OrderOf(IReadOnlyList<double> parts, int count)
     {
         int[] order = new int[count];

@@ -158,7 +158,7 @@ internal sealed class StateDraw(
 }
 
 /// <summary>The states of a data set.</summary>
-/// <param name="States">Of all images, in their order; those of a pair are side by side.</param>
+/// <param name="States">States of all images, in their order; those of a pair are side by side.</param>
 /// <param name="Splits">How each split was drawn.</param>
 internal sealed record DrawnStates(IReadOnlyList<DrawnState> States, IReadOnlyList<SplitDraw> Splits);
 

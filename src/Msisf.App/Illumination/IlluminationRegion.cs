@@ -127,7 +127,7 @@ internal sealed class IlluminationRegion
 
     /// <summary>Where cells begin along an axis, and how many there are.</summary>
     /// <param name="origin">A border of cells.</param>
-    /// <param name="size">Of the region around its middle; null between the corners.</param>
+    /// <param name="size">Size of the region around its middle; null between the corners.</param>
     private static (double Start, double Count) Along(double first, double second, double origin, double cell, double? size)
     {
         if (size is not { } length)

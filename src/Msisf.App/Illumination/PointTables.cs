@@ -156,5 +156,5 @@ internal sealed record PointResult(
 /// <param name="Azimuth">Degrees from north over east.</param>
 /// <param name="Elevation">Degrees.</param>
 /// <param name="Distance">m: to the obstacle; not a number if there is none.</param>
-/// <param name="Model">Of the obstacle.</param>
+/// <param name="Model">Model of the obstacle.</param>
 internal readonly record struct HorizonSample(double Azimuth, double Elevation, double Distance, string Model);

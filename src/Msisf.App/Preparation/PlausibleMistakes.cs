@@ -59,7 +59,7 @@ internal static class PlausibleMistakes
     };
 
     /// <summary>The warning that the speed of moving cameras deserves.</summary>
-    /// <param name="motions">Of the camera, or of each state; null where it is not known.</param>
+    /// <param name="motions">Motions of the camera, or of each state; null where it is not known.</param>
     public static IEnumerable<string> Speed(IEnumerable<CameraMotion?> motions)
     {
         double fastest = motions.Max(motion => motion?.VelocityBodyFixed.Length) ?? 0.0;
@@ -106,7 +106,7 @@ internal static class PlausibleMistakes
     }
 
     /// <summary>What far wings leave out.</summary>
-    /// <param name="wings">Of the detector; null for none.</param>
+    /// <param name="wings">Wings of the detector; null for none.</param>
     public static IEnumerable<string> Wings(FarWings? wings)
     {
         if (wings is not null)

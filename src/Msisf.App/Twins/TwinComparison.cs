@@ -4,8 +4,8 @@ namespace Msisf.App.Twins;
 
 /// <summary>A real image beside its twin.</summary>
 /// <param name="Real">The real image, by lines; NaN where it has no value.</param>
-/// <param name="Agreement">Of all pixels.</param>
-/// <param name="ByPhase">Of the pixels of some phase angles.</param>
+/// <param name="Agreement">Agreement of all pixels.</param>
+/// <param name="ByPhase">Agreement of the pixels of some phase angles.</param>
 /// <param name="Whole">By how much the twin must be moved to lie on the real image; null if that is not found.</param>
 /// <param name="Blocks">The same for blocks.</param>
 internal sealed record TwinComparison(

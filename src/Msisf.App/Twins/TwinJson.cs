@@ -76,8 +76,8 @@ internal sealed class TwinJson(TwinResult result)
 /// <summary>A twin and what is known of it.</summary>
 /// <param name="Label">Label of the real image.</param>
 /// <param name="Plan">How it was drawn.</param>
-/// <param name="Settings">Of the run that drew it.</param>
-/// <param name="Version">Of the program.</param>
+/// <param name="Settings">Settings of the run that drew it.</param>
+/// <param name="Version">Version of the program.</param>
 internal sealed record TwinResult(
     ImageLabel Label, TwinCamera Camera, TwinBand Band, TwinPlan Plan, RenderSettings Settings, string Version)
 {

@@ -33,7 +33,7 @@ public sealed class BandedCamera : ICamera
 
     /// <summary>A camera whose rows have states of their own; neighbouring rows of the same state are one band.</summary>
     /// <param name="model">The camera; each row sees what this one's row sees.</param>
-    /// <param name="states">Of each row, from the top.</param>
+    /// <param name="states">States of each row, from the top.</param>
     public static ICamera Of(CameraModel model, IReadOnlyList<CameraState> states)
     {
         ArgumentOutOfRangeException.ThrowIfNotEqual(states.Count, model.Height);

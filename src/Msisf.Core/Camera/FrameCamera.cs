@@ -137,7 +137,7 @@ public abstract class FrameCamera : ICamera
     internal abstract LaneVector DirectionsThrough(Vector512<double> x, double y);
 
     /// <summary>The directions of the rays through the centres of pixels, with the bits of <see cref="RayThrough"/>.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would otherwise be computed with unoptimised vectors
     internal void FindDirections(int row, ReadOnlySpan<int> columns, VectorRow directions)
     {
         Span<double> xs = stackalloc double[Vector512<double>.Count];

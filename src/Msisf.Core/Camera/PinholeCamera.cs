@@ -38,7 +38,7 @@ public sealed class PinholeCamera : FrameCamera
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would otherwise be computed with unoptimised vectors
     internal override LaneVector DirectionsThrough(Vector512<double> x, double y)
     {
         double up = (1.0 + Height - (2.0 * y)) / (2.0 * Height);
@@ -61,7 +61,7 @@ internal sealed class LensCamera(CameraState state, CameraModel model) : FrameCa
         return new Ray(PositionBodyFixed, middle + (right * toRight) + (down * toDown));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would otherwise be computed with unoptimised vectors
     internal override LaneVector DirectionsThrough(Vector512<double> x, double y)
     {
         (Vector3D middle, Vector3D toRight, Vector3D toDown) = RayAxes;

@@ -48,7 +48,7 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
     public double SecondsOf(int exposure) => exposure * Period;
 
     /// <summary>The camera of the whole image.</summary>
-    /// <param name="states">Of each exposure.</param>
+    /// <param name="states">States of each exposure.</param>
     public ICamera CameraOf(CameraModel model, IReadOnlyList<CameraState> states)
     {
         ArgumentOutOfRangeException.ThrowIfNotEqual(states.Count, Count);
@@ -80,7 +80,7 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
 
     /// <summary>The row of the image, from 0, that shows a row of an exposure.</summary>
     /// <param name="exposure">From 0.</param>
-    /// <param name="row">Of the exposure, from 0.</param>
+    /// <param name="row">Row of the exposure, from 0.</param>
     public int ImageRowOf(CameraModel model, int exposure, int row)
     {
         int rows = HeightOf(model) / Count;

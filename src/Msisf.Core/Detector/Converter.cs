@@ -25,7 +25,7 @@ internal sealed class Converter(DetectorSettings settings)
     /// <param name="deviates">Normal deviates for the read noise.</param>
     /// <param name="offsets">DN: offsets of the columns.</param>
     /// <param name="saturated">Receives the saturation, see <see cref="DetectorImage.Saturated"/>.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be converted with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be converted with unoptimised vectors
     public void Convert(
         ReadOnlySpan<double> charge, ReadOnlySpan<double> deviates, ReadOnlySpan<double> offsets, Span<ushort> numbers,
         Span<byte> saturated)

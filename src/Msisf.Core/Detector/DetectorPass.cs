@@ -152,7 +152,7 @@ internal sealed class DetectorPass(DetectorSettings settings, FixedPattern patte
     }
 
     /// <summary>Adds the electrons to the smear, in proportion to the pixels' responses, and adds the dark electrons.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be collected with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be collected with unoptimised vectors
     private static void Mean(ReadOnlySpan<double> electrons, ReadOnlySpan<float> response, ReadOnlySpan<float> dark, Span<double> charge)
     {
         int column = 0;

@@ -14,7 +14,7 @@ internal static class RayTracks
     /// <summary>Adds the electrons of a frame's rays.</summary>
     /// <param name="charge">Electrons of each pixel, by rows.</param>
     /// <param name="width">px.</param>
-    /// <param name="settings">Of the detector, with cosmic rays and a pixel pitch.</param>
+    /// <param name="settings">Settings of the detector, with cosmic rays and a pixel pitch.</param>
     public static void Add(Span<double> charge, int width, DetectorSettings settings, in NoiseSource noise)
     {
         if (settings.CosmicRays is not CosmicRays rays)

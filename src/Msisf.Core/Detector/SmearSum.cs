@@ -6,7 +6,7 @@ internal static class SmearSum
     /// <summary>Computes the smear of some columns.</summary>
     /// <param name="electrons">Electrons of the exposure, by rows.</param>
     /// <param name="width">px.</param>
-    /// <param name="settings">Of the detector, with smear.</param>
+    /// <param name="settings">Settings of the detector, with smear.</param>
     /// <param name="smear">Receives the electrons of these columns, by rows.</param>
     public static void Fill(
         ReadOnlySpan<double> electrons, int width, Range columns, DetectorSettings settings, Span<double> smear)

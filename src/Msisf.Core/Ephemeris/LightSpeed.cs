@@ -14,7 +14,7 @@ public static class LightSpeed
     /// Where a moving observer sees a body: its position, turned towards the observer's motion by the angle whose sine is (v/c) sin(angle
     /// between them). The distance does not change.
     /// </summary>
-    /// <param name="positionKm">Of the body relative to the observer, km, inertial axes.</param>
+    /// <param name="positionKm">Position of the body relative to the observer, km, inertial axes.</param>
     /// <param name="observerVelocity">Relative to the solar system's barycentre, km/s, the same axes; slower than light.</param>
     /// <returns>km.</returns>
     /// <remarks>

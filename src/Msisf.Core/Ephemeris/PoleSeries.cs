@@ -2,7 +2,7 @@ namespace Msisf.Core.Ephemeris;
 
 /// <summary>One angle of a body's orientation: a polynomial of time and a sum of periodic terms, in degrees.</summary>
 /// <param name="Coefficients">Coefficients, that of the constant term first.</param>
-/// <param name="Amplitudes">Of the periodic terms; not more than there are angles.</param>
+/// <param name="Amplitudes">Amplitudes of the periodic terms; not more than there are angles.</param>
 public sealed record PoleSeries(IReadOnlyList<double> Coefficients, IReadOnlyList<double> Amplitudes)
 {
     /// <summary>The angle at a time, degrees.</summary>

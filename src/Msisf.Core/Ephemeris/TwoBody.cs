@@ -13,7 +13,7 @@ public static class TwoBody
 
     /// <summary>The state some time after, or before.</summary>
     /// <param name="state">At first, relative to the mass.</param>
-    /// <param name="gm">Of the mass, in units that fit: km^3/s^2 with km; above 0.</param>
+    /// <param name="gm">Gravitational parameter (GM) of the mass, in units that fit: km^3/s^2 with km; above 0.</param>
     /// <param name="seconds">s.</param>
     /// <exception cref="BadInputException">The position is that of the mass, or the time is too long to be followed.</exception>
     public static StateVector Propagate(StateVector state, double gm, double seconds)

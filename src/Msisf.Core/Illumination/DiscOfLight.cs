@@ -74,7 +74,7 @@ internal sealed class DiscOfLight
     }
 
     /// <summary>The light of the whole disc on a horizontal plane: what is above the plane, times the sine of its elevation.</summary>
-    /// <param name="sine">Of the elevation of the disc's middle.</param>
+    /// <param name="sine">Sine of the elevation of the disc's middle.</param>
     /// <param name="slope">Tangent of the disc's angular radius.</param>
     public Vector512<float> UpOf(Vector512<float> sine, Vector512<float> slope)
     {

@@ -5,7 +5,7 @@ namespace Msisf.Core.Illumination;
 /// <param name="North">m.</param>
 /// <param name="Up">m.</param>
 /// <param name="Column">Azimuth in columns, from 0 to the columns of a turn.</param>
-/// <param name="Tangent">Of the elevation.</param>
+/// <param name="Tangent">Tangent of the elevation.</param>
 internal readonly record struct HorizonPoint(double East, double North, double Up, float Column, float Tangent)
 {
     /// <summary>Tangents are no lower: straight down.</summary>

@@ -40,7 +40,7 @@ public sealed class HorizonSurvey
 
     /// <summary>Prepares a survey.</summary>
     /// <param name="terrain">The model, or several.</param>
-    /// <param name="tracer">Of the same.</param>
+    /// <param name="tracer">Tracer of the same.</param>
     /// <param name="directions">Places that span all that are asked for.</param>
     /// <param name="isMoon">Whether it is the Moon, over which the Sun's and the Earth's places are limited.</param>
     public HorizonSurvey(ITerrain terrain, ITerrainTracer tracer, IEnumerable<Vector3D> directions, bool isMoon)

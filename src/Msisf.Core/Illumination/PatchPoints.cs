@@ -70,7 +70,7 @@ internal sealed class PatchPoints
     }
 
     /// <summary>Finds the vertices at which an edge that rises above a horizon may end; all of them if windows are too narrow.</summary>
-    /// <param name="windows">Of the horizon; null to look at all vertices.</param>
+    /// <param name="windows">Windows of the horizon; null to look at all vertices.</param>
     /// <param name="cells">The patch's cells.</param>
     /// <returns>Whether there are any.</returns>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

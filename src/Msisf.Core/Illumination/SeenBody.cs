@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 namespace Msisf.Core.Illumination;
 
 /// <summary>A body as it is seen at sixteen steps.</summary>
-/// <param name="Tangent">Of the elevation of its middle.</param>
+/// <param name="Tangent">Tangent of the elevation of its middle.</param>
 /// <param name="Column">Its azimuth in columns.</param>
 /// <param name="Slope">Tangent of its angular radius.</param>
 /// <param name="PerCosine">One over the cosine of the elevation of its middle.</param>

@@ -186,7 +186,7 @@ internal static class SlopeValues
         RowGeometry.FindExactAngles(row.Points, row.Radii, row.ToLight, row.LightDistances, row.Count, values);
 
     /// <summary>Finds the horizontal parts of the outward normals, which lead downhill.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would else be computed with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first rows would otherwise be computed with unoptimised vectors
     private static void FindFall(
         LayerRow row, int first, int count, double[] toEast, Span<double> toNorth, Span<double> eastLengths, Span<double> falls)
     {

@@ -31,7 +31,7 @@ public sealed class SceneDetail : IFrameTerrain
             .Aggregate((all, next) => [.. all.Zip(next, (one, other) => one is null || other < one ? other : one)]));
 
     /// <summary>The level of each model, the coarsest model first; null for one that is left out.</summary>
-    /// <param name="footprint">Of the image's pixels.</param>
+    /// <param name="footprint">Footprint of the image's pixels.</param>
     /// <param name="subsamplesPerAxis">Samples along a pixel's edge.</param>
     public IReadOnlyList<int?> LevelsFor(PixelFootprint footprint, int subsamplesPerAxis)
     {

@@ -14,7 +14,7 @@ namespace Msisf.Core.Metadata;
 /// <param name="FieldOfViewDegrees">Horizontal field of view as the user gave it.</param>
 /// <param name="SunPositionBodyFixed">m; with <c>--ignore-sun</c> the position of the light, which is the camera's.</param>
 /// <param name="Elevation">The elevation model.</param>
-/// <param name="HeightOverTerrain">Of the camera over the model's surface below it, m.</param>
+/// <param name="HeightOverTerrain">Height of the camera over the model's surface below it, m.</param>
 /// <param name="Version">Version of the program.</param>
 /// <param name="CommandLine">The arguments of the call.</param>
 /// <param name="Renderer">The renderer that made the image.</param>

@@ -7,7 +7,7 @@ internal static class CurvePolygon
 {
     /// <summary>Whether the inside of a polygon and an image have any point in common.</summary>
     /// <param name="polygon">Its corners in order.</param>
-    /// <param name="width">Of the image, px.</param>
+    /// <param name="width">Width of the image, px.</param>
     /// <param name="height">px.</param>
     public static bool Meets(ReadOnlySpan<RenderingPoint> polygon, int width, int height)
     {

@@ -18,7 +18,7 @@ public static class EllipsePolygon
     /// The corners in order. Where the ellipse reaches farthest, where it crosses a border of the image, and the image's corners in the
     /// ellipse are among them, so that the polygon's box is that of the part.
     /// </summary>
-    /// <param name="width">Of the image, px.</param>
+    /// <param name="width">Width of the image, px.</param>
     /// <param name="height">px.</param>
     /// <returns>Empty if no part lies inside.</returns>
     public static IReadOnlyList<RenderingPoint> Of(ImageEllipse ellipse, int width, int height)

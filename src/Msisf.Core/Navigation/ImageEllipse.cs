@@ -129,7 +129,7 @@ public readonly record struct ImageEllipse(double X, double Y, double SemiMajor,
 
     /// <summary>The columns of a row whose pixels' centres lie in the ellipse and in the image.</summary>
     /// <param name="row">Rendering coordinate, whole.</param>
-    /// <param name="width">Of the image, px.</param>
+    /// <param name="width">Width of the image, px.</param>
     /// <returns>Rendering coordinates; none if the first is beyond the last.</returns>
     public (int First, int Last) ColumnsOf(int row, int width)
     {

@@ -61,7 +61,7 @@ internal static class LaneMath
     }
 
     /// <summary>Replaces numbers by <see cref="InverseSqrt(Vector512{double})"/> of them.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be computed with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be computed with unoptimised vectors
     public static void InverseSqrt(Span<Vector512<double>> values)
     {
         for (int i = 0; i < values.Length; i++)

@@ -67,7 +67,7 @@ public static class GroundAberration
 
     /// <summary>The turn from the real orientation of a camera to that with which its ground is drawn.</summary>
     /// <param name="forward">Where the real camera looks, length 1.</param>
-    /// <param name="velocityInC">Of the camera through the solar system, over that of light, along the same axes.</param>
+    /// <param name="velocityInC">Velocity of the camera through the solar system, over that of light, along the same axes.</param>
     internal static UnitQuaternion Turn(Vector3D forward, Vector3D velocityInC)
     {
         Vector3D axis = Vector3D.Cross(forward, velocityInC);

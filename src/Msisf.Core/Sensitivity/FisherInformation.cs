@@ -93,8 +93,8 @@ public sealed class FisherInformation
 
     /// <summary>Sums up the information of an image.</summary>
     /// <param name="parameters">At least one.</param>
-    /// <param name="derivatives">Of the signal, a plane for each parameter.</param>
-    /// <param name="variances">Of the signal; infinity for a pixel that tells nothing.</param>
+    /// <param name="derivatives">Derivatives of the signal, a plane for each parameter.</param>
+    /// <param name="variances">Variances of the signal; infinity for a pixel that tells nothing.</param>
     internal static FisherInformation Of(
         IReadOnlyList<Parameter> parameters, IReadOnlyList<double[]> derivatives, double[] variances)
     {

@@ -54,7 +54,7 @@ internal sealed class GroundSlopes(IGroundTruth samples, NativeRenderOptions opt
 
     /// <summary>Adds the brightness of a line of samples, and its slopes, to their pixels.</summary>
     /// <param name="line">The line whose slopes were found last.</param>
-    /// <param name="weight">Of the line in the pixels.</param>
+    /// <param name="weight">Weight of the line in the pixels.</param>
     public void Add(SampleLine line, Span<PixelSums> sums, double weight)
     {
         const int PerAxis = SensitivityFinder.SamplesPerAxis;

@@ -88,7 +88,7 @@ internal sealed class SampledStrip(
     }
 
     /// <summary>Adds what changes from left to right along a line of samples.</summary>
-    /// <param name="weight">Of the line in the pixels.</param>
+    /// <param name="weight">Weight of the line in the pixels.</param>
     private static void AddAlong(
         SampleLine line, ShadowMotion shadows, Span<PixelSums> sums, ReadOnlySpan<ImageScale> scales, double weight)
     {

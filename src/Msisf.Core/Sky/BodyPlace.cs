@@ -1,7 +1,7 @@
 namespace Msisf.Core.Sky;
 
 /// <summary>Where a body of the sky is seen at one time, and how it is lit.</summary>
-/// <param name="ApparentJ2000">Of its centre, length 1, J2000: with its light time, and the observer's aberration.</param>
+/// <param name="ApparentJ2000">Direction of its centre, length 1, J2000: with its light time, and the observer's aberration.</param>
 /// <param name="Distance">m: from the camera to its centre when the light left it.</param>
 /// <param name="ToSunJ2000">From it to the Sun, length 1, J2000; 0 for the Sun.</param>
 /// <param name="Phase">rad: Sun, body, observer.</param>

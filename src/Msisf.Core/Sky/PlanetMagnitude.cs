@@ -20,7 +20,7 @@ public static class PlanetMagnitude
     /// <param name="sunDistance">From the Sun, au.</param>
     /// <param name="distance">From the observer, au.</param>
     /// <param name="phase">Sun, planet, observer: degrees, 0 to 180.</param>
-    /// <param name="sunLatitude">Of the point below the Sun, from the planet's centre, degrees; matters for Saturn and Uranus.</param>
+    /// <param name="sunLatitude">Latitude of the point below the Sun, from the planet's centre, degrees; matters for Saturn and Uranus.</param>
     /// <param name="observerLatitude">The same of the point below the observer.</param>
     /// <param name="yearsPastJ2000">Julian years; matters for Neptune.</param>
     /// <remarks>

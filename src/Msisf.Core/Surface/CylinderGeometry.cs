@@ -80,7 +80,7 @@ internal sealed class CylinderGeometry : MeshGeometry
             Math.Floor((steps * latitude.Sine) + 0.5) / stepsPerMetre);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise read with unoptimised vectors
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {

@@ -169,7 +169,7 @@ internal sealed class NodeReader
         /// <summary>
         /// Adds all vertices of a line except the first; the line must have at least as many of them as a vector has lanes.
         /// </summary>
-        [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+        [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise read with unoptimised vectors
         private void AddWide(ReadOnlySpan<double> north, ReadOnlySpan<double> south, ref double stepEast, ref double stepNorth)
         {
             Vector512<double> min = Vector512.Create(Min);

@@ -62,7 +62,7 @@ internal sealed class PlaneGeometry : MeshGeometry
             Math.Floor((projection.PoleSign * (f * (1.0 - s))) + 0.5) / stepsPerMetre));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else read with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise read with unoptimised vectors
     public override void PlaceLine(
         int line, int firstSample, ReadOnlySpan<double> radii, Vector3D originBodyFixed, Span<double> x, Span<double> y, Span<double> z)
     {

@@ -8,7 +8,7 @@ namespace Msisf.Adapters.Raster.Heights;
 /// spread over them. To read a model of 34 GB completely would take longer than to render an image.
 /// </summary>
 /// <param name="ImageBytes">Length of the image; of a split product all of them.</param>
-/// <param name="Sha256">Of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
+/// <param name="Sha256">SHA-256 of labels, lengths and pieces of the images: 64 hexadecimal digits.</param>
 public sealed record LdemFingerprint(string ProductId, long ImageBytes, string Sha256)
 {
     /// <summary>Reads what is needed of several models' files.</summary>

@@ -47,7 +47,7 @@ public sealed class PyramidFile : IDisposable
         path, image, ModelSource.Of(image.Set).Fingerprint(), _ => PyramidLayout.OfMoon(image.PixelsPerDegree), out problem);
 
     /// <summary>Opens the sidecar of a map.</summary>
-    /// <param name="fingerprint">Of the map.</param>
+    /// <param name="fingerprint">Fingerprint of the map.</param>
     internal static PyramidFile? TryOpenOfMap(string path, ITerrainGrid map, byte[] fingerprint) => TryOpen(
         path, map, fingerprint, firstLevel => PyramidLayout.OfMap(map, long.MaxValue).From(firstLevel), out _);
 
@@ -140,8 +140,8 @@ public sealed class PyramidFile : IDisposable
 
 /// <summary>The blocks of a level in a mapped sidecar. A block is checked when it is first read. Safe for several threads.</summary>
 /// <param name="path">For messages.</param>
-/// <param name="offset">Of the level's first block in the file, bytes.</param>
-/// <param name="checksums">Of the level's blocks, and of those behind them.</param>
+/// <param name="offset">Offset of the level's first block in the file, bytes.</param>
+/// <param name="checksums">Checksums of the level's blocks, and of those behind them.</param>
 internal sealed unsafe class StoredBlocks(string path, MappedFile file, long offset, Memory<uint> checksums)
 {
     private readonly bool[] _isChecked = new bool[checksums.Length];

@@ -27,7 +27,7 @@ public enum PixelType
 
 /// <summary>SAMPLE_TYPE with SAMPLE_BITS of a PDS3 label: the same for all its synonyms and spellings.</summary>
 /// <remarks>Planetary Data System Standards Reference 3.8, section 3.1 and appendix C.</remarks>
-/// <param name="Type">Of the numbers.</param>
+/// <param name="Type">Type of the numbers.</param>
 /// <param name="IsBigEndian">The most significant byte comes first.</param>
 internal readonly partial record struct PdsSampleType(PixelType Type, bool IsBigEndian)
 {

@@ -49,7 +49,7 @@ public sealed class BrownDistortion : Distortion
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         Vector512<double> x = points.X - Vector512.Create(_center.X);

@@ -38,10 +38,10 @@ internal readonly record struct LanePoints(Vector512<double> X, Vector512<double
 }
 
 /// <summary>Derivatives of eight mapped points.</summary>
-/// <param name="Xx">Of the new x with respect to x.</param>
-/// <param name="Xy">Of the new x with respect to y.</param>
-/// <param name="Yx">Of the new y with respect to x.</param>
-/// <param name="Yy">Of the new y with respect to y.</param>
+/// <param name="Xx">Derivative of the new x with respect to x.</param>
+/// <param name="Xy">Derivative of the new x with respect to y.</param>
+/// <param name="Yx">Derivative of the new y with respect to x.</param>
+/// <param name="Yy">Derivative of the new y with respect to y.</param>
 internal readonly record struct LaneSlopes(
     Vector512<double> Xx, Vector512<double> Xy, Vector512<double> Yx, Vector512<double> Yy)
 {

@@ -46,7 +46,7 @@ public sealed class FisheyeDistortion : Distortion
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

@@ -31,7 +31,7 @@ public sealed class PolynomialDistortion(ReadOnlySpan<double> x, ReadOnlySpan<do
     internal override bool IsFromIdeal => false;
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be prepared with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be prepared with unoptimised vectors
     internal override LanePoints Apply(in LanePoints points, out LaneSlopes slopes)
     {
         (Vector512<double> x, Vector512<double> y) = points;

@@ -50,7 +50,7 @@ internal readonly struct NoiseSource
 
     /// <summary>One number of each pixel of a part of a row, uniform between 0 and 1, without both ends.</summary>
     /// <param name="first">Index of the first pixel.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public void Fill(NoiseKind kind, uint first, Span<double> uniforms)
     {
         // An index of the generator gives two numbers: pixels 8 k to 8 k + 3 take the first ones of the indices 4 k to 4 k + 3, the next

@@ -32,7 +32,7 @@ internal static class NormalDeviate
     /// <summary>The deviates below which parts of the distribution lie.</summary>
     /// <param name="probabilities">Between 0 and 1, without both ends; at most <see cref="NoiseSource.MaxRun"/>.</param>
     /// <param name="deviates">Receives as many deviates; does not overlap with them.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public static void OfProbabilities(ReadOnlySpan<double> probabilities, Span<double> deviates)
     {
         Span<int> tails = stackalloc int[NoiseSource.MaxRun + NoiseSource.Lanes];

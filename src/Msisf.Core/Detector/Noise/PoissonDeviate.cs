@@ -53,7 +53,7 @@ internal static class PoissonDeviate
     /// <summary>Replaces mean numbers of events by numbers of events.</summary>
     /// <param name="means">Finite, at least 0; at most <see cref="NoiseSource.MaxRun"/>. Become whole numbers.</param>
     /// <param name="uniforms">As many numbers between 0 and 1, without both ends.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public static void Replace(Span<double> means, ReadOnlySpan<double> uniforms)
     {
         Span<double> numbers = stackalloc double[NoiseSource.MaxRun + Lanes];

@@ -35,7 +35,7 @@ internal static class KernelConvolution
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be spread with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be spread with unoptimised vectors
     private static void Wide(ReadOnlySpan<double> source, int width, PointSpreadKernel kernel, int start, Span<double> target)
     {
         Vector256<double> s0 = Vector256<double>.Zero, s1 = s0, s2 = s0, s3 = s0, s4 = s0, s5 = s0, s6 = s0, s7 = s0;

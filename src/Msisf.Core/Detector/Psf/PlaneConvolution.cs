@@ -19,7 +19,7 @@ internal sealed class PlaneConvolution
     private readonly FourierTransform _down;
     private readonly double[] _kernel; // its transform, which is real: [block of columns, row, column of the block]
 
-    /// <param name="width">Of the images, px.</param>
+    /// <param name="width">Width of the images, px.</param>
     /// <param name="height">px.</param>
     /// <param name="reach">px: the kernel is 0 beyond, along rows and columns.</param>
     /// <param name="kernel">The kernel at a column and a row from its middle, each at least 0; it is the same to all sides.</param>

@@ -22,7 +22,7 @@ internal sealed class WingConvolution
     private readonly double _whole;
     private readonly PlaneConvolution _convolution;
 
-    /// <param name="width">Of the images, px.</param>
+    /// <param name="width">Width of the images, px.</param>
     /// <param name="height">px.</param>
     public WingConvolution(FarWings wings, int width, int height, int threads, CancellationToken cancellation)
     {

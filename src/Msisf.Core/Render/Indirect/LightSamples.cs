@@ -141,6 +141,6 @@ internal sealed class LightSamples(SurfaceModel surface, FrameCamera camera, Nat
 
 /// <summary>A place that light comes from.</summary>
 /// <param name="Point">m, body-fixed.</param>
-/// <param name="Normal">Of its facet, length 1.</param>
+/// <param name="Normal">Normal of its facet, length 1.</param>
 /// <param name="Weight">How its brightness counts: the solid angle for which it is, sr, and more.</param>
 internal readonly record struct LitPlace(Vector3D Point, Vector3D Normal, double Weight);

@@ -124,7 +124,7 @@ internal sealed class AlbedoSampler
     }
 
     /// <summary>Whether a code became NaN.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private static bool MixLevels(Span<double> codes, ReadOnlySpan<double> farCodes, ReadOnlySpan<double> parts, int count)
     {
         Vector512<double> sum = Vector512<double>.Zero;

@@ -101,7 +101,7 @@ internal sealed class FootprintLanes
     }
 
     /// <summary>The squares of the distances from the polar axis, from the Moon's middle and from the viewer.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private static void FindLengths(
         Vector3D eye, ref Vector512<double> xs, ref Vector512<double> ys, ref Vector512<double> zs, ref Vector512<double> places, int count)
     {

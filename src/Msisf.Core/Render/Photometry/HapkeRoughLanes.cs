@@ -10,7 +10,7 @@ internal static class HapkeRoughLanes
     private const double TinySquare = 1e-200;
 
     /// <summary>The squares of the sines of the incidence and emission angles, for their inverse roots.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     public static void SquareSines(
         ref Vector512<double> places, ref Vector512<double> cosIncidence, ref Vector512<double> cosEmission, int count)
     {

@@ -10,7 +10,7 @@ internal static class HapkeScatteringLanes
     private const double TinySine = 1e-100;
 
     /// <summary>The numbers whose inverse roots single scattering needs.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     public static void SquareLobes(in HapkeLanes law, ref Vector512<double> places, ref Vector512<double> phaseHaversine, int count)
     {
         Vector512<double> tiny = Vector512.Create(TinySine);

@@ -42,7 +42,7 @@ internal sealed class MapLevelLanes
         Mix(codes, count);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private void FindPixels(AlbedoMapLevel level, AlbedoMapLevel finest, ReadOnlySpan<double> x, ReadOnlySpan<double> y, int count)
     {
         Vector512<double> zero = Vector512<double>.Zero;

@@ -157,7 +157,7 @@ internal sealed class SunlitPoints
     }
 
     /// <summary>Lengths of 1 m to 1e12 m: their squares neither overflow nor vanish.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private void SquareLengths(Vector3D to, int first, Span<Vector512<double>> squares)
     {
         for (int i = 0; i < squares.Length; i++)

@@ -25,7 +25,7 @@ internal sealed class SurePieces(ImageView view, Vector3D lightBodyFixed, SureLi
     private readonly Vector3D _fromAnchor = view.Camera.PositionBodyFixed - view.Anchor;
     private readonly (Vector3D Middle, Vector3D Across, Vector3D Along) _axes = view.Camera.RayAxes;
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public bool IsEven(in FacetRecord facet, double inverseDepth, in TangentBox piece)
     {
         if (!(inverseDepth * evenDepth > 1.0))

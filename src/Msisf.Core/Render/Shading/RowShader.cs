@@ -173,7 +173,7 @@ internal sealed class RowShader
 
     private RowReflection Take() => _idle.TryTake(out RowReflection? idle) ? idle : new RowReflection(_surface);
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private static void AddReflected(
         PixelSunlight sunlight, int start, ReadOnlySpan<double> cosines, ReadOnlySpan<double> reflected, Span<double> factors)
     {

@@ -91,7 +91,7 @@ internal sealed class SmoothNormals
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private void Smooth(SunlitPoints points, int at, int place, uint isMeant, Vector3D camera, Vector3D light)
     {
         LaneVectors point = new(ArrayLanes.Load256(points.X, at), ArrayLanes.Load256(points.Y, at), ArrayLanes.Load256(points.Z, at));

@@ -39,7 +39,7 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="receivers">Bounds of the receivers; cells outside are left out.</param>
     /// <param name="slope">Radius of the Sun's disc over its distance; facets that face away from any part of it count.</param>
     /// <returns>Whether any facet faces away and is not left out.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public bool TrySet(int line, int sample, in LightBox receivers, double slope)
     {
         _northWest = (line * BlockVertices.Stride) + sample;
@@ -102,7 +102,7 @@ internal sealed class CellStrip(BlockVertices vertices)
         Facet(_northWest + cell, _northWest + cell + BlockVertices.Stride + 1, _northWest + cell + 1);
 
     /// <summary>A slab along the strip that holds the cells of <see cref="Box"/>; narrower than the box if the strip is oblique.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public LightSlab FindSlab()
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
@@ -136,7 +136,7 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// <param name="point">The point in light space, m.</param>
     /// <param name="slope">Radius of the disc over its distance.</param>
     /// <param name="minA">Minimum, over the part of the disc, of the u by which a ray to it moves with each metre towards the Sun.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public uint CellsNear(Vector3D point, double slope, double minA)
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
@@ -163,7 +163,7 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// is the mean of its corners' depths, weighted by the edge functions. Only the sign of its difference from the point's depth is
     /// needed, so no division is made. <see cref="FacetCaster"/> computes the same sums for one facet and eight points.
     /// </remarks>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public bool IsInFrontOf(double u, double v, double w)
     {
         ref double us = ref BlockVertices.CornersFrom(vertices.X, _northWest);
@@ -202,7 +202,7 @@ internal sealed class CellStrip(BlockVertices vertices)
     /// The maximum, over the Sun's disc, of each facet's signed area seen from a point of the disc. The ray to a point of the disc moves
     /// across by a constant times the depth, so the area is linear in the two components of that constant.
     /// </summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     private (Vector512<double> SouthWest, Vector512<double> NorthEast) MaxAreas(
         Vector512<double> southWest, Vector512<double> northEast, double slope)
     {

@@ -78,7 +78,7 @@ internal sealed class PenumbraScan
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     private void Hide(SortedReceivers grid, int receiver, DiscRays rays, double slope, ulong[] hidden)
     {
         Vector3D point = new(grid.U[receiver], grid.V[receiver], grid.W[receiver]);

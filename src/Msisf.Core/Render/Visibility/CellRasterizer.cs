@@ -34,7 +34,7 @@ internal sealed class CellRasterizer
     public void Begin(ImageView view) => _turnedArea = view.BackFaceArea;
 
     /// <summary>Draws the cells of a block that is in front of the camera and returns the number of cells that were tested.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public long Draw<TSamples>(ProjectedBlock block, Band band)
         where TSamples : struct, ISampleKind
     {

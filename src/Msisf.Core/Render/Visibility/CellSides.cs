@@ -29,7 +29,7 @@ internal readonly struct CellSides
 
     /// <summary>Returns columns outside of which no sample lies in the cell, for samples near a row.</summary>
     /// <param name="margin">px: maximum distance of a sample from the row, and from the column of its pixel.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public (double First, double Last) Within(double row, double margin)
     {
         (double aboveFirst, double aboveLast) = At(row - margin);

@@ -31,7 +31,7 @@ internal readonly struct InnerPixels
     }
 
     /// <summary>The first and the last column; the first is greater if there is none.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public (double First, double Last) At(double row)
     {
         // Inside, height * (column - x) is at least this.

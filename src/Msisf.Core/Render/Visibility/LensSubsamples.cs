@@ -42,7 +42,7 @@ internal sealed class LensSubsamples
     /// <param name="right">Receives their tangents to the right, whole vectors of <see cref="SamplePattern.Lanes"/>.</param>
     /// <param name="down">Receives their tangents down.</param>
     /// <param name="start">Index of the first one in these.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public void Read(int column, int row, double[] right, double[] down, int start)
     {
         int place = ((row * _model.Width) + column) * _pattern.Count;

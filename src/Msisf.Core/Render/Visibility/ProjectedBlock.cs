@@ -99,7 +99,7 @@ internal sealed class ProjectedBlock
     }
 
     /// <summary>Projects the block that was read.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else draw with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise draw with unoptimised vectors
     public void Project(ImageView view)
     {
         Vector512<double> limit = Vector512.Create(view.CoordinateLimit);

@@ -147,7 +147,7 @@ internal sealed class RowResolver
     /// <param name="right">The vector that X multiplies.</param>
     /// <param name="vertical">The vector that Z multiplies; null if the directions differ only by the vector to the right.</param>
     /// <param name="withNormals">Whether the normals get the length 1.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private void Locate(SurfaceRow pixels, Vector3D middle, Vector3D right, Vector3D? vertical, bool withNormals)
     {
         Vector3D anchor = _view.Anchor;

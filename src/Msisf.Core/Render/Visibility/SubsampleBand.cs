@@ -212,7 +212,7 @@ internal sealed class SubsampleBand
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     private void SetApart(int column, int row, int index)
     {
         int facet = _states[index];

@@ -34,7 +34,7 @@ internal sealed class SubsampleCells
     }
 
     /// <summary>Draws the cells of a projected block.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be drawn with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be drawn with unoptimised vectors
     public void Draw(ProjectedBlock block, SubsampleBand band)
     {
         int samples = block.Vertices.Samples - 1;

@@ -56,7 +56,7 @@ internal sealed class GroundBrightness(DetailTiles<float> tiles, IReadOnlyList<W
     }
 
     /// <summary>Lines and samples of the map of metres: <see cref="PolarStereographic.PixelOf"/> of places at any radius.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would else be shaded with unoptimised vectors
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // the first frame would otherwise be shaded with unoptimised vectors
     private void FindPlaces(
         ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z, Span<double> lines, Span<double> samples)
     {
