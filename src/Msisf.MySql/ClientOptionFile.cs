@@ -14,7 +14,7 @@ internal static partial class ClientOptionFile
 
     /// <summary>Reads the options of the group by name, with "-" between words.</summary>
     /// <exception cref="BadInputException">
-    /// The file can't be read, other users can read the password in it, a line is no option, or an option that changes the connection is
+    /// The file can't be read, other users can read its password, a line is not an option, or an option that changes the connection is
     /// not supported.
     /// </exception>
     public static IReadOnlyDictionary<string, string> Read(string path)

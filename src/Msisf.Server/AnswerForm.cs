@@ -28,7 +28,7 @@ internal sealed record AnswerForm(string Main, string Image, string Meta)
     /// <summary>All forms of an answer, the default first.</summary>
     public static IReadOnlyList<string> All { get; } = [Png, Raw, Npy, Fits, Json, Xml, Multipart];
 
-    /// <summary>Of a stream: the grey levels, and after them the layers that the frame names, both raw.</summary>
+    /// <summary>Answer of a stream: the grey levels, and after them the layers that the frame names, both raw.</summary>
     public static AnswerForm LevelsAndLayers { get; } = new(Raw, Raw, Xml) { HasBoth = true };
 
     /// <summary>Whether a raw answer has the image and the layers.</summary>

@@ -1,8 +1,8 @@
 namespace Msisf.Server;
 
 /// <summary>
-/// Who asks what is worked on: clients share the server evenly. The name that a client gives itself, so that programs of one computer are
-/// told apart; otherwise its address, the kind of program, and the connections that it opened together.
+/// Who asks what is worked on: clients share the server evenly. It is the name that a client gives itself, to distinguish programs of one
+/// computer; otherwise its address, the kind of program, and the connections that it opened together.
 /// </summary>
 internal static class AskingClient
 {

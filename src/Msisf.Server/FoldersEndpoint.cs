@@ -96,7 +96,7 @@ internal sealed class FoldersEndpoint
 
     private static string Word(HttpContext context, string name) => (string)context.Request.RouteValues[name]!;
 
-    /// <summary>Numbers as numbers, flags as true, all else as text.</summary>
+    /// <summary>Numbers as numbers, flags as true, the rest as text.</summary>
     private static JsonValue ValueOf(string text) => text == "true"
         ? JsonValue.Create(true)
         : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && double.IsFinite(number)

@@ -134,7 +134,7 @@ internal sealed class FrameService : IAsyncDisposable
         Metrics.FrameDrawn(Stopwatch.GetElapsedTime(start));
     }
 
-    /// <summary>Samples of an image, by which is told how long it takes.</summary>
+    /// <summary>Samples of an image, from which its duration is estimated.</summary>
     public static long SamplesOf(RenderSettings settings)
     {
         long acrossPixel = settings.Native.Render.Adaptive is null

@@ -22,7 +22,7 @@ internal static class JsonBody
 
     /// <summary>Reads the body of a request.</summary>
     /// <exception cref="RefusedException">It is said to be something else.</exception>
-    /// <exception cref="JsonException">It is no JSON.</exception>
+    /// <exception cref="JsonException">It is not JSON.</exception>
     public static async Task<JsonElement> ReadAsync(HttpRequest request)
     {
         if (!request.HasJsonContentType())

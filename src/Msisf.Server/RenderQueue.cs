@@ -11,7 +11,7 @@ internal readonly record struct Demand(string Client, long Samples, bool IsLarge
 
 /// <summary>
 /// Runs the work of requests, which share the cores. Small work does not wait for large work: each of both has places of its own. A client
-/// that has no work running does not wait for those of others, as long as there are spare places. Of those who wait, the client with the
+/// that has no work running does not wait for those of others, as long as there are spare places. Among those who wait, the client with the
 /// least work running comes first, then by turns the least work and the one that has waited longest. Thread-safe.
 /// </summary>
 /// <param name="maxWaiting">Number of requests of a client that may wait, small or large.</param>

@@ -49,7 +49,7 @@ internal sealed record StreamCamera(IReadOnlyDictionary<string, JsonElement> Opt
             : throw new UsageException("two of the 'cameras' have one name. Give each its own, or none.");
     }
 
-    /// <summary>Keys that are no options of an image.</summary>
+    /// <summary>Keys that are not options of an image.</summary>
     public static IReadOnlyList<string> Keys { get; } = [NameKey, QuaternionKey, OffsetKey];
 
     /// <summary>The camera's name: camera1, camera2, ... if it has none.</summary>

@@ -8,7 +8,7 @@ namespace Msisf.Server;
 /// <param name="Cameras">The cameras; a stream of one camera has one without options of its own.</param>
 /// <param name="Form">Form of the images.</param>
 /// <param name="IsNewestOnly">Whether states are left out that are older than another one that waits.</param>
-/// <param name="IsTimed">Whether the times of each image are told.</param>
+/// <param name="IsTimed">Whether the times of each image are reported.</param>
 internal sealed record StreamOpening(
     JsonElement Frame, IReadOnlyList<StreamCamera> Cameras, AnswerForm Form, bool IsNewestOnly, bool IsTimed)
 {

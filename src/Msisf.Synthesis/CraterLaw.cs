@@ -29,7 +29,7 @@ internal sealed class CraterLaw
     }
 
     /// <summary>
-    /// Of synthetic models: N(&gt;D) = 0.079 D^-1.83 for each km2, D in km: Hartmann's law (<see cref="Published"/>) with 9 percent more
+    /// For synthetic models: N(&gt;D) = 0.079 D^-1.83 for each km2, D in km: Hartmann's law (<see cref="Published"/>) with 9 percent more
     /// craters. It stays, so that a model's options and seed give the same model as ever.
     /// </summary>
     public static CraterLaw OfModels { get; } = new((0.079, 1.83), (0.079, 1.83), double.PositiveInfinity);

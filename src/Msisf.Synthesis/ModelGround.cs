@@ -5,11 +5,11 @@ namespace Msisf.Synthesis;
 
 /// <summary>
 /// The smooth ground through a model's samples (bicubic, C1), less the detail at the samples: with the detail added, each sample has the
-/// model's own height. Of a model that holds means of cells, the smooth ground with these means, less those of the detail: with the detail
+/// model's own height. If the model holds means of cells, the smooth ground with these means, less those of the detail: with the detail
 /// added, each cell has the model's own mean. Safe for several threads.
 /// </summary>
 /// <remarks>
-/// Interpolation: R. G. Keys, "Cubic convolution interpolation for digital image processing", IEEE Trans. ASSP 29 (1981), 1153. Of a
+/// Interpolation: R. G. Keys, "Cubic convolution interpolation for digital image processing", IEEE Trans. ASSP 29 (1981), 1153. In a
 /// model of the whole Moon the samples beyond 70 degrees of latitude are smoothed along the parallel (<see cref="BaseHeights"/>).
 /// </remarks>
 internal sealed class ModelGround

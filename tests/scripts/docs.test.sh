@@ -42,7 +42,7 @@ test_docs_sentences_are_short_and_idiomatic() {
     assert_code 0
 }
 
-test_docs_messages_are_idiomatic() {
+test_docs_messages_and_comments_are_idiomatic() {
     need python3
     local files
     mapfile -t files < <(find "$MSISF_TESTED_ROOT/src" -name '*.cs' -not -path '*/obj/*' -not -path '*/bin/*')
@@ -51,21 +51,24 @@ test_docs_messages_are_idiomatic() {
     assert_code 0
 }
 
-test_docs_foreign_wording_of_messages_is_found() {
+test_docs_foreign_wording_of_messages_and_comments_is_found() {
     need python3
     cat >messages.cs <<'CODE'
-// "Of this comment nothing counts."
-/// <summary>Else it counts.</summary>
+// A comment. Of this
+// comment something counts.
+/// <summary>Else <see cref="Of.X"/> counts.</summary>
 throw new UsageException($"{name}: '{text}' is no "
     + $"layer of {other}. Give another one.");
 string format = "is no";
 string good = "This is not a layer. There is no such file.";
-string late = "Of these files none is read.";
+string late = "Of these files none is read."; // a good one, which is told elsewhere
+string address = "https://else.it.is/no page";
 CODE
     run english messages.cs
     assert_code 1
     assert_same "$(printf '%s\n' "$output" | cut -d : -f 2,4-)" "$(printf '%s\n' \
-        "3: X: 'X' is no layer of X." '7: Of these files none is read.' \
+        "4: X: 'X' is no layer of X." '8: Of these files none is read.' '1: Of this comment something counts.' \
+        '3: Else X counts.' '8: a good one, which is told elsewhere' \
         '0 of 0 sentences have more than 30 words (0.0 %, at most 3 %)')"
 }
 

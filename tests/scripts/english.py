@@ -1,4 +1,5 @@
-"""Counts long sentences in Markdown pages, and finds wording that reads as if translated; in C# files the wording of texts in quotes.
+"""Counts long sentences in Markdown pages, and finds wording that reads as if translated; in C# files the wording of texts in quotes
+and of comments.
 
     python3 english.py [--all] FILE[#HEADING]...   FILE#HEADING: only that section of the page
 
@@ -47,6 +48,8 @@ PATTERNS = [
 LITERAL = re.compile(r'\$?@?"((?:[^"\\\n]|\\.)*)"')
 JOINT = re.compile(r'"\s*\)?\s*\+\s*(?:Invariant\()?\$?"')
 INSERTED = re.compile(r"\{[^{}]*\}")
+
+# A comment of C#, what in it is one word, where a text of it ends, and a sentence.
 REMARK = re.compile(r'^((?:[^"\n/]|"(?:[^"\\\n]|\\.)*"|/(?!/))*)///?(?!/)(.*)')
 NAMED = re.compile(r"<(?:see|paramref|typeparamref)\b[^>]*/>|<c>.*?</c>", re.DOTALL)
 ELEMENT = re.compile(r"</?\w[^<>]*>")
@@ -125,7 +128,8 @@ def remarks(code):
         found = REMARK.search(line)
         if words and (not found or found.group(1).strip()):
             text = ELEMENT.sub("\0", NAMED.sub("X", "\n".join(words)))
-            yield from ((start + text.count("\n", 0, sentence.start()), " ".join(sentence.group().split())) for sentence in SENTENCE.finditer(text))
+            for sentence in SENTENCE.finditer(text):
+                yield start + text.count("\n", 0, sentence.start()), " ".join(sentence.group().split())
             words = []
         if found:
             start = start if words else number
@@ -139,7 +143,8 @@ def main():
         path, _, heading = name.partition("#")
         text = pathlib.Path(path).read_text(encoding="utf-8-sig")
         if path.endswith(".cs"):
-            wrong += [f"{path}:{line}: {advice}: {sentence}" for line, sentence in texts(text) if len(sentence.split()) >= SHORTEST
+            wrong += [f"{path}:{line}: {advice}: {sentence}" for line, sentence in [*texts(text), *remarks(text)]
+                      if len(sentence.split()) >= SHORTEST
                       for pattern, advice in PATTERNS if pattern.search(sentence)]
             continue
         for line, sentence in sentences(section(text, heading) if heading else text):

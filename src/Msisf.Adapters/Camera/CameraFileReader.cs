@@ -111,7 +111,7 @@ public static class CameraFileReader
         static double focalMillimetres(double focalLength) => focalLength / MetresPerMillimetre;
     }
 
-    /// <summary>Of the file, and of the kernel that it names.</summary>
+    /// <summary>Checksum of the file and of the kernel that it names.</summary>
     private static string Checksum(byte[] content, CameraFileDetector? detector) => Convert.ToHexStringLower(SHA256.HashData(
         detector?.KernelSha256 is string kernel ? [.. content, .. Encoding.ASCII.GetBytes(kernel)] : content));
 

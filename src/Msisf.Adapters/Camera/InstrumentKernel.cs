@@ -190,7 +190,7 @@ public sealed class InstrumentKernel
             : center is null ? _keywords.Value(item) : _keywords.Numbers(center, 2)[1];
         if (IsLine)
         {
-            // Of a line camera kernels call its only line 0 or 1.
+            // Kernels call the only line of a line camera 0 or 1.
             line = line is 0.0 or 1.0
                 ? 1.0 - fromOne
                 : throw _keywords.Wrong(item, Invariant($"puts the axis into line {line} of an image of one line"));

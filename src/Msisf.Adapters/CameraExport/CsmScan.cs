@@ -10,7 +10,7 @@ internal sealed record CsmScan(CsmSensor Sensor, ScanNodes Nodes, double Misfit)
     /// <summary>px: errors up to it are promised, and not worth a warning.</summary>
     public const double Promised = 1e-3;
 
-    /// <summary>Of the least height over the terrain, in which ground may be seen.</summary>
+    /// <summary>Part of the least height over the terrain within which ground may be seen.</summary>
     private const double NearestGround = 0.5;
 
     /// <summary>Makes it.</summary>

@@ -148,7 +148,7 @@ internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
         };
     }
 
-    /// <summary>In mm, of pixels that are smaller than LROC's if the row would not be near enough else.</summary>
+    /// <summary>A lens in mm. Its pixels are smaller than LROC's if the row would otherwise not be near enough.</summary>
     private static CsmLens Division(CameraModel camera, double k)
     {
         double end = camera.FocalX
@@ -158,7 +158,7 @@ internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
     }
 
     /// <summary>
-    /// Of one row, polynomials of x are KAGUYALISM's of the distance from a zero that lies in the row, left of all its pixels.
+    /// A lens of one row. KAGUYALISM's polynomials are of the distance from a zero in the row, left of all its pixels.
     /// </summary>
     /// <param name="x">px along a row that are added to it, by powers of the distance from the principal point.</param>
     /// <param name="y">px that are added across it.</param>

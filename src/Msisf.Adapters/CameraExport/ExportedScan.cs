@@ -8,7 +8,7 @@ namespace Msisf.Adapters.CameraExport;
 /// <param name="GrowsUpwards">Whether the first exposure is the lowest of the image.</param>
 /// <param name="FlipsFramelets">Whether the rows of each framelet are read from the lowest to the topmost.</param>
 /// <param name="States">States of all exposures, the first one's first.</param>
-/// <param name="HeightOverTerrain">m: of the camera.</param>
+/// <param name="HeightOverTerrain">Height of the camera over the terrain, m.</param>
 public sealed record ExportedScan(
     ScanKind Kind, double Period, bool GrowsUpwards, bool FlipsFramelets, IReadOnlyList<CameraState> States, double HeightOverTerrain)
 {
@@ -22,7 +22,7 @@ public sealed record ExportedScan(
     /// <param name="middle">The camera at the frame's time, which is that of its middle row.</param>
     /// <param name="motion">How it moves.</param>
     /// <param name="lineTime">s from a row to the row below.</param>
-    /// <param name="heightOverTerrain">m: of the camera.</param>
+    /// <param name="heightOverTerrain">Height of the camera over the terrain, m.</param>
     public static ExportedScan OfShutter(FrameCamera middle, CameraMotion motion, double lineTime, double heightOverTerrain) => new(
         ScanKind.RollingShutter, lineTime, GrowsUpwards: false, FlipsFramelets: false,
         [.. Enumerable.Range(0, middle.Height).Select(row => motion.Moved(middle.State, lineTime * (row - (0.5 * (middle.Height - 1)))))],

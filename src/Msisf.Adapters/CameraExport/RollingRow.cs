@@ -6,7 +6,7 @@ namespace Msisf.Adapters.CameraExport;
 /// The rows of an image as one row that turns, which is what a line-scan camera has. Rows farther from the axis are longer in angle, so
 /// that none fits all: the one is taken that is nearest to all others.
 /// </summary>
-/// <param name="Turns">Turns of each row of the image: turns the axes of the one into the image's (OpenCV's).</param>
+/// <param name="Turns">Turn of each row of the image, from the axes of the one row to the image's (OpenCV's).</param>
 /// <param name="Misfit">px: the largest distance of a pixel from that of the one row.</param>
 internal sealed record RollingRow(CameraModel Line, IReadOnlyList<UnitQuaternion> Turns, double Misfit)
 {

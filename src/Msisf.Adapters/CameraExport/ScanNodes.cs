@@ -19,7 +19,7 @@ internal sealed record ScanNodes(double First, double Spacing, IReadOnlyList<(Ve
     /// <summary>Nodes that are needed before the first exposure, and after the last one, for polynomials of full order.</summary>
     private const int Beyond = 3;
 
-    /// <summary>Of fewer nodes in image support data USGSCSM makes others.</summary>
+    /// <summary>USGSCSM replaces image support data with fewer nodes than this.</summary>
     private const int Fewest = 25;
 
     private const int Components = 7;

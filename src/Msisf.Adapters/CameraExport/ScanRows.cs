@@ -20,7 +20,7 @@ internal static class ScanRows
     /// <summary>Reads it.</summary>
     /// <param name="height">px: of the image.</param>
     /// <param name="path">Path of the meta file, beside which the states of all rows may be.</param>
-    /// <param name="heightOverTerrain">m: of the camera.</param>
+    /// <param name="heightOverTerrain">Height of the camera over the terrain, m.</param>
     /// <exception cref="BadInputException">The states of all rows are nowhere.</exception>
     /// <exception cref="FormatException">A number is missing.</exception>
     public static ExportedScan Read(XElement scan, int height, string path, double heightOverTerrain)

@@ -116,7 +116,7 @@ internal sealed class CraterColumns
         double Error(int which, double greatest) => _errors[which] < 0 ? 0.0 : row.Number(_errors[which], 0.0, greatest);
     }
 
-    /// <summary>Of columns for the same the one of the same form as the diameter's: Robbins's ellipses, or circles.</summary>
+    /// <summary>Picks, among columns for the same value, the one of the diameter's form: Robbins's ellipses, or circles.</summary>
     private static int Of(int[] places, int column) => places[Math.Clamp(column, 0, places.Length - 1)];
 
     private static double EastLongitude(double degrees)

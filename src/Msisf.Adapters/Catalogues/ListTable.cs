@@ -60,7 +60,7 @@ internal sealed class ListTable
         return new ListTable(lines, fileName, first ?? new ListHeader(string.Empty, 1, ',', given));
     }
 
-    /// <summary>Opens a list in whichever encoding it is: UTF-8, UTF-16 with a byte order mark, or else ISO 8859-1.</summary>
+    /// <summary>Opens a list in whichever encoding it is: UTF-8, UTF-16 with a byte order mark, otherwise ISO 8859-1.</summary>
     /// <typeparam name="T">What is read of it.</typeparam>
     /// <param name="what">What is needed, for messages.</param>
     /// <exception cref="BadInputException">It can't be read, or is of a format that is known, but not read.</exception>

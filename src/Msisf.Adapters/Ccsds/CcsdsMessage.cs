@@ -9,7 +9,7 @@ namespace Msisf.Adapters.Ccsds;
 /// <param name="scale">Makes moments of times.</param>
 internal abstract class CcsdsMessage(CcsdsPlace place, TimeScale scale)
 {
-    /// <summary>Of an interpolation for which the file gives none.</summary>
+    /// <summary>Degree of an interpolation for which the file gives none.</summary>
     protected const int DefaultDegree = 7;
 
     /// <summary>s: writers round START_TIME and STOP_TIME to the second.</summary>

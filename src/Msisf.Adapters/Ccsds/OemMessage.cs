@@ -146,8 +146,8 @@ internal sealed class OemJoints
 
     /// <summary>
     /// 1: the way between two lines is the mean of their velocities times the time, but for h^2 / 12 of the change of the acceleration;
-    /// that is at most a sixth of h times the change of velocity while the acceleration at most doubles. Of Artemis I's 9,210 pairs of
-    /// lines 73 are above this with the rounding, all others below 0.8 of it.
+    /// that is at most a sixth of h times the change of velocity while the acceleration at most doubles. In Artemis I's file, 73 of
+    /// 9,210 pairs of lines are above this with the rounding; all others are below 0.8 of it.
     /// </summary>
     private const double MaxPart = 0.25;
 

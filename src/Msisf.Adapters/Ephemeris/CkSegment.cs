@@ -26,7 +26,7 @@ internal abstract class CkSegment(DafFile file, DafSummary summary)
     protected bool HasRates { get; } = summary.Integers[3] == 1;
 
     /// <summary>How the instrument is turned.</summary>
-    /// <param name="ticks">Ticks of the spacecraft's clock.</param>
+    /// <param name="ticks">Time in ticks of the spacecraft's clock.</param>
     /// <returns>Null in a gap.</returns>
     /// <exception cref="Core.Errors.BadInputException">The kernel is damaged, or of a type that is not known.</exception>
     public CkAttitude? At(double ticks) => Ticks.Contains(ticks) ? Evaluate(ticks) : null;
@@ -78,7 +78,7 @@ internal abstract class CkSegment(DafFile file, DafSummary summary)
 internal readonly record struct CkAttitude(RotationMatrix InstrumentFromReference, Vector3D? Rate);
 
 /// <summary>The ticks of a CK's records, and the intervals that they form (types 3 and 5).</summary>
-/// <param name="Ticks">Ticks of the records, rising.</param>
+/// <param name="Ticks">Times of the records in ticks, rising.</param>
 /// <param name="Starts">First tick of each interval, rising; each is a record's.</param>
 internal sealed record TickIntervals(double[] Ticks, double[] Starts)
 {

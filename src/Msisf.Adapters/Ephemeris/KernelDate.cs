@@ -97,7 +97,7 @@ internal static class KernelDate
         RemoveFirst(tokens, "w", 0);
         if (era is not null && tokens.Exists(token => token.Kind == 't'))
         {
-            return null; // ISO's T stands with ISO's dates only, which have no era
+            return null; // only ISO's dates have a T, and they have no era
         }
 
         return Meaning(tokens) is { } found ? Seconds(found.Tokens, found.Meaning, era) : null;

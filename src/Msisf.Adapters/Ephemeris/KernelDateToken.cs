@@ -3,7 +3,7 @@ namespace Msisf.Adapters.Ephemeris;
 /// <summary>A part of a date in a text kernel.</summary>
 /// <param name="Kind">As in the tables of <see cref="KernelDate"/>; and e: an era, w: a weekday, j: JD, and separators.</param>
 /// <param name="Value">Its number; of a month from 1, of an era 1 or -1.</param>
-/// <param name="Time">Time T: hours, minutes and perhaps seconds.</param>
+/// <param name="Time">Time of day (T): hours, minutes and perhaps seconds.</param>
 /// <param name="Text">The digits of a number.</param>
 internal sealed record KernelDateToken(char Kind, double Value, double[]? Time = null, string Text = "")
 {

@@ -127,7 +127,7 @@ public static class KernelList
                 $"{pool.Existing(variable).Source}: the last value of {variable} ends in '+', but nothing follows.");
     }
 
-    /// <summary>Replaces each $SYMBOL. Of several symbols that fit, the longest counts, so that $KERNELS is not taken for $K.</summary>
+    /// <summary>Replaces each $SYMBOL. If several symbols fit, the longest counts, so that $KERNELS is not taken for $K.</summary>
     private static string ReplaceSymbols(string name, List<string> symbols, List<string> values)
     {
         StringBuilder replaced = new();

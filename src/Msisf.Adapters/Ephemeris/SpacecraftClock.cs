@@ -58,7 +58,7 @@ public sealed class SpacecraftClock
     /// <summary>Reads a clock.</summary>
     /// <param name="pool">Has its SCLK kernel.</param>
     /// <param name="clock">NAIF's number of the clock, usually of the spacecraft.</param>
-    /// <param name="scale">Scale of the leap seconds kernel.</param>
+    /// <param name="scale">Time scale of the leap seconds kernel.</param>
     /// <exception cref="BadInputException">There is none, or it can't be read.</exception>
     public static SpacecraftClock Read(KernelPool pool, int clock, TimeScale scale) => IsIn(pool, clock)
         ? new SpacecraftClock(pool, clock, scale)

@@ -115,7 +115,7 @@ internal sealed class SpkStates : SpkSegment
         return state;
     }
 
-    /// <summary>Of the packets of type 18 the second half are velocity and acceleration, which have a polynomial of their own.</summary>
+    /// <summary>The second half of a packet of type 18 is velocity and acceleration, which have a polynomial of their own.</summary>
     private StateVector Hermite(ReadOnlySpan<double> packets, ReadOnlySpan<double> times, double time)
     {
         Span<(double Value, double Rate)> ofValues = stackalloc (double, double)[times.Length];

@@ -40,13 +40,13 @@ internal sealed class BatchFrame
 
     /// <summary>The attitude of a quaternion.</summary>
     /// <param name="numbers">qx, qy, qz, q0 as the file has them.</param>
-    /// <exception cref="BadInputException">They are no rotation.</exception>
+    /// <exception cref="BadInputException">They are not a rotation.</exception>
     public UnitQuaternion OfQuaternion(Instant time, ReadOnlySpan<double> numbers) =>
         MoonFromCamera(time, UnitQuaternion.FromComponents(numbers[0], numbers[1], numbers[2], numbers[3], _normalizes));
 
     /// <summary>The attitude of a matrix.</summary>
     /// <param name="numbers">By rows, as the file has them.</param>
-    /// <exception cref="BadInputException">They are no rotation.</exception>
+    /// <exception cref="BadInputException">They are not a rotation.</exception>
     public UnitQuaternion OfMatrix(Instant time, ReadOnlySpan<double> numbers) =>
         MoonFromCamera(time, GivenRotation.OfMatrix(numbers, _normalizes));
 

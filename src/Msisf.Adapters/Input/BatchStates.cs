@@ -54,7 +54,7 @@ internal sealed class BatchStates(BatchColumns columns, BatchConventions said, B
     /// <summary>Makes a state of seven numbers, or of thirteen with the motion.</summary>
     /// <param name="numbers">Those behind the time, in their order.</param>
     /// <param name="frame">Turns positions and attitudes into those of MOON_ME.</param>
-    /// <exception cref="BadInputException">They are no state.</exception>
+    /// <exception cref="BadInputException">They are not a state.</exception>
     public static SpacecraftState Of(Instant time, ReadOnlySpan<double> numbers, BatchFrame frame)
     {
         int count = SpacecraftState.NumberNames.Count - 1;

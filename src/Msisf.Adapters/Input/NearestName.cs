@@ -3,7 +3,7 @@ namespace Msisf.Adapters.Input;
 /// <summary>Finds the name that a misspelt word most likely means.</summary>
 public static class NearestName
 {
-    /// <summary>Maximum length of a word, characters: a longer word is no misspelt name, and comparing it would take long.</summary>
+    /// <summary>Maximum length of a word, characters: a longer word is not a misspelt name, and comparing it would take long.</summary>
     private const int LongestWord = 100;
 
     /// <summary>Maximum part of a word's characters that may differ for a name to be worth naming.</summary>

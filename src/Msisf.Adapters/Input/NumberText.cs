@@ -84,7 +84,7 @@ public static class NoiseSeedText
 
     /// <summary>Reads a seed.</summary>
     /// <param name="step">Number of the frame if the text has none.</param>
-    /// <exception cref="BadInputException">It is no such text.</exception>
+    /// <exception cref="BadInputException">It is not such a text.</exception>
     public static NoiseSeed Parse(string text, ulong step)
     {
         string[] parts = text.Split(':');

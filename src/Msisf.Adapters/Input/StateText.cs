@@ -133,7 +133,7 @@ public static class StateText
             return [];
         }
 
-        // Words that the shell made of the braces have neither braces nor commas left; a stray blank inside braces is no separator.
+        // Words that the shell made of the braces have neither braces nor commas left; a stray blank inside braces is not a separator.
         bool isExpanded = inner.Length == joined.Length && !inner.Contains(',');
         return isExpanded
             ? [.. inner.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries)]

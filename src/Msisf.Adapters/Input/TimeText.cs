@@ -37,7 +37,7 @@ public static partial class TimeText
     public static CalendarTime Parse(ReadOnlySpan<char> text) =>
         Read(text, out CalendarTime time) is { } problem ? throw new BadInputException($"{problem}.") : time;
 
-    /// <summary>The text of a moment that <see cref="Parse"/> reads as the same one: its MJD if that names it, else ISO 8601.</summary>
+    /// <summary>The text of a moment that <see cref="Parse"/> reads as the same one: its MJD if that names it, or ISO 8601.</summary>
     public static string Of(Instant moment)
     {
         CalendarTime time = moment.Utc;

@@ -103,7 +103,7 @@ internal static unsafe class GdalMapWriter
     }
 }
 
-/// <summary>What GDAL is told of a map.</summary>
+/// <summary>What GDAL needs to know of a map.</summary>
 /// <param name="Type">Type of its numbers, in GDAL's words.</param>
 /// <param name="Grid">Its cells.</param>
 /// <param name="Wkt">Its coordinate reference system.</param>
@@ -116,7 +116,7 @@ internal sealed record GdalMap(string Type, MapGrid Grid, string Wkt, string NoD
     /// <summary>What the first band holds, as programs show it; empty for nothing.</summary>
     public string Description { get; init; } = string.Empty;
 
-    /// <summary>Of the first band's numbers; empty for none.</summary>
+    /// <summary>Unit of the first band's numbers; empty for none.</summary>
     public string Unit { get; init; } = string.Empty;
 
     /// <summary>How coarser levels are made, in GDAL's words; null for its own choice.</summary>

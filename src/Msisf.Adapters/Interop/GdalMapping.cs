@@ -52,7 +52,7 @@ internal sealed unsafe class GdalMapping : IDisposable
     }
 
     /// <summary>Reads a part of a row.</summary>
-    /// <param name="line">Line of the image, from 0.</param>
+    /// <param name="line">Line of the image, counted from 0.</param>
     /// <param name="sample">The first pixel.</param>
     /// <param name="values">Receives the stored values.</param>
     public void Read(int line, int sample, Span<float> values)

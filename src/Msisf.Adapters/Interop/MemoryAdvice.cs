@@ -34,7 +34,7 @@ internal static unsafe partial class MemoryAdvice
     /// <param name="lines">Number of lines, at least 1.</param>
     /// <param name="bytes">Bytes of each line, at least 1.</param>
     /// <remarks>
-    /// Of a file that neither belongs to the user nor may be written by them Linux says that all pages are in memory; then nothing is
+    /// Linux says that all pages are in memory if a file neither belongs to the user nor may be written by them; then nothing is
     /// asked for. Looking first keeps a model that was read before as fast as it was: advice costs 0.5 microseconds a line.
     /// </remarks>
     public static void Prefetch(nint first, long stride, int lines, int bytes)

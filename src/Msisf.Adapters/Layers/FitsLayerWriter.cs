@@ -21,7 +21,7 @@ public static class FitsLayerWriter
     public static void RequireCFitsio() => CFitsio.RequireLibrary(CFitsioNative.Library);
 
     /// <summary>Writes one file. The bytes depend on the arguments alone, not on the clock or the number of cores.</summary>
-    /// <param name="stream">Receives the file; stays open. Of an image that is drawn row by row it is a file of its own.</param>
+    /// <param name="stream">Receives the file; stays open. An image that is drawn row by row has a file of its own for it.</param>
     /// <param name="frame">Goes into the primary header.</param>
     /// <param name="provenance">Goes there too.</param>
     /// <param name="truth">What the pixels show; its camera is the frame's.</param>

@@ -37,7 +37,7 @@ internal sealed class StoredLayer : IDisposable
 
     public Layer Layer { get; }
 
-    /// <summary>Of the stored numbers.</summary>
+    /// <summary>Type of the stored numbers.</summary>
     public LayerType Type { get; }
 
     /// <summary>The numbers.</summary>

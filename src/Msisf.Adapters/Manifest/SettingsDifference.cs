@@ -36,7 +36,7 @@ public static class SettingsDifference
             .. Arguments(Text(old, "arguments"), Text(now, "arguments")),
             .. Model(old, now),
             .. Changed("ephemeris ", Text(old, "ephemeris"), Text(now, "ephemeris")),
-            .. Kernels(old).Length == 0 || Kernels(now).Length == 0 ? [] : Files(Kernels(old), Kernels(now)), // else the line above says it
+            .. Kernels(old).Length == 0 || Kernels(now).Length == 0 ? [] : Files(Kernels(old), Kernels(now)), // or the line above says it
             .. Changed("POV-Ray ", Text(old, "povray"), Text(now, "povray")),
         ];
     }

@@ -14,7 +14,7 @@ namespace Msisf.Adapters.Maps;
 /// Writes images and their layers on a map, as Cloud Optimized GeoTIFFs. A cell has the number of the pixel in which its middle is seen.
 /// </summary>
 /// <param name="map">Which pixel each cell shows.</param>
-/// <param name="frame">Frame of the image.</param>
+/// <param name="frame">Metadata of the image.</param>
 /// <param name="libraryPath">MSISF_GDAL, or null.</param>
 public sealed class ImageMapFiles(ImageMap map, FrameMetadata frame, string? libraryPath)
 {

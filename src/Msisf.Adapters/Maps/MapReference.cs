@@ -60,7 +60,7 @@ public sealed record MapReference(string Wkt, string? Name)
             name);
     }
 
-    /// <summary>Of angles that were given in degrees; the radians' rounding is taken off.</summary>
+    /// <summary>Degrees of an angle that was given in degrees; the rounding of the radians is removed.</summary>
     private static double Degrees(double angle) => Math.Round(double.RadiansToDegrees(angle), 9);
 
     private static string Text(double number) => number.ToString("R", CultureInfo.InvariantCulture);

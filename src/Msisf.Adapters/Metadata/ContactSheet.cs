@@ -6,7 +6,7 @@ namespace Msisf.Adapters.Metadata;
 /// <summary>Draws small images of many frames on one, each with its step.</summary>
 public static class ContactSheet
 {
-    /// <summary>The most images on a sheet. Of more frames, this many are shown, evenly spread from the first to the last.</summary>
+    /// <summary>The most images on a sheet. If there are more, this many are shown, evenly spread from the first to the last.</summary>
     public const int MaxImages = 100;
 
     private const int Columns = 10;

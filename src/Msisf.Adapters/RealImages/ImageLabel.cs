@@ -52,7 +52,7 @@ public sealed class ImageLabel(string path, IReadOnlyDictionary<string, LabelVal
         };
 
     /// <summary>The numbers of a keyword of a cube's NaifKeywords; null if they are not there.</summary>
-    /// <exception cref="BadInputException">They are no numbers.</exception>
+    /// <exception cref="BadInputException">They are not numbers.</exception>
     public double[]? NaifNumbers(string name) =>
         Naif.TryGetValue(name, out LabelValue? value) ? [.. value.Items.Select(item => Parse(name, item))] : null;
 

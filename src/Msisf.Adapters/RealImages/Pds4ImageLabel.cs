@@ -39,7 +39,7 @@ internal static class Pds4ImageLabel
                 ImageLabel.NameOf(leaf.Name.LocalName), new LabelValue([leaf.Value.Trim()], leaf.Attribute("unit")?.Value));
         }
 
-        // Names of the parts of the observing system and of the target stand in elements of the same name.
+        // Elements of the same name hold the names of the observing system's parts and of the target.
         Put(keywords, "INSTRUMENTNAME", Below(root, "Observing_System_Component"), path);
         Put(keywords, "TARGETNAME", Below(root, "Target_Identification"), path);
         Rename(keywords, "STARTDATETIME", "STARTTIME");

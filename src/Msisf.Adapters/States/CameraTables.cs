@@ -32,7 +32,7 @@ public static class CameraTables
     }
 
     /// <summary>COLMAP's images.txt; the images are numbered from 1 through all cameras.</summary>
-    /// <param name="cameras">Cameras of each camera the states, and names without extension.</param>
+    /// <param name="cameras">States of each camera, and the images' names without extension.</param>
     public static void WriteColmapImages(
         TextWriter writer, IReadOnlyList<(SpacecraftState[] States, string[] Names)> cameras)
     {

@@ -13,7 +13,7 @@ internal static class DafWriter
     private const int Integers = 6;
     private const int SummaryBytes = 40; // two doubles and six integers; a name has as many
 
-    /// <summary>Of file and segment; the standard allows 40 characters.</summary>
+    /// <summary>Name of file and segment; the standard allows 40 characters.</summary>
     private const string Name = "msis states";
 
     /// <summary>What NAIF's programs look for to find damage by transfers of text.</summary>

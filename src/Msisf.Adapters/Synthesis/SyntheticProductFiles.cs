@@ -45,7 +45,7 @@ internal static class SyntheticProductFiles
                 RandomAccess.FlushToDisk(file);
             }
 
-            // The old label goes first: it must never stand beside the new image.
+            // The old label goes first: it must never be beside the new image.
             File.Delete(label);
             File.Move(temporary, image, overwrite: true);
             AtomicFile.WriteText(label, writer => writeLabel(writer, extremes));

@@ -77,7 +77,7 @@ internal sealed class AsciiWriter : IDisposable
     /// <summary>Writes three numbers as POV-Ray's vector.</summary>
     public void WriteVector(long a, long b, long c)
     {
-        Reserve(); // three numbers of 64 bits and what stands between them are 64 bytes
+        Reserve(); // three numbers of 64 bits and what is between them are 64 bytes
         Add((byte)'<');
         Add(a);
         Add((byte)',');

@@ -122,7 +122,7 @@ internal sealed partial class HorizonsVectors(TrajectoryReading reading)
     /// <summary>rad: the angle of the axes' x-y plane to the ICRF's; null for axes that are not read.</summary>
     private double? AxesOf(string frame)
     {
-        // Until 2020 the frame was ICRF/J2000.0 always, and the plane stood in a line of its own.
+        // Until 2020 the frame was ICRF/J2000.0 always, and the plane had a line of its own.
         string plane = _header.TryGetValue("Coordinate systm", out (string Value, int) system) ? system.Value : frame;
         return !frame.StartsWith("ICRF", StringComparison.OrdinalIgnoreCase)
             && !frame.Equals("Ecliptic of J2000.0", StringComparison.OrdinalIgnoreCase) ? null

@@ -135,7 +135,7 @@ internal sealed partial class StkEphemeris(TrajectoryReading reading)
                     throw reading.Place.Error("the time is before that of the line above. Put the lines into the order of time.");
                 }
 
-                EndBlock(); // a time that stands twice ends a segment: at a manoeuvre
+                EndBlock(); // a time that occurs twice ends a segment: at a manoeuvre
             }
 
             _samples.Interpolation = interpolation;

@@ -95,7 +95,7 @@ internal sealed class RunConversion(ProgramHost host)
         };
         string text = slurm is null ? ScriptText.Of(format, script) : ScriptText.Slurm(script, slurm);
 
-        // What all pieces have by an option can't stand in the file too.
+        // What an option sets for all pieces can't be in the file too.
         SpacecraftState[] states = [.. run.Cameras[0].BodyStates.Select(state => state with
         {
             Noise = trajectory.Noise is null ? state.Noise : null,

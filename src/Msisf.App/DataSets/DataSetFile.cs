@@ -219,7 +219,7 @@ internal sealed class DataSetFile
             throw _file.Wrong(OptionsKey, $"'{foreign[2..]}' is an option of another command. Leave it out");
         }
 
-        // A camera may be a preset's name too, so that it is no path for configuration files.
+        // A camera may be a preset's name too, so configuration files do not treat it as a path.
         string folder = Path.GetDirectoryName(Path.GetFullPath(_path))!;
         if (values.TryGetValue(ImageOptions.Camera.Name, out OptionValue? camera)
             && Path.GetFullPath(camera.Words[0], folder) is var cameraFile && File.Exists(cameraFile))

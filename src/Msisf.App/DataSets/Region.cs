@@ -13,7 +13,7 @@ internal readonly record struct Region(double South, double North, double West, 
     /// <summary>Its part of the sphere.</summary>
     public double Area => (SineOf(North) - SineOf(South)) * (East - West) / (2.0 * FullTurn);
 
-    /// <summary>A place in it; places are as many on each area of the same size.</summary>
+    /// <summary>A place in it; places are uniform over its area.</summary>
     /// <param name="x">From west to east, [0, 1).</param>
     /// <param name="y">From south to north, [0, 1).</param>
     /// <returns>Latitude and longitude, degrees.</returns>

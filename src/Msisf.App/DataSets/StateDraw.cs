@@ -84,7 +84,7 @@ internal sealed class StateDraw(
             draws.Add(new SplitDraw(split, candidate, rejected));
         }
 
-        // Both images of a pair stand side by side; each has a step of the noise.
+        // Both images of a pair are side by side; each has a step of the noise.
         int[] next = new int[taken.Length];
         return new DrawnStates([.. spec.Order.SelectMany(split => taken[split][next[split]++]).Select(WithNoise)], draws);
     }

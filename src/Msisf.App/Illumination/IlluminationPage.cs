@@ -16,7 +16,7 @@ internal sealed class IlluminationPage(IlluminationSettings settings, string ver
     /// <summary>Steps of a path that are drawn: more make a page that is slow to open.</summary>
     private const int MostSteps = 10_000;
 
-    /// <summary>Of many points fewer steps are drawn of each.</summary>
+    /// <summary>Limit on the steps of all points: with many points, fewer steps of each are drawn.</summary>
     private const int StepsOfAllPaths = 200_000;
 
     /// <summary>A month hour by hour.</summary>

@@ -195,7 +195,7 @@ internal sealed class IlluminationRegion
     }
 
     /// <summary>
-    /// Longitudes of two corners, degrees: from the first one to the east if the second is greater, else the shorter way. The middle lies
+    /// Longitudes of two corners, degrees: from the first one to the east if the second is greater, or the shorter way. The middle is
     /// between -180 and 180, so that maps on both sides of longitude 0 meet there.
     /// </summary>
     private static (double First, double Second) Unwrapped(double first, double second)

@@ -13,10 +13,10 @@ namespace Msisf.App.Illumination;
 /// <param name="directions">Their middles.</param>
 internal sealed class NasaComparison(MapGrid region, IReadOnlyList<Vector3D> directions)
 {
-    /// <summary>Best places of each map that are told.</summary>
+    /// <summary>Number of best places of each map in the report.</summary>
     private const int Best = 5;
 
-    /// <summary>m: best places are no nearer to each other.</summary>
+    /// <summary>Smallest distance between best places, m.</summary>
     private const double Apart = 1000.0;
 
     private readonly List<string> _rows = ["map,quantity,msisf,nasa,unit"];

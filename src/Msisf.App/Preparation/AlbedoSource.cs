@@ -73,7 +73,7 @@ internal static class AlbedoSource
         : Folders(host).Select(folder => Path.Combine(folder, given)).FirstOrDefault(Path.Exists) ?? given;
 
     /// <summary>
-    /// The largest known map of a band in the first folder that has one; else one of another band, which is then refused; null if there is
+    /// The largest known map of a band in the first folder that has one; or one of another band, which is then refused; null if there is
     /// none.
     /// </summary>
     internal static string? Installed(IEnumerable<string> folders, SpectralBand band)

@@ -14,7 +14,7 @@ namespace Msisf.App.Preparation;
 
 /// <summary>The path of a camera that flies as the files of a mission say.</summary>
 /// <param name="Path">Its pose at each time.</param>
-/// <param name="Scale">Scale of the kernels' leap seconds.</param>
+/// <param name="Scale">Time scale of the kernels' leap seconds.</param>
 internal sealed record MissionPath(SpacecraftPath Path, TimeScale Scale)
 {
     /// <summary>Maximum number of images of --every; a frame a second for four months.</summary>

@@ -59,7 +59,7 @@ internal static class PlausibleMistakes
     };
 
     /// <summary>The warning that the speed of moving cameras deserves.</summary>
-    /// <param name="motions">Motions of the camera, or of each state; null where it is not known.</param>
+    /// <param name="motions">Motion of the camera, or of each state; null where it is not known.</param>
     public static IEnumerable<string> Speed(IEnumerable<CameraMotion?> motions)
     {
         double fastest = motions.Max(motion => motion?.VelocityBodyFixed.Length) ?? 0.0;

@@ -30,7 +30,7 @@ internal static class ScanStates
             double end = scan?.SecondsOf(scan.Count - 1) ?? 0.0;
             RequireJitter(jitter, start - reach, start + end + reach);
             ScanPath path = PathOf(state, motion, scan).Of(scan, jitter?.Jitter, start, needs.Mounting);
-            _ = (path.At(-reach), path.At(end + reach)); // else the last line would find what is missing
+            _ = (path.At(-reach), path.At(end + reach)); // otherwise the last line would find what is missing
             bool isMoving = scan is null && (motion ?? state.Motion) is not null;
             return state with
             {

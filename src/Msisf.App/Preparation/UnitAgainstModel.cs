@@ -26,7 +26,7 @@ internal static class UnitAgainstModel
     {
         if (models.FirstOrDefault(model => model.IsWholeMoon) is not { } moon)
         {
-            return; // which is told elsewhere
+            return; // which another check reports
         }
 
         foreach (ElevationModel model in models)

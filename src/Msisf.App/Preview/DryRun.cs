@@ -109,12 +109,12 @@ internal sealed record PreviewRow(int Step, Instant Time, double HeightOverGroun
     public string? Camera { get; init; }
 
     /// <summary>
-    /// Of several models the resolution at which each would be drawn, the coarsest model first; null for one that is left out. Empty for
+    /// Resolution at which each of several models would be drawn, coarsest first; null for one that is left out. Empty for
     /// one model, and with invented detail, below which models are drawn as they are.
     /// </summary>
     public IReadOnlyList<GridResolution?> Drawn { get; init; } = [];
 
-    /// <summary>Whether the camera has a detector whose numbers are told.</summary>
+    /// <summary>Whether the camera has a detector whose numbers are shown.</summary>
     public bool HasSignal { get; init; }
 
     /// <summary>What the detector gives for lit ground; null if none is in the image.</summary>

@@ -48,7 +48,7 @@ internal sealed record RenderedFrame(
     /// <summary>The terrain that the image shows, at its level of detail; null if the renderer does not say.</summary>
     public ITerrain? Terrain { get; init; }
 
-    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    /// <summary>Resolution at which each of several models is drawn; null for one that is left out. Empty for one model.</summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; init; } = [];
 }
 

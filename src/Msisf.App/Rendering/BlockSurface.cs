@@ -114,7 +114,7 @@ internal sealed class BlockLevel
     /// <summary>Resolution of the finest model that is drawn.</summary>
     public GridResolution Resolution { get; }
 
-    /// <summary>Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.</summary>
+    /// <summary>Resolution at which each of several models is drawn; null for one that is left out. Empty for one model.</summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     public SceneBlocks Blocks { get; }

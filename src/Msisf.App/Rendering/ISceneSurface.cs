@@ -35,7 +35,7 @@ internal interface ISceneMeshes
     /// <summary>Resolution of the finest and of the coarsest level of detail; those of the model if the image shows none.</summary>
     (GridResolution Finest, GridResolution Coarsest) Levels { get; }
 
-    /// <summary>Of several models the resolution at which each is drawn; empty for one model.</summary>
+    /// <summary>Resolution at which each of several models is drawn; empty for one model.</summary>
     IReadOnlyList<GridResolution?> PartResolutions { get; }
 
     SceneAxes Axes { get; }

@@ -14,7 +14,7 @@ internal sealed class PovAlbedo(OpenedAlbedoMap opened, string folder)
 {
     private readonly Lock _gate = new();
 
-    /// <summary>The map for a frame: the finest level whose pixels are no smaller than the image's where the Moon is nearest.</summary>
+    /// <summary>The map for a frame: the finest level with pixels at least as large as the image's where the Moon is nearest.</summary>
     public SceneAlbedo For(FrameCamera camera)
     {
         AlbedoMap map = opened.Map;

@@ -22,7 +22,7 @@ internal sealed class RenderRun
     private readonly ProgramHost _host;
     private readonly RunTimes _times;
 
-    /// <summary>Of each camera of the rig, or of the only one: they differ in what a rig says of a camera.</summary>
+    /// <summary>Settings of each camera of the rig, or of the only one: they differ in what a rig says of a camera.</summary>
     private RenderSettings[] _cameras;
 
     private RenderRun(IReadOnlyList<RenderSettings> cameras, ProgramHost host) =>

@@ -13,7 +13,7 @@ internal sealed class DrawnPixels(ICamera camera, Func<ICamera, NativeFrame> dra
     /// <summary>px: pixels of one square of the image are drawn together.</summary>
     private const int SquareSide = 32;
 
-    /// <summary>Of more squares the rectangle around all is drawn: each part costs a search for what it shows.</summary>
+    /// <summary>With more squares, the rectangle around all is drawn: each part costs a search for what it shows.</summary>
     private const int MaxSquares = 32;
 
     /// <summary>Reads what pixels show; null if it is not the Moon.</summary>

@@ -9,7 +9,7 @@ internal static class JsonText
 {
     /// <summary>Reads a request.</summary>
     /// <exception cref="UsageException">It is not UTF-8.</exception>
-    /// <exception cref="JsonException">It is no JSON.</exception>
+    /// <exception cref="JsonException">It is not JSON.</exception>
     public static JsonElement Parse(byte[] text) => Utf8.IsValid(text)
         ? JsonElement.Parse(text)
         : throw new UsageException("the request is not UTF-8 text, as JSON is.");

@@ -19,7 +19,7 @@ internal sealed record RequestedFrame(ServedModel Model, TrajectorySettings? Pla
     /// <summary>Tells sessions apart: all options but those that say where the camera is.</summary>
     public string SessionKey => _sessionKey.Value;
 
-    /// <summary>What the maps of the session are told apart by.</summary>
+    /// <summary>Key that distinguishes the maps of sessions.</summary>
     public string MapsKey => MapsKeyOf(Settings);
 
     /// <summary>The same frame as a camera of a rig has it.</summary>

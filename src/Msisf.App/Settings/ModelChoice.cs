@@ -55,7 +55,7 @@ internal static class ModelChoice
                 path!, SurfaceOptions.Resolution.Read(values), CelestialBody.Of(SurfaceOptions.Body.Read(values))));
         }
 
-        bool isFile = File.Exists(path); // a missing one is told when it is opened
+        bool isFile = File.Exists(path); // a missing one is reported when it is opened
         bool isSaid = values.IsGiven(SurfaceOptions.Resolution)
             || (values.Text(SurfaceOptions.Resolution) is not null && !values.IsGiven(SurfaceOptions.Ldem));
         if (path is not null && RasterFiles.IsForGdal(path))

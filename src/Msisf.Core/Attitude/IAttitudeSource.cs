@@ -25,7 +25,7 @@ public interface IAttitudeSource
 /// <param name="IsOverBody">Whether it is relative to the turning body; otherwise relative to J2000.</param>
 public readonly record struct TurnRate(Vector3D AboutCamera, bool IsOverBody);
 
-/// <summary>A spacecraft at one time of its trajectory; <c>default</c> is no point.</summary>
+/// <summary>A spacecraft at one time of its trajectory; <c>default</c> is not a point.</summary>
 /// <param name="Time">When.</param>
 /// <param name="Tdb">The same time, as kernels count it.</param>
 /// <param name="StateJ2000">Position (m) and velocity (m/s) relative to the body's centre, J2000.</param>

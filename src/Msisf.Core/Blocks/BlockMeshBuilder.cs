@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Core.Blocks;
 
 /// <summary>Collects the facets of one mesh. A vertex that facets share is kept once; a facet of two equal corners is none.</summary>
-/// <param name="stepsPerMetre">Of the lattice on which all vertices lie, a power of two.</param>
+/// <param name="stepsPerMetre">Steps per metre of the lattice on which all vertices lie, a power of two.</param>
 internal sealed class BlockMeshBuilder(double stepsPerMetre)
 {
     private readonly Dictionary<Vector3D, int> _numbers = [];

@@ -33,7 +33,7 @@ public sealed class BandedCamera : ICamera
 
     /// <summary>A camera whose rows have states of their own; neighbouring rows of the same state are one band.</summary>
     /// <param name="model">The camera; each row sees what this one's row sees.</param>
-    /// <param name="states">States of each row, from the top.</param>
+    /// <param name="states">State of each row, from the top.</param>
     public static ICamera Of(CameraModel model, IReadOnlyList<CameraState> states)
     {
         ArgumentOutOfRangeException.ThrowIfNotEqual(states.Count, model.Height);
@@ -73,7 +73,7 @@ public sealed class BandedCamera : ICamera
 
     /// <inheritdoc/>
     /// <remarks>
-    /// Of the bands that see it the one in whose rows it lies, or beside whose rows it lies nearest. A point that lies in no band's rows
+    /// The band is, among those that see the point, the one whose rows it is in or nearest to. A point that is in no band's rows
     /// has a place beside the image, even where its place beside that band would be among the rows of others.
     /// </remarks>
     public bool TryProjectPoint(Vector3D pointBodyFixed, out RenderingPoint point)

@@ -48,7 +48,7 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
     public double SecondsOf(int exposure) => exposure * Period;
 
     /// <summary>The camera of the whole image.</summary>
-    /// <param name="states">States of each exposure.</param>
+    /// <param name="states">State of each exposure.</param>
     public ICamera CameraOf(CameraModel model, IReadOnlyList<CameraState> states)
     {
         ArgumentOutOfRangeException.ThrowIfNotEqual(states.Count, Count);
@@ -72,7 +72,7 @@ public sealed record Scan(ScanKind Kind, int Count, double Period)
         _ => model.Window(0, exposure, model.Width, 1),
     };
 
-    /// <summary>Which rows of its detector an exposure lies on: of a rolling shutter's one of the image, else all of its own.</summary>
+    /// <summary>Rows of the detector that an exposure lies on: one row of the image for a rolling shutter, otherwise all.</summary>
     /// <inheritdoc cref="ExposureOf"/>
     public PixelRows DetectorRowsOf(CameraModel model, int exposure) => Kind == ScanKind.RollingShutter
         ? new PixelRows(exposure, exposure + 1)

@@ -39,7 +39,7 @@ internal sealed class FacetBand
         double ofLattice = Tolerances.VertexLattice * around / length;
         double change = (reach * (byA.Length + byB.Length + byC.Length)) + both + ofLattice;
 
-        // Of x + y, |y| <= e < 1, divided by its length: x plus the part of y across it, and no more than this.
+        // x + y with |y| <= e < 1, divided by its length, is x plus the part of y across it, and no more than this.
         double rest = change * change * ((0.5 / ((1.0 - change) * (1.0 - change))) + (1.0 / (1.0 - change)));
         Turns = (reach * Across(byA), reach * Across(byB), reach * Across(byC));
         Rest = change < GreatestChange ? rest + both + ofLattice : double.PositiveInfinity;

@@ -164,7 +164,7 @@ public sealed class CameraDetector
     }
 
     /// <summary>The derivatives of the electrons of an image, from those of its radiance factors.</summary>
-    /// <param name="factors">Factors of the frame, drawn with <see cref="WindowOf"/>.</param>
+    /// <param name="factors">Radiance factors of the frame, drawn with <see cref="WindowOf"/>.</param>
     /// <param name="middle">The frame.</param>
     public SensitivityField ElectronsOf(SensitivityField factors, NativeFrame middle, int threads, CancellationToken cancellation)
     {

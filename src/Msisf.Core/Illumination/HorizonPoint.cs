@@ -8,7 +8,7 @@ namespace Msisf.Core.Illumination;
 /// <param name="Tangent">Tangent of the elevation.</param>
 internal readonly record struct HorizonPoint(double East, double North, double Up, float Column, float Tangent)
 {
-    /// <summary>Tangents are no lower: straight down.</summary>
+    /// <summary>The lowest tangent: straight down.</summary>
     public const float Lowest = -1e6f;
 
     /// <summary>Finds where a vertex is seen.</summary>

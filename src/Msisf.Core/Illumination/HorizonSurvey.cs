@@ -26,7 +26,7 @@ public sealed class HorizonSurvey
     /// <summary>m: a place on the ground is so high over its facet, so that no light passes through the joint of two facets.</summary>
     public const double LeastHeight = 1e-3;
 
-    /// <summary>m: places are no higher over the ground.</summary>
+    /// <summary>Greatest height of a place over the ground, m.</summary>
     public const double MaxHeight = 10_000.0;
 
     private const double StoredErrorDegrees = 0.0015;
@@ -40,7 +40,7 @@ public sealed class HorizonSurvey
 
     /// <summary>Prepares a survey.</summary>
     /// <param name="terrain">The model, or several.</param>
-    /// <param name="tracer">Tracer of the same.</param>
+    /// <param name="tracer">Traces rays on the same terrain.</param>
     /// <param name="directions">Places that span all that are asked for.</param>
     /// <param name="isMoon">Whether it is the Moon, over which the Sun's and the Earth's places are limited.</param>
     public HorizonSurvey(ITerrain terrain, ITerrainTracer tracer, IEnumerable<Vector3D> directions, bool isMoon)

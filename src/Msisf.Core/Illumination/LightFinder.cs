@@ -15,7 +15,7 @@ internal sealed class LightFinder
     /// <summary>W/m^2 at one astronomical unit.</summary>
     private const double FluxAtAu = 1361.0;
 
-    /// <summary>Part of a disc that is told of a sliver which rays see, but no strip.</summary>
+    /// <summary>Part of a disc that is reported for a sliver which rays see, but no strip.</summary>
     private const float LeastPart = 1e-6f;
 
     private readonly DiscOfLight _sunDisc = new(Strips, isDarkened: true);

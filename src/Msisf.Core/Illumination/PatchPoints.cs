@@ -169,8 +169,8 @@ internal sealed class PatchPoints
 
     /// <summary>
     /// Raises a horizon to the ridges of the patch: edges of a facet that faces the place, over which that facet does not rise, and beyond
-    /// which the next one does not face the place. Over all others the ground rises on, or has fallen before. Of an edge of the patch's
-    /// border only its own facet is known: it is raised by the patch whose facet faces the place, and on the border of the model always.
+    /// which the next one does not face the place. Over all others the ground rises on, or has fallen before. Only one facet of an edge
+    /// on the patch's border is known: the edge is raised by the patch whose facet faces the place, and on the border of the model always.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void RaiseRidges(HorizonBuffer buffer, CellRange cells, CellRange mesh)

@@ -91,7 +91,7 @@ public sealed class PlaceRays
             (low, high, top) = (high, Math.Min(high + step, Steepest), TopOfLast(azimuth));
         }
 
-        // Mostly the facet that is met stands on the horizon: a ray over its top is free. If not, the next one halves.
+        // Mostly the facet that is met is on the horizon: a ray over its top is free. If not, the next one halves.
         for (bool isOverTop = true; high - low > HorizonError; isOverTop = !isOverTop)
         {
             double above = top + (0.4 * HorizonError);

@@ -26,7 +26,7 @@ internal sealed class SkySteps(LightTimes times, int columns, double steepest)
     /// <summary>For each sixteen steps those at which the body is wholly in view, the first in the lowest bit.</summary>
     public uint[] Whole { get; } = new uint[times.X.Length / Lanes];
 
-    /// <summary>The steps at which the horizon is near the body; so many are told apart later that the last one comes again.</summary>
+    /// <summary>The steps at which the horizon is near the body; the last one is repeated to fill the lanes.</summary>
     public ReadOnlySpan<int> Near => _near.AsSpan(0, NearCount);
 
     /// <summary>Number of <see cref="Near"/>.</summary>

@@ -22,7 +22,7 @@ public sealed class LayerSet
     /// <summary>In the order of <see cref="LayerCatalogue.All"/>, each once; at least one.</summary>
     public IReadOnlyList<Layer> Layers { get; }
 
-    /// <summary>Layers that are no part of the catalogue.</summary>
+    /// <summary>Layers that are not in the catalogue.</summary>
     internal static LayerSet Of(IReadOnlyList<Layer> layers) => new(layers);
 
     /// <summary>Reads the value of <c>--layers</c>.</summary>

@@ -13,7 +13,7 @@ namespace Msisf.Core.Lod;
 /// </summary>
 /// <remarks>
 /// Rounding: a height below 16 km is off by at most 2^-11 m a level, after ten levels by less than 2^-7 m, the step of the vertices.
-/// Of 16-bit models with steps of 0.5 m the first four levels are exact.
+/// The first four levels of 16-bit models with steps of 0.5 m are exact.
 /// </remarks>
 public sealed class BlockReducer
 {

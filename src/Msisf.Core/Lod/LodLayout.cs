@@ -4,7 +4,7 @@ namespace Msisf.Core.Lod;
 
 /// <summary>
 /// How the samples of a level are cut into blocks, which are computed, kept and stored as a whole. Blocks begin at multiples of
-/// <see cref="Side"/> lines and samples of the level's grid; those at the borders of its window may be smaller. <c>default</c> is no
+/// <see cref="Side"/> lines and samples of the level's grid; those at the borders of its window may be smaller. <c>default</c> is not a
 /// layout.
 /// </summary>
 /// <param name="Window">The part of the grid that the level has.</param>

@@ -7,7 +7,7 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Maps;
 
 /// <summary>
-/// Finds the pixels in which an image shows the cells of a map. Of each cell the ground in its middle counts: single rays tell where it is,
+/// Finds the pixels in which an image shows the cells of a map. Each cell is represented by its centre: single rays find where it is
 /// and whether other ground hides it from the camera.
 /// </summary>
 public sealed class ImageMapper(IGroundTruth truth, ITerrain terrain)

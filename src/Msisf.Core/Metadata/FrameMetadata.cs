@@ -87,7 +87,7 @@ public sealed record DrawnGlobe(CelestialBody Body, double ReferenceRadius)
     /// <summary>The Moon on LOLA's sphere.</summary>
     public static DrawnGlobe Moon { get; } = new(CelestialBody.Moon, MoonConstants.ReferenceRadius);
 
-    /// <summary>m: radius over which the camera's altitude counts: for the Moon the thesis's mean radius, else the reference.</summary>
+    /// <summary>Radius from which the camera's altitude counts, m: the thesis's mean radius of the Moon, or the reference.</summary>
     public double AltitudeRadius => Body.IsMoon ? MoonConstants.MeanRadius : ReferenceRadius;
 
     /// <summary>A text that describes something of the Moon, for this body: with its name, frame and sphere.</summary>

@@ -53,7 +53,7 @@ public sealed record Crater(int Number, string Identity, string? Name, double La
     /// <summary>m: the minor axis; of a circle the same.</summary>
     public double MinorDiameter { get; init; } = Diameter;
 
-    /// <summary>Of the major axis, degrees from east towards north.</summary>
+    /// <summary>Direction of the major axis, degrees from east towards north.</summary>
     public double AngleDegrees { get; init; }
 
     /// <summary>Standard deviations; null where the catalogue has none.</summary>

@@ -18,7 +18,7 @@ public static class CraterPixels
         craters with { Views = [.. craters.Views.Select(view => WithParts(view, frame))] };
 
     /// <summary>
-    /// The <see cref="Crater.Number"/> of the crater that each pixel shows, by rows; 0 for none. Of several the smallest in the image: a
+    /// The <see cref="Crater.Number"/> of the crater that each pixel shows, by rows; 0 for none. The smallest in the image counts: a
     /// pixel shows a crater if its centre lies in the crater's ellipse and the terrain there does not hide the crater's disc.
     /// </summary>
     public static int[] NumbersOf(CratersOfFrame craters, IGroundTruth frame, int threads, CancellationToken cancellation = default)

@@ -7,7 +7,7 @@ namespace Msisf.Core.Navigation;
 /// <param name="Ellipse">How its rim is seen.</param>
 public sealed record CraterView(Crater Crater, CraterDisc Disc, ImageEllipse Ellipse)
 {
-    /// <summary>Points of the rim in the image where it is no ellipse: through a lens, or on the terrain. Empty where it is one.</summary>
+    /// <summary>Points of the rim in the image if it is not an ellipse: through a lens, or on the terrain. Empty if it is.</summary>
     public IReadOnlyList<RenderingPoint> Curve { get; init; } = [];
 
     /// <summary>px: root mean square distance of <see cref="Curve"/> from <see cref="Ellipse"/>; null without a curve.</summary>
@@ -57,7 +57,7 @@ public enum CraterLeftOutReason
 
 /// <summary>The craters of a frame.</summary>
 /// <param name="Views">Those in view, in the order of the catalogue.</param>
-/// <param name="LeftOut">Those in view that are no ellipses.</param>
+/// <param name="LeftOut">Those in view that are not ellipses.</param>
 /// <param name="TooSmall">How many more are in view, smaller than the least diameter.</param>
 public sealed record CratersOfFrame(IReadOnlyList<CraterView> Views, IReadOnlyList<CraterLeftOut> LeftOut, int TooSmall)
 {

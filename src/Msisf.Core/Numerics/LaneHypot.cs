@@ -19,7 +19,7 @@ internal static class LaneHypot
 
     /// <summary>Finds the lengths of a row's vectors.</summary>
     /// <param name="lengths">Receives their lengths, and up to seven numbers after them.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // else it would run with unoptimised vectors at first
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // otherwise it would run with unoptimised vectors at first
     public static void Lengths(VectorRow vectors, int count, double[] lengths)
     {
         for (int i = 0; i < count; i += Vector512<double>.Count)

@@ -79,7 +79,7 @@ public static class StateConversion
     }
 }
 
-/// <summary>The plane of an orbit and the angles that place it; no angle loses digits near 0 or pi. <c>default</c> is no plane.</summary>
+/// <summary>The plane of an orbit and the angles that place it; no angle loses digits near 0 or pi. <c>default</c> is not one.</summary>
 internal readonly record struct OrbitPlane
 {
     private readonly Vector3D _towardsNode;

@@ -51,8 +51,8 @@ public sealed class StateSamples
     /// <summary>The state at a time.</summary>
     /// <param name="time">Within the samples.</param>
     /// <returns>
-    /// Position (m) and velocity (m/s): the derivative of Hermite's polynomial; else of the samples' own velocities by the same weights, as
-    /// SPICE does it, or where there are none the derivative.
+    /// Position (m) and velocity (m/s). The velocity is the derivative of Hermite's polynomial; with Lagrange's it is the sum of the
+    /// samples' own velocities with the same weights, as in SPICE, or without them the derivative.
     /// </returns>
     public StateVector At(TdbTime time)
     {

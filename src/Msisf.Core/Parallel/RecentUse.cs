@@ -1,7 +1,7 @@
 namespace Msisf.Core.Parallel;
 
 /// <summary>
-/// How much of a buffer the last frames have used. A buffer that grows with the frames of an orbit would else keep for ever the size that
+/// How much of a buffer the last frames have used. A buffer that grows along an orbit would otherwise keep for ever the size that
 /// the frame with the most facets or shadows needed.
 /// </summary>
 internal sealed class RecentUse

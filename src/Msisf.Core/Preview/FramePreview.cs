@@ -8,8 +8,8 @@ using Msisf.Core.Tracing;
 namespace Msisf.Core.Preview;
 
 /// <summary>
-/// What an image will show, told from its camera and light without drawing it. The middle of the image is traced on the terrain. For all
-/// else the ground is a sphere: the one of LOLA, or for a camera near the ground the one through the ground below it. Slopes and the
+/// What an image will show, found from its camera and light without drawing it. The middle of the image is traced on the terrain. For the
+/// rest the ground is a sphere: the one of LOLA, or for a camera near the ground the one through the ground below it. Slopes and the
 /// shadows of mountains are left out.
 /// </summary>
 /// <param name="OffNadir">Angle between the viewing direction and the nadir, rad, [0, pi].</param>

@@ -67,8 +67,8 @@ internal sealed class SphereCoverage
     }
 
     /// <summary>
-    /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. Most frames
-    /// from a low orbit are told by this.
+    /// 1 or 0 if it is day or night on all that can be seen from a position, in whatever direction; null if both are there. This decides
+    /// most frames from a low orbit.
     /// </summary>
     private static double? UniformLight(Vector3D positionBodyFixed, Vector3D lightBodyFixed, double radius)
     {

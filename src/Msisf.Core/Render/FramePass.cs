@@ -42,12 +42,12 @@ internal sealed class FramePass : IDrawnFrame
     /// <summary>The surface that is drawn.</summary>
     public SurfaceModel Shown { get; private set; }
 
-    /// <summary>Of the last frame.</summary>
+    /// <summary>Camera of the last frame.</summary>
     public FrameCamera Camera { get; private set; } = null!;
 
     ICamera IDrawnFrame.Camera => Camera;
 
-    /// <summary>Of the last frame.</summary>
+    /// <summary>Light of the last frame.</summary>
     public SceneLight Light { get; private set; }
 
     /// <summary>Radiance factor I/F of each pixel, row by row from the top.</summary>

@@ -37,8 +37,8 @@ public sealed class NativeRenderer
     public GridResolution Resolution { get; }
 
     /// <summary>
-    /// Of several models the resolution at which each is drawn; null for one that is left out. Empty for one model.
-    /// With invented detail, of any number of models, and of its windows.
+    /// Resolution at which each of several models is drawn; null for one that is left out. Empty for one model.
+    /// With invented detail it has entries for any number of models, and for the windows.
     /// </summary>
     public IReadOnlyList<GridResolution?> PartResolutions { get; }
 

@@ -20,7 +20,7 @@ public static class PlanetMagnitude
     /// <param name="sunDistance">From the Sun, au.</param>
     /// <param name="distance">From the observer, au.</param>
     /// <param name="phase">Sun, planet, observer: degrees, 0 to 180.</param>
-    /// <param name="sunLatitude">Latitude of the point below the Sun, from the planet's centre, degrees; matters for Saturn and Uranus.</param>
+    /// <param name="sunLatitude">Planetocentric latitude of the point below the Sun, degrees; matters for Saturn and Uranus.</param>
     /// <param name="observerLatitude">The same of the point below the observer.</param>
     /// <param name="yearsPastJ2000">Julian years; matters for Neptune.</param>
     /// <remarks>
@@ -60,7 +60,7 @@ public static class PlanetMagnitude
     private static double Saturn(double phase, double sunLatitude, double observerLatitude)
     {
         double product = sunLatitude * observerLatitude;
-        double sine = product > 0.0 ? Trigonometry.Sin(double.DegreesToRadians(Math.Sqrt(product))) : 0.0; // else the rings are dark
+        double sine = product > 0.0 ? Trigonometry.Sin(double.DegreesToRadians(Math.Sqrt(product))) : 0.0; // otherwise the rings are dark
         double near = Math.Min(phase, SaturnLimit);
         double withRings = -8.914 - (1.825 * sine) + (0.026 * near) - (0.378 * sine * Math.Exp(-2.25 * near));
         return phase <= SaturnLimit ? withRings : withRings + OfSaturnsGlobe(phase) - OfSaturnsGlobe(SaturnLimit);

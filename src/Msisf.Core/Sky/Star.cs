@@ -5,7 +5,7 @@ namespace Msisf.Core.Sky;
 /// <param name="Direction">Length 1, ICRS, at <paramref name="EpochYears"/>.</param>
 /// <param name="ProperMotion">rad per Julian year, ICRS, perpendicular to the direction.</param>
 /// <param name="Parallax">rad; 0 where it is not known.</param>
-/// <param name="EpochYears">Julian years after J2000 at which it stood there: -8.75 for Hipparcos.</param>
+/// <param name="EpochYears">Julian years after J2000 at which it was there: -8.75 for Hipparcos.</param>
 /// <param name="Magnitude">V of Johnson.</param>
 /// <param name="Colour">B - V of Johnson; null where it is not known.</param>
 public readonly record struct Star(

@@ -21,7 +21,7 @@ internal readonly record struct CellBlock(int Row, int Column)
     public SurfaceNode SurfaceNode => new(Part, Node);
 
     /// <summary>
-    /// 0 for all cells of the block; else a rectangle of those that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).
+    /// 0 for all cells of the block; otherwise a rectangle that a finer model has left, counted from 1 (<see cref="CellMask.Pieces"/>).
     /// </summary>
     public int Piece { get; init; }
 

@@ -24,8 +24,8 @@ internal static class MeshBounds
 
     /// <summary>The cap around the block's middle that contains all its facets.</summary>
     /// <remarks>
-    /// A facet seen from the centre is a spherical triangle, which lies in each cap below a hemisphere that holds its corners. Of the
-    /// vertices of a latitude-longitude block one of the four corners is the farthest from the middle: the distance grows with the
+    /// A facet seen from the centre is a spherical triangle, which lies in each cap below a hemisphere that holds its corners. The
+    /// vertex of a latitude-longitude block farthest from the middle is one of its four corners: the distance grows with the
     /// difference in longitude, and along a meridian its cosine A sin + B cos with B >= 0 has one maximum and no inner minimum.
     /// </remarks>
     public static SphericalCap CapOf(CellRange cells, int lines, int samples)

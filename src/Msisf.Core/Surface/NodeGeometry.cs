@@ -79,7 +79,7 @@ internal sealed class NodeGeometry
             double south = FacetMesh.Latitude(cells.EndLine, lines);
             double maxCosine = north > 0.0 && south < 0.0 ? 1.0 : Math.Max(Math.Cos(north), Math.Cos(south));
             double halfLongitude = Math.Min(0.5 * Math.PI, cells.EndSample * Math.PI / samples);
-            double bulge = maxCosine * Math.Abs(Latitude.Sine) * (1.0 - Math.Cos(halfLongitude)); // parallels are no great circles
+            double bulge = maxCosine * Math.Abs(Latitude.Sine) * (1.0 - Math.Cos(halfLongitude)); // parallels are not great circles
             HalfWidth = Tolerances.CapRadius + (maxCosine * Math.Sin(halfLongitude));
             HalfHeight = Tolerances.CapRadius + Math.Sin(0.5 * (north - south)) + bulge;
         }

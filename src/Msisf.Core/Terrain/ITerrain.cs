@@ -28,7 +28,7 @@ public interface ITerrain
     bool IsWholeBody => true;
 
     /// <summary>
-    /// Of several models the resolution at which each is drawn; null for one that is left out, because a coarser one is as fine. Those of
+    /// Resolution at which each of several models is drawn; null for one that is left out, because a coarser one is as fine. Those of
     /// invented windows follow. Empty for one model.
     /// </summary>
     IReadOnlyList<GridResolution?> DrawnResolutions => [];

@@ -50,7 +50,7 @@ public interface ITerrainGrid : ITerrain
     void ReadRadii(int line, int firstSample, Span<double> radii);
 
     /// <summary>
-    /// Whether any sample of a block may be without data; a block that is told to have none need not be looked at sample by sample.
+    /// Whether any sample of a block may be without data; if false, it need not be looked at sample by sample.
     /// </summary>
     /// <param name="firstLine">Top line.</param>
     /// <param name="firstSample">Leftmost sample.</param>
@@ -85,7 +85,7 @@ public interface ITerrainGrid : ITerrain
 public readonly record struct KnownBounds(double Min, double Max, double Step);
 
 /// <summary>
-/// The part of a grid for which a model has samples. Of a map across the prime meridian they count on there, beyond those of the grid.
+/// The part of a grid for which a model has samples. Samples of a map across the prime meridian count on there, beyond the grid's.
 /// </summary>
 /// <param name="FirstLine">Its top line.</param>
 /// <param name="EndLine">The line below its last one.</param>

@@ -75,7 +75,7 @@ public readonly record struct CalendarTime : IComparable<CalendarTime>
                 return Math.BitDecrement(DayNumber + 1.0);
             }
 
-            // The part of the day to twice the digits of a double, so that the sum is rounded once. It is no tie: half a step of a double
+            // The part of the day to twice the digits of a double, so the sum is rounded once. It can't be a tie: half a step of a double
             // is 675 s over a power of 2 of at least 30, which has more decimals than attoseconds.
             double seconds = SinceMidnight.WholeSeconds;
             double part = seconds / SecondsPerDay;

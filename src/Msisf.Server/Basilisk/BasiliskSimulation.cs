@@ -92,7 +92,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         }
         catch (Exception exception) when (!cancellation.IsCancellationRequested)
         {
-            // Of a bug too: without an answer Basilisk waits for ever.
+            // A bug gets an answer too: without one Basilisk waits for ever.
             Problem problem = Problem.Of(exception) ?? RequestErrors.Bug(exception, log);
             note($"no image: {Problem.Shortened(problem.Detail)}");
             return null;
@@ -191,7 +191,7 @@ internal sealed class BasiliskSimulation(FrameService frames, BasiliskSettings s
         throw new BadInputException($"camera {camera.Id} is on '{camera.Parent}'; the message has {(names.Length > 0 ? names : "none")}.");
     }
 
-    /// <summary>The options of a camera's images: its field of view and size are the message's, all else is the user's.</summary>
+    /// <summary>The options of a camera's images: its field of view and size are the message's, the rest is the user's.</summary>
     private RequestedFrame RequestedOf(VizCamera camera)
     {
         lock (_requested) // vizInterface asks for one image at a time, others may not

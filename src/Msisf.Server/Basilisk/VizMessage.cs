@@ -50,7 +50,7 @@ internal static class VizMessageReader
 {
     private const double SecondsPerNanosecond = 1e-9;
 
-    /// <exception cref="BadInputException">The bytes are no such message.</exception>
+    /// <exception cref="BadInputException">The bytes are not such a message.</exception>
     public static VizMessage Read(byte[] bytes)
     {
         try

@@ -6,7 +6,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Albedo;
 
-/// <summary>A map in an image file that GDAL reads: TIFF, JPEG, PNG and others. Of a colour image the red channel counts.</summary>
+/// <summary>A map in an image file that GDAL reads: TIFF, JPEG, PNG and others. The red channel of a colour image counts.</summary>
 internal sealed class GdalMapSource : MapSource
 {
     /// <summary>1: how far the width in map units may differ from a turn for its unit to be known.</summary>

@@ -4,7 +4,7 @@ using SkiaSharp;
 namespace Msisf.Adapters.Raster.Albedo;
 
 /// <summary>
-/// A map in a JPEG image without map coordinates, decoded as libjpeg does. Of a colour image the red channel counts. Rows are decoded from
+/// A map in a JPEG image without map coordinates, decoded as libjpeg does. The red channel of a colour image counts. Rows are decoded from
 /// north to south; a row above the last one starts again at the top.
 /// </summary>
 internal sealed class JpegMapSource : MapSource

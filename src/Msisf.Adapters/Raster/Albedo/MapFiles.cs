@@ -59,7 +59,7 @@ internal sealed class PdsMapFiles
     /// <summary>Finds the files of a map.</summary>
     /// <param name="path">Its file or its label, one of its tiles, or their folder.</param>
     /// <param name="bandNanometres">The band that is wanted of a folder, nm.</param>
-    /// <returns>Null if the file is no PDS3 label and has none.</returns>
+    /// <returns>Null if the file is not a PDS3 label and has none.</returns>
     /// <exception cref="BadInputException">The tiles don't make up a map, or a label is wrong.</exception>
     public static PdsMapFiles? TryFind(string path, int bandNanometres) =>
         Directory.Exists(path) ? new PdsMapFiles(MapTileSet.InFolder(path, bandNanometres))

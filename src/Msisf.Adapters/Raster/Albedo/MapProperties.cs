@@ -102,7 +102,7 @@ internal static class KnownMaps
         Offset: 0.0, WestDegrees: -180.0, IncidenceDegrees: 60.0, EmissionDegrees: 0.0, PhaseDegrees: 60.0, bandNanometres);
 
     /// <summary>
-    /// What a PDS3 label says of the values, with the geometry of the products WAC_EMP and WAC_HAPKE; else with the label's own angles.
+    /// What a PDS3 label says of the values, with the geometry of the products WAC_EMP and WAC_HAPKE; otherwise with the label's own.
     /// </summary>
     /// <param name="scale">I/F of a step of the value, as it is read.</param>
     /// <param name="offset">I/F of the value 0.</param>

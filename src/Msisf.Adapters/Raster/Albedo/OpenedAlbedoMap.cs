@@ -49,7 +49,7 @@ public sealed class OpenedAlbedoMap : IDisposable
     public IReadOnlyList<string> Notes { get; }
 
     /// <summary>
-    /// SHA-256 of the file: 64 hexadecimal digits. Of several tiles it is that of the tiles' SHA-256, written one after the other.
+    /// SHA-256 of the file: 64 hexadecimal digits. For several tiles it is that of their SHA-256, written one after the other.
     /// </summary>
     public string Sha256 { get; }
 

@@ -31,7 +31,7 @@ internal sealed record PdsMapLabel(
         double.DegreesToRadians(LineSamples / PixelsPerDegree),
         double.DegreesToRadians(Lines / PixelsPerDegree));
 
-    /// <summary>Reads the label of a map; null if the file and the .LBL beside it are no PDS3 labels.</summary>
+    /// <summary>Reads the label of a map; null if neither the file nor the .LBL beside it is a PDS3 label.</summary>
     /// <param name="path">The label, or the image.</param>
     /// <exception cref="BadInputException">A PDS3 label of something else than an equirectangular map.</exception>
     public static PdsMapLabel? TryRead(string path) => PdsMapHead.TryRead(path) is { } head ? Read(head) : null;
@@ -133,7 +133,7 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
     public bool IsPolar => Label.FindObject("IMAGE_MAP_PROJECTION")?.Find("MAP_PROJECTION_TYPE")?.Text
         .Contains("POLAR", StringComparison.OrdinalIgnoreCase) == true;
 
-    /// <summary>Whether it is a map whose rows are no parallels a degree's part apart: GDAL reads these.</summary>
+    /// <summary>Whether the map's rows are not parallels a part of a degree apart: GDAL reads such maps.</summary>
     public bool IsForGdal => Label.FindObject("IMAGE_MAP_PROJECTION") is { } projection && !IsOfLatitude(projection);
 
     /// <summary>The file of the samples.</summary>
@@ -157,7 +157,7 @@ internal sealed partial record PdsMapHead(string LabelPath, PdsObject Label)
     /// <summary>The name of the map of a product.</summary>
     public static string MapOf(string product) => Centre().Replace(product, string.Empty, count: 1).ToUpperInvariant();
 
-    /// <summary>Reads the label of a file; null if the file and the .LBL beside it are no PDS3 labels.</summary>
+    /// <summary>Reads the label of a file; null if neither the file nor the .LBL beside it is a PDS3 label.</summary>
     /// <param name="path">The label, or the image.</param>
     /// <exception cref="BadInputException">The file can't be read, or the label is damaged.</exception>
     public static PdsMapHead? TryRead(string path)

@@ -85,7 +85,7 @@ public sealed class GeoTiffGrid : ITerrainGrid, IDisposable
     /// <param name="given">What the user says of its values.</param>
     /// <exception cref="ExternalPartException">GDAL is missing.</exception>
     /// <exception cref="BadInputException">
-    /// The file is missing, no image, not of a part of the Moon in a projection that is read, or its values are no heights.
+    /// The file is missing, is not an image or not of a part of the Moon in a known projection, or its values are not heights.
     /// </exception>
     public static GeoTiffGrid Open(string path, string? libraryPath, HeightOptions given = default)
     {

@@ -3,7 +3,7 @@ using Msisf.Core.Terrain;
 
 namespace Msisf.Adapters.Raster.Heights;
 
-/// <summary>Recognises values that are no heights in m over the sphere, so that a wrong picture is not drawn.</summary>
+/// <summary>Recognises values that are not heights in m over the sphere, so that a wrong picture is not drawn.</summary>
 /// <param name="path">The file, for messages.</param>
 /// <param name="image">The file.</param>
 /// <param name="rule">What its numbers would mean.</param>
@@ -58,7 +58,7 @@ internal sealed class HeightGuess(
         (double[] heights, double[] steps, (double Height, double Step)[] beyond) = Sample();
         if (heights.Length == 0)
         {
-            return; // nothing but no data, which is told elsewhere
+            return; // nothing but no data, which another check reports
         }
 
         bool areNone = IsMost(heights, height => height < rule.Lowest || height > rule.Highest);

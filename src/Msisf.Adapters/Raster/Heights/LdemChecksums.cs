@@ -5,7 +5,7 @@ namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
 /// SHA-256 of a model's files. Those of large files are computed once and remembered in a file beside the model or in the user's cache,
-/// as long as length and time of the file stay the same. Of the images of the largest models only pieces are read.
+/// as long as length and time of the file stay the same. Only pieces of the largest models' images are read.
 /// </summary>
 public sealed class LdemChecksums
 {
@@ -68,7 +68,7 @@ public sealed class LdemChecksums
         return (inputs, isNew ? Store() : null);
     }
 
-    /// <summary>Of a file on another computer, or in an archive, pieces are read too.</summary>
+    /// <summary>Whether only pieces are read: also of a file on another computer, or in an archive.</summary>
     private bool IsOfPieces(ModelFile file) =>
         (_ofPieces && file.Kind == InputKind.ElevationImage) || RasterFiles.IsVirtual(file.Path);
 

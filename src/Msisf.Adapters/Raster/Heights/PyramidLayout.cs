@@ -90,9 +90,9 @@ internal readonly record struct PyramidLayout(int PixelsPerDegree, LodLayout Mod
 /// <summary>The first bytes of a sidecar: which model it was made of, and the checksums of the rest.</summary>
 /// <param name="PixelsPerDegree">Samples a degree of a model of the whole Moon; 0 for a map.</param>
 /// <param name="FirstLevel">The first level that is stored.</param>
-/// <param name="Fingerprint">Fingerprint of sizes and times of the model's files, and of what their values mean, 32 bytes.</param>
+/// <param name="Fingerprint">Hash of sizes and times of the model's files, and of what their values mean, 32 bytes.</param>
 /// <param name="ContentHash">
-/// Of the samples of a model of the whole Moon (<see cref="LdemContentHash"/>), 32 bytes; zeros for a map.
+/// Hash of the samples of a model of the whole Moon (<see cref="LdemContentHash"/>), 32 bytes; zeros for a map.
 /// </param>
 /// <param name="ChecksumsHash">SHA-256 of the blocks' check sums, 32 bytes.</param>
 internal sealed record PyramidHeader(

@@ -23,7 +23,7 @@ public static class RasterFiles
     public static bool IsAddress(string path) =>
         path.StartsWith("http://", StringComparison.OrdinalIgnoreCase) || path.StartsWith("https://", StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>Whether there is such a file; a virtual one is told when it is opened.</summary>
+    /// <summary>Whether there is such a file; a missing virtual one is reported when it is opened.</summary>
     public static bool Exists(string path) => IsVirtual(path) || File.Exists(path);
 
     /// <summary>Opens a file to be read, a virtual one too.</summary>
@@ -56,7 +56,7 @@ public static class RasterFiles
     internal static string LabelOrFile(string path) =>
         !IsVirtual(path) && FileNames.LabelOf(path) is var label && IsPdsLabel(label) ? label : path;
 
-    /// <summary>Labels like LOLA's are read here, and what is wrong in LOLA's own is told; all others are GDAL's.</summary>
+    /// <summary>Labels like LOLA's are read here, with messages about errors in LOLA's own; GDAL reads all others.</summary>
     private static bool IsForPdsReader(string label)
     {
         try
@@ -70,7 +70,7 @@ public static class RasterFiles
         }
     }
 
-    /// <summary>An image or label of PDS3 that is damaged is told by the reader of such files.</summary>
+    /// <summary>The PDS3 reader reports a damaged image or label.</summary>
     private static bool IsNameOfPdsFile(string path) => Path.GetExtension(path).ToUpperInvariant() is ".IMG" or ".LBL" or ".LAB";
 
     private static bool IsPdsLabel(string path) => PdsLabelParser.IsLabel(Head(path));

@@ -4,7 +4,7 @@ using Msisf.Core.Terrain;
 namespace Msisf.Adapters.Raster.Heights;
 
 /// <summary>
-/// Brings a map in any projection that PROJ knows to a grid that is read: polar stereographic near a pole, else that of the whole Moon.
+/// Brings a map in any projection that PROJ knows to a grid that is read: polar stereographic near a pole, otherwise the Moon's.
 /// Values are bilinear between pixels; where one of the pixels around has no data, there is none. A map in a cylindrical projection that
 /// goes all around has no seam, wherever it begins. Not safe for several threads.
 /// </summary>

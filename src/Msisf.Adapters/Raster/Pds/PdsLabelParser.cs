@@ -42,7 +42,7 @@ internal sealed class PdsLabelParser
     /// <summary>Reads a label up to its END.</summary>
     /// <param name="text">The label; what follows END (an attached image) is not looked at.</param>
     /// <param name="file">Name for messages.</param>
-    /// <exception cref="BadInputException">The text is no PDS3 label; the message names file and line.</exception>
+    /// <exception cref="BadInputException">The text is not a PDS3 label; the message names file and line.</exception>
     public static PdsObject Parse(string text, string file)
     {
         PdsLabelParser parser = new(text, file);

@@ -92,7 +92,7 @@ internal readonly partial record struct PdsSampleType(PixelType Type, bool IsBig
         _ => null,
     };
 
-    /// <summary>Of a VAX integers only: its reals are not those of IEEE 754.</summary>
+    /// <summary>Only integers of a VAX fit: its reals are not those of IEEE 754.</summary>
     [GeneratedRegex("^(?:(?:MSB|MAC|SUN|IEEE)_|(?<least>LSB|PC)_|(?<least>VAX)_(?=(?:UNSIGNED_)?INTEGER$))?(?<number>.+)$")]
     private static partial Regex Name();
 

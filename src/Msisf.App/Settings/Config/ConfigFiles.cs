@@ -8,7 +8,7 @@ namespace Msisf.App.Settings.Config;
 internal sealed class ConfigFiles(ProgramHost host)
 {
     /// <summary>
-    /// Path of the user's file: $XDG_CONFIG_HOME/msisf/config.yaml, else %APPDATA%\msisf\config.yaml, else ~/.config/msisf/config.yaml;
+    /// Path of the user's file: $XDG_CONFIG_HOME/msisf/config.yaml, then %APPDATA%\msisf\config.yaml, then ~/.config/msisf/config.yaml;
     /// null if there is no such folder.
     /// </summary>
     public static string? UserFile(ProgramHost host) =>

@@ -30,7 +30,7 @@ internal static class PortableLanes
         Vector512<double> doublings = Vector512.Floor((x * Vector512.Create(InverseLn2)) + Vector512.Create(0.5));
         Vector512<double> rest = x - (doublings * Vector512.Create(Ln2Upper)) - (doublings * Vector512.Create(Ln2Lower));
 
-        // Added to 2^52 and the exponent's bias, the number of doublings stands in the last bits.
+        // Added to 2^52 and the exponent's bias, the number of doublings is in the last bits.
         Vector512<long> exponent = (doublings + Vector512.Create(WholeNumberValue + Bias)).AsInt64() << MantissaBits;
 
         // Sum of x^n / n! up to n = 13: for arguments up to ln 2 / 2 the next term is below 2^-53.

@@ -97,6 +97,6 @@ public sealed class PointSpreadKernel
 /// <summary>A part of a point spread function.</summary>
 /// <param name="Formula">Null for the weights of a file, whose light is even within each of their squares.</param>
 /// <param name="Cutoff">px: where the formula ends.</param>
-/// <param name="Weights">Weights of a file, by rows; the light of a point in the middle of a pixel.</param>
+/// <param name="Weights">Weights in a file, by rows; the light of a point in the middle of a pixel.</param>
 /// <param name="Fraction">Part of the light.</param>
 internal sealed record SpreadPart(IRadialSpread? Formula, double Cutoff, double[] Weights, double Fraction);

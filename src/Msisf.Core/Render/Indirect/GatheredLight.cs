@@ -10,7 +10,7 @@ internal sealed class GatheredLight(bool isIrradiance)
     /// <summary>I/F of each point before the map of the reflectance scales it; or the irradiance over the Sun's.</summary>
     public double[] Values { get; } = new double[Receivers.Size];
 
-    /// <summary>Of irradiance, the directions from which it comes, each times its part.</summary>
+    /// <summary>Directions from which irradiance comes, each times its part.</summary>
     public Vector3D[] Directions { get; } = new Vector3D[Receivers.Size];
 
     /// <summary>Sum over the points of the square of the error, estimated from how much neighbouring samples differ.</summary>

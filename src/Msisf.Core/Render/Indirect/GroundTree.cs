@@ -129,7 +129,7 @@ internal sealed class GroundTree
 /// <summary>A node of the surface with its box.</summary>
 /// <param name="Part">Number of the patch.</param>
 /// <param name="Node">The node.</param>
-/// <param name="Piece">Piece of a block what finer models have left of it (<see cref="CellBlock.Piece"/>).</param>
+/// <param name="Piece">What finer models have left of a block (<see cref="CellBlock.Piece"/>).</param>
 /// <param name="Low">Lower corner, m, in the tree's axes.</param>
 /// <param name="High">Upper corner.</param>
 internal readonly record struct GroundPlace(int Part, NodePlace Node, int Piece, Vector3D Low, Vector3D High);

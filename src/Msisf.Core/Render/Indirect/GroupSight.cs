@@ -21,7 +21,7 @@ internal sealed class GroupSight(GroundTree tree, GroundLights lights)
     public bool Faces(int receiver, Vector3D direction) =>
         Vector3D.Dot(Group.Facets[receiver], direction) > 0.0 && Vector3D.Dot(Group.Normals[receiver], direction) > 0.0;
 
-    /// <summary>Which points of the group face a light, and are no nearer to it than their reach; as bits.</summary>
+    /// <summary>Which points of the group face a light from at least their reach away; as bits.</summary>
     public ulong Facing(int light)
     {
         ulong facing = 0;

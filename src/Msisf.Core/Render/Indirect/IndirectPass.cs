@@ -107,7 +107,7 @@ internal sealed class IndirectPass(SurfaceModel surface)
         _shared = SharedSight.Find(image, _tree, _lights, threads, cancellation, _progress.Prepare);
     }
 
-    /// <summary>Ends a frame: all is told to be done.</summary>
+    /// <summary>Ends a frame: reports that all is done.</summary>
     public void End() => _progress?.Finish();
 
     /// <summary>Adds the light to radiance factors.</summary>

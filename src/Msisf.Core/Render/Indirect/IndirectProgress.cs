@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Indirect;
 /// Tells which part of the light from the ground is done. Before the first samples are there, nobody knows how many are needed; then the
 /// groups of points say it, and after each round anew. Thread-safe.
 /// </summary>
-/// <param name="options">Who is told, and how many sets of points a frame has.</param>
+/// <param name="options">Receiver of the reports, and how many sets of points a frame has.</param>
 internal sealed class IndirectProgress(NativeRenderOptions options)
 {
     /// <summary>All samples over the first ones: a guess, until these are there.</summary>
@@ -15,7 +15,7 @@ internal sealed class IndirectProgress(NativeRenderOptions options)
     /// <summary>Placing the points that stand for the ground, and looking which of them are seen from where, over all: a guess.</summary>
     private const double TypicalPreparation = 0.1;
 
-    /// <summary>The two steps of the preparation that are told of.</summary>
+    /// <summary>The two steps of the preparation that are reported.</summary>
     private const double Steps = 2.0;
 
     private readonly Lock _gate = new();

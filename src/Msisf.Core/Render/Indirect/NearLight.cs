@@ -30,7 +30,7 @@ internal sealed class NearLight(GroundTree tree, GroundLights lights, GroupSight
                 Look(receiver, low, v => (top * Math.Sqrt(v), 0.5 * top / Math.Sqrt(v)), nearest, ref count, ref random, found);
             }
 
-            // Elevations grow with a square, because near ground mostly stands low.
+            // Elevations grow with a square, because near ground is mostly low.
             double span = (0.5 * Math.PI) - top;
             Look(receiver, rays - low, v => (top + (span * v * v), 2.0 * span * v), nearest, ref count, ref random, found);
             samples.SumUp(receiver, found, hasMap: false);
@@ -67,7 +67,7 @@ internal sealed class NearLight(GroundTree tree, GroundLights lights, GroupSight
         }
     }
 
-    /// <summary>Adds what a ray meets; false if that is no near ground.</summary>
+    /// <summary>Adds what a ray meets; false if that is not near ground.</summary>
     private bool Meets(int receiver, int ray, Vector3D direction, double solidAngle, int nearest)
     {
         Vector3D point = sight.Group.Points[receiver];

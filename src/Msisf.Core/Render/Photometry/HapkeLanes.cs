@@ -85,7 +85,7 @@ internal readonly struct HapkeLanes
     /// <param name="cosEmission">Cosines of the emission angles, up to 1.</param>
     /// <param name="phaseHaversine">sin^2 of half the phase angles, 0 to 1.</param>
     /// <param name="factors">Receives the radiance factors.</param>
-    /// <param name="buffer">Buffer of <see cref="BufferLength"/>; its content does not matter.</param>
+    /// <param name="buffer">Memory of length <see cref="BufferLength"/>; its content does not matter.</param>
     public static void RadianceFactors(
         in HapkeLanes law,
         ReadOnlySpan<Vector512<double>> cosIncidence,

@@ -18,7 +18,7 @@ internal static class SampleBudget
 
     private const double PartCost = 2.5;
 
-    /// <summary>Of the brightness by areas, which is computed anyway: less than that of any sample.</summary>
+    /// <summary>Cost of the brightness by areas, which is computed anyway: less than that of any sample.</summary>
     private const double AreaCost = 0.01;
 
     /// <summary>Steps by which the price of the error is found.</summary>

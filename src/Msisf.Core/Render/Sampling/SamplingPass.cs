@@ -88,7 +88,7 @@ internal sealed class SamplingPass(PartPass pass)
     }
 
     /// <summary>Draws the chosen samples of all pixels and replaces their brightness.</summary>
-    /// <param name="isTrial">Whether the trials are told of each sample.</param>
+    /// <param name="isTrial">Whether each sample is reported to the trials.</param>
     private void Draw(SampledFrame work, bool isTrial)
     {
         IReadOnlyList<SampledBand> bands = _chooser.Pixels.Bands;

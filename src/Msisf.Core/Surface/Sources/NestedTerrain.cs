@@ -21,7 +21,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <summary>Takes the models; nothing is read yet.</summary>
     /// <param name="models">Two or more, in any order; of the whole Moon only the coarsest may be.</param>
     /// <param name="seams">Keeps the seams for another time; null to make them each time.</param>
-    /// <exception cref="BadInputException">They are no such models.</exception>
+    /// <exception cref="BadInputException">They are not such models.</exception>
     public NestedTerrain(IEnumerable<ITerrainGrid> models, ISeamStore? seams = null)
     {
         Models = [.. models.Order(new ModelOrder())];
@@ -123,7 +123,7 @@ public sealed class NestedTerrain : ITerrain, ISurfaceSource, IGround
     /// <summary>Number of models that have the same heights at other levels.</summary>
     internal int CountSame(IReadOnlyList<ITerrainGrid?> levels) => IsSame(levels).Count(same => same);
 
-    /// <summary>Looks at the models now, so that an error is told before any work.</summary>
+    /// <summary>Looks at the models now, so that errors are reported before any work.</summary>
     /// <param name="hasLevels">Whether frames are drawn at levels of detail; without them the surface of the models is made too.</param>
     /// <exception cref="BadInputException">The models can't be joined.</exception>
     public void Prepare(bool hasLevels) => _ = hasLevels ? (object)Parts : Surface;

@@ -66,7 +66,7 @@ internal sealed class OutlineField
     /// <param name="cell">m: width of the model's cells.</param>
     public static double WidthOf(double difference, double cell) => Math.Max(LeastCells * cell, 1.5 * difference / MaxSlope);
 
-    /// <summary>m: pieces of an outline that are told apart by a model with cells of a width.</summary>
+    /// <summary>Size of the pieces of an outline that a model with cells of a width distinguishes, m.</summary>
     public static double PieceOf(double cell) => cell / PartsOfCell;
 
     /// <summary>m: distance of a direction from the nearest outline; null if that is farther than the reach and some more.</summary>
