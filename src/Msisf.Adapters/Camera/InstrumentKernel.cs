@@ -50,8 +50,8 @@ public sealed class InstrumentKernel
     /// </summary>
     /// <param name="keywords">The numbers of the cube's NaifKeywords.</param>
     /// <param name="number">NAIF's number of the instrument.</param>
-    /// <param name="samples">px: of the detector.</param>
-    /// <param name="lines">px: of the detector.</param>
+    /// <param name="samples">Width of the detector, px.</param>
+    /// <param name="lines">Height of the detector, px.</param>
     /// <param name="source">The cube, for messages.</param>
     /// <returns>Null if the keywords are not all there, or no row of the table has the instrument.</returns>
     public static InstrumentKernel? OfCube(

@@ -76,7 +76,7 @@ internal sealed record CsmSensor(
 /// </remarks>
 internal sealed record CsmLens(int Type, string Name, double[] Coefficients)
 {
-    /// <summary>mm: of LROC's narrow angle cameras, whose lens LROLROCNAC is.</summary>
+    /// <summary>Pixel pitch of LROC's narrow angle cameras, whose lens is LROLROCNAC, mm.</summary>
     private const double NacPitch = 0.007;
 
     /// <summary>mm: half the distance from which on USGSCSM takes a point for one outside the image, and leaves LROLROCNAC out.</summary>

@@ -18,7 +18,7 @@ internal static class ScanRows
         [.. RowStates.Of(frame).Select(LongE.Round)], LongE.Round(frame.HeightOverTerrain));
 
     /// <summary>Reads it.</summary>
-    /// <param name="height">px: of the image.</param>
+    /// <param name="height">Height of the image, px.</param>
     /// <param name="path">Path of the meta file, beside which the states of all rows may be.</param>
     /// <param name="heightOverTerrain">Height of the camera over the terrain, m.</param>
     /// <exception cref="BadInputException">The states of all rows are nowhere.</exception>

@@ -232,7 +232,7 @@ internal sealed unsafe class FitsUnit : IDisposable
         return header;
     }
 
-    /// <summary>bytes: of zeros behind data, so that whole blocks are filled.</summary>
+    /// <summary>Zeros behind data that fill whole blocks, bytes.</summary>
     public static int FillOf(long dataLength) => (int)((Block - (dataLength % Block)) % Block);
 
     public void Dispose()

@@ -46,7 +46,7 @@ internal sealed class StoredLayer : IDisposable
     /// <summary>Writes the rows into a file of an image with more of them.</summary>
     /// <param name="start">Where the numbers of the image begin.</param>
     /// <param name="first">Which row of the image the first one is, from 0.</param>
-    /// <param name="height">px: of the image.</param>
+    /// <param name="height">Height of the image, px.</param>
     public void WriteRows(Stream file, long start, int first, int height)
     {
         int parts = _layout.IsInterleaved ? 1 : Layer.Planes;

@@ -27,7 +27,7 @@ internal static class PlausibleMistakes
     /// <summary>rad: a full turn, typed with four digits, is not a mistake.</summary>
     private const double RoundedTurn = 1e-3;
 
-    /// <summary>1: of 1 - e; a spacecraft that is slower than a hundredth of a circular orbit's 1,600 m/s has less.</summary>
+    /// <summary>Limit of 1 - e: a spacecraft slower than a hundredth of a circular orbit's 1,600 m/s has less.</summary>
     private const double StraightFall = 1e-4;
 
     /// <summary>m/s: no orbit in the solar system is as fast; a velocity in mm/s, or multiplied by 1000 twice, is.</summary>

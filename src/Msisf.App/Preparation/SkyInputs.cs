@@ -53,7 +53,7 @@ internal sealed record SkyInputs(StarCatalogue? Stars, IReadOnlyList<InputFile> 
 /// <summary>How the sky lies about the cameras of a run. Not for several threads, as CSPICE is not.</summary>
 /// <param name="ephemeris">Opens the ephemeris, or returns the open one.</param>
 /// <param name="settings">What is drawn of it.</param>
-/// <param name="groundRadius">m: of the sphere that the ground is taken for.</param>
+/// <param name="groundRadius">Radius of the sphere that stands for the ground, m.</param>
 internal sealed class SkyPositions(Func<IEphemeris> ephemeris, SkySettings settings, double groundRadius)
 {
     private readonly IReadOnlyList<SkyBody> _bodies = settings.Bodies;

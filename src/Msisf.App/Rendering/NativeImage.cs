@@ -59,7 +59,7 @@ internal sealed class NativeImage(
 
     /// <summary>Begins a PNG of images like this one, one below the other.</summary>
     /// <param name="png">Receives it; stays open.</param>
-    /// <param name="height">px: of all of them.</param>
+    /// <param name="height">Height of all of them, px.</param>
     public PngImage BeginPng(Stream png, int height) => Detected is null
         ? new PngImage(png, Width, height, (byte)drawing.Settings.BitDepth, drawing.Settings.Grey.Transfer)
         : PngImage.OfNumbers(png, Width, height, drawing.Settings.Detector!.Settings.ConverterBits);

@@ -3,7 +3,7 @@ namespace Msisf.Core.Certainty;
 /// <summary>All rays that begin near a point and lead about one way: balls whose radius grows along an axis.</summary>
 /// <param name="Origin">m, body-fixed: where the axis begins.</param>
 /// <param name="Direction">Direction of the axis, body-fixed, length 1.</param>
-/// <param name="Radius">m: of the ball at the origin.</param>
+/// <param name="Radius">Radius of the ball at the origin, m.</param>
 /// <param name="Growth">m per m: by which the radius grows.</param>
 internal readonly record struct Beam(Vector3D Origin, Vector3D Direction, double Radius, double Growth)
 {

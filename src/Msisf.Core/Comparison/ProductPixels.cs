@@ -12,7 +12,7 @@ public sealed record ProductPixels(
 {
     /// <summary>The means that are the product's pixels.</summary>
     /// <param name="drawn">By rows; NaN where no surface is seen.</param>
-    /// <param name="width">px: of the drawn image.</param>
+    /// <param name="width">Width of the drawn image, px.</param>
     /// <param name="ofSky">What counts in place of NaN; NaN to leave it out.</param>
     /// <returns>By lines of the product; NaN where nothing is drawn.</returns>
     public float[] Means(ReadOnlySpan<double> drawn, int width, double ofSky)

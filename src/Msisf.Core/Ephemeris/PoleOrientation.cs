@@ -73,7 +73,7 @@ internal static class EulerAngles
 {
     /// <summary>The rotation that turns J2000 components into those of the frame.</summary>
     /// <param name="node">rad: from J2000's x axis to the body's ascending node on J2000's equator.</param>
-    /// <param name="inclination">rad: of the body's equator.</param>
+    /// <param name="inclination">Inclination of the body's equator, rad.</param>
     /// <param name="meridian">rad: from the node to the prime meridian.</param>
     public static RotationMatrix ToRotation(double node, double inclination, double meridian) =>
         RotationMatrix.FrameAboutZ(Reduce(meridian)) * RotationMatrix.FrameAboutX(inclination) * RotationMatrix.FrameAboutZ(node);

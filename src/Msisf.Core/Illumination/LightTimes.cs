@@ -8,7 +8,7 @@ internal sealed class LightTimes
 
     /// <summary>Takes the body's places.</summary>
     /// <param name="positionsBodyFixed">m, body-fixed, at each step.</param>
-    /// <param name="radius">m: of the body; 0 for a point.</param>
+    /// <param name="radius">Radius of the body, m; 0 for a point.</param>
     public LightTimes(IReadOnlyList<Vector3D> positionsBodyFixed, double radius)
     {
         Count = positionsBodyFixed.Count;

@@ -22,7 +22,7 @@ public enum MapKind
 /// A map of a sphere as PROJ and GDAL have it: X to the right and Y upwards, in m, or in degrees where the map is one of longitude and
 /// latitude. Immutable; <c>default</c> has no meaning.
 /// </summary>
-/// <param name="Latitude">rad: of the centre; +-pi / 2 of polar maps, 0 of those of longitude and latitude.</param>
+/// <param name="Latitude">Latitude of the centre, rad; +-pi / 2 for polar maps, 0 for maps of longitude and latitude.</param>
 /// <param name="Longitude">
 /// rad: of the centre; of polar maps 0, which is down at the north pole and up at the south pole. The X of a map of longitude and latitude
 /// lies within 180 degrees of it.

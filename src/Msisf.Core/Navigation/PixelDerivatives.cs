@@ -3,12 +3,12 @@ using Msisf.Core.Camera;
 namespace Msisf.Core.Navigation;
 
 /// <summary>Partial derivatives of the place at which a point is seen. Each vector holds those by three numbers.</summary>
-/// <param name="XByShift">px/m: of x by the camera's position along its own axes (-x forward, y right, z up).</param>
-/// <param name="XByTurn">px/rad: of x by turns of the camera about its own axes, right-handed.</param>
-/// <param name="XByPoint">px/m: of x by the point, body-fixed.</param>
-/// <param name="YByShift">px/m: of y.</param>
-/// <param name="YByTurn">px/rad: of y.</param>
-/// <param name="YByPoint">px/m: of y.</param>
+/// <param name="XByShift">Derivative of x by the camera's position along its own axes (-x forward, y right, z up), px/m.</param>
+/// <param name="XByTurn">Derivative of x by turns of the camera about its own axes, right-handed, px/rad.</param>
+/// <param name="XByPoint">Derivative of x by the point, body-fixed, px/m.</param>
+/// <param name="YByShift">The same of y, px/m.</param>
+/// <param name="YByTurn">The same of y, px/rad.</param>
+/// <param name="YByPoint">The same of y, px/m.</param>
 public readonly record struct PixelDerivatives(
     Vector3D XByShift, Vector3D XByTurn, Vector3D XByPoint, Vector3D YByShift, Vector3D YByTurn, Vector3D YByPoint)
 {

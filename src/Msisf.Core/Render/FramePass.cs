@@ -57,7 +57,7 @@ internal sealed class FramePass : IDrawnFrame
     public ReadOnlyMemory<double> IndirectFactors =>
         _indirectFactors.AsMemory(0, _options?.Indirect is null ? 0 : Camera.Width * Camera.Height);
 
-    /// <summary>px: of the largest frame so far.</summary>
+    /// <summary>Pixels of the largest frame so far.</summary>
     public long Capacity => _radianceFactors.Length;
 
     /// <summary>Bytes of the buffers that have been replaced by smaller or larger ones since the first frame.</summary>

@@ -28,7 +28,7 @@ public sealed class RendererMemory
     public long LargestKept { get; init; } = long.MaxValue;
 
     /// <summary>Takes buffers to draw a frame of a surface.</summary>
-    /// <param name="pixels">px: of the frame.</param>
+    /// <param name="pixels">Number of the frame's pixels.</param>
     internal FramePass Take(SurfaceModel surface, long pixels)
     {
         if (TakeIdle(isLarge: pixels > LargestKept) is not { } pass)

@@ -24,7 +24,7 @@ public static class GroundAberration
     /// <param name="moonFromCamera">How it points.</param>
     /// <param name="aberration">What is taken in.</param>
     /// <param name="ephemeris">Where the solar system's barycentre is, and how the Moon turns.</param>
-    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <param name="radius">Radius of the sphere that stands for the ground, m.</param>
     /// <returns>Position (m, MOON_ME) and orientation.</returns>
     public static (Vector3D PositionBodyFixed, UnitQuaternion MoonFromCamera) Pose(
         in TrajectoryPoint point, UnitQuaternion moonFromCamera, Aberration aberration, IEphemeris ephemeris, double radius)
@@ -78,7 +78,7 @@ public static class GroundAberration
     }
 
     /// <summary>s: how long light from the ground has been on its way to a camera in its drawn pose.</summary>
-    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <param name="radius">Radius of the sphere that stands for the ground, m.</param>
     /// <remarks>The pose is that of the ground as it was, 1e-4 of the distance off: of the time it is as little.</remarks>
     internal static double LightSeconds(in CameraState drawn, double radius) => LightSpeed.TimeOver(
         Distance(drawn.PositionBodyFixed, drawn.MoonFromCamera * -Vector3D.UnitX, radius) / MetresPerKilometre);

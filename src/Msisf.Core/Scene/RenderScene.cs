@@ -28,7 +28,7 @@ public sealed record SceneAlbedo(string ImageName, double WestDegrees, int Rows,
 /// <param name="IsSun">The Sun; otherwise a lamp at the camera (<c>--ignore-sun</c>), which has no disc.</param>
 public readonly record struct SceneLight(Vector3D PositionBodyFixed, bool IsSun)
 {
-    /// <summary>m: of the disc of the light, where it is one.</summary>
+    /// <summary>Radius of the light's disc, m, if it is one.</summary>
     public double Radius { get; init; } = Ephemeris.AstronomicalConstants.SunRadius;
 
     /// <summary>The light of a row: at the camera's place of that time, or where the Sun is then.</summary>

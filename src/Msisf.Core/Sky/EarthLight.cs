@@ -14,7 +14,7 @@ public static class EarthLight
     /// see all of it get just its light; what a horizon cuts off is taken from an even disc. Its strength is that below the camera.
     /// </summary>
     /// <param name="camera">Its ground is where the camera is nearest to it.</param>
-    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <param name="radius">Radius of the sphere that stands for the ground, m.</param>
     public static SecondLight At(Instant time, in CameraState camera, IEphemeris ephemeris, double radius)
     {
         TdbTime tdb = time.Tdb;

@@ -11,7 +11,7 @@ internal static class GroundAhead
     /// <param name="velocity">m/s, body-fixed.</param>
     /// <param name="span">s: the time.</param>
     /// <param name="direction">Middle of a circle of the sky, length 1, body-fixed.</param>
-    /// <param name="radius">rad: of the circle; 0 for a direction alone.</param>
+    /// <param name="radius">Angular radius of the circle, rad; 0 for a direction alone.</param>
     /// <param name="highest">m: no ground is farther from the body's centre.</param>
     public static double Rate(Vector3D position, Vector3D velocity, double span, Vector3D direction, double radius, double highest)
     {

@@ -46,7 +46,7 @@ public sealed record SkyAxes
     /// <param name="frameTime">The image's time.</param>
     /// <param name="state">The camera as it is drawn, with its seconds after that.</param>
     /// <param name="observer">What finite light does to its ground, and its velocity; null for nothing.</param>
-    /// <param name="radius">m: of the sphere that the ground is taken for.</param>
+    /// <param name="radius">Radius of the sphere that stands for the ground, m.</param>
     /// <param name="bodies">Bodies whose places are to be known; null for none.</param>
     /// <exception cref="MsisfException">The time is outside the kernels' cover, or they have no such body.</exception>
     public static SkyAxes At(
@@ -128,7 +128,7 @@ public sealed record SkyAxes
 
     /// <summary>A body as the camera sees it some time later, from where it is by then: both fly on straight lines.</summary>
     /// <param name="place">From <see cref="Bodies"/>.</param>
-    /// <param name="positionBodyFixed">m: of the camera by then.</param>
+    /// <param name="positionBodyFixed">Position of the camera by then, m.</param>
     /// <param name="seconds">s after the image's time.</param>
     public BodyPlace Seen(BodyPlace place, Vector3D positionBodyFixed, double seconds)
     {

@@ -19,7 +19,7 @@ public static class MoonConstants
     private const double MaxReliefOfOthers = 30_000.0;
 
     /// <summary>m: how far a surface may be from the sphere of its heights.</summary>
-    /// <param name="referenceRadius">m: of the sphere.</param>
+    /// <param name="referenceRadius">Radius of the sphere, m.</param>
     public static double MaxReliefOver(double referenceRadius) =>
         referenceRadius == ReferenceRadius ? MaxRelief : MaxReliefOfOthers;
 

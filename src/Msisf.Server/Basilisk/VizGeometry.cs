@@ -10,7 +10,7 @@ namespace Msisf.Server.Basilisk;
 /// </summary>
 internal static class VizGeometry
 {
-    /// <summary>rad: of a rotation that is given with six digits at least.</summary>
+    /// <summary>Tolerance of a rotation that is given with at least six digits, rad.</summary>
     private const double RotationError = 1e-6;
 
     /// <summary>rad: beyond it the time of the message is wrong; MOON_ME and IAU_MOON differ by half as much.</summary>

@@ -170,7 +170,7 @@ public sealed class PointImage
         }
 
         /// <summary>Lagrange's weights of the nodes around a pixel's centre that lies so far before the point.</summary>
-        /// <param name="offset">px: of the point from the middle of its pixel, -0.5 to 0.5.</param>
+        /// <param name="offset">Offset of the point from the middle of its pixel, px, -0.5 to 0.5.</param>
         /// <returns>The first node, from the point.</returns>
         private int Weights(double offset, Span<double> weights)
         {

@@ -33,7 +33,7 @@ internal sealed class SunDisc
 
     /// <summary>Places the points for a position of the Sun.</summary>
     /// <param name="sunBodyFixed">The Sun's centre, m, body-fixed.</param>
-    /// <param name="sunRadius">m: of the Sun, or of another light that is a disc.</param>
+    /// <param name="sunRadius">Radius of the Sun, or of another light that is a disc, m.</param>
     /// <exception cref="BadInputException">The Moon's centre is inside the Sun.</exception>
     public SunDisc(Vector3D sunBodyFixed, double sunRadius = AstronomicalConstants.SunRadius)
     {

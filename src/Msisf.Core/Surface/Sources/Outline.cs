@@ -16,7 +16,7 @@ internal sealed class Outline
 
     /// <summary>Reads them; of a model with gaps all samples are looked at.</summary>
     /// <param name="grid">The model, which is not of the whole Moon.</param>
-    /// <param name="piece">m: of each piece so long two tiles or more are read.</param>
+    /// <param name="piece">Length of the pieces, m; at least two tiles of each are read.</param>
     public Outline(ITerrainGrid grid, double piece)
     {
         _grid = grid;

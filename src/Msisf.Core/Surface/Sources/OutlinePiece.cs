@@ -166,5 +166,5 @@ internal sealed class OutlinePiece
 }
 
 /// <summary>Sums for the mean of the differences around a place.</summary>
-/// <param name="Height">m: of the differences with their weights.</param>
+/// <param name="Height">Sum of the differences with their weights, m.</param>
 internal readonly record struct OutlineMean(double Weight, double Height);
