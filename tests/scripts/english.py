@@ -29,7 +29,7 @@ END = re.compile(r"(?<=[^.][.!?])[)\"'*]*\s+(?=\S)")
 PATTERNS = [
     (re.compile(r"^\W*Of (?!course)"), "begin with the subject, not with 'Of ...'"),
     (re.compile(r"(?<![Tt]here )(?<![Hh]ere )\b(is|was|are|were) no (?!longer|more than|less than|fewer than|one |data)\w"), "'is not a ...'"),
-    (re.compile(r"^[\w/^]+: of "), "begin with the quantity, not with 'm: of ...'"),
+    (re.compile(r"^(1|bytes|s|deg|rad|([mk]?m|px|1)(/\w+)?): of "), "begin with the quantity, not with 'm: of ...'"),
     (re.compile(r"\bbelongs? to no\b"), "'does not belong to any'"),
     (re.compile(r"(?<!thing )(?<!where )(?<!one )(?<!body )(?<!hat )(?<!ho )(?<!here )\belse\b(?!')", re.IGNORECASE), "'otherwise'"),
     (re.compile(r"\b(stands?|stood)\b(?! (for|out|alone|up|still|in for))"), "'is'"),

@@ -24,8 +24,8 @@ public enum MapKind
 /// </summary>
 /// <param name="Latitude">Latitude of the centre, rad; +-pi / 2 for polar maps, 0 for maps of longitude and latitude.</param>
 /// <param name="Longitude">
-/// rad: of the centre; of polar maps 0, which is down at the north pole and up at the south pole. The X of a map of longitude and latitude
-/// lies within 180 degrees of it.
+/// Longitude of the centre, rad; 0 for polar maps, which is down at the north pole and up at the south pole. The X of a map of longitude
+/// and latitude lies within 180 degrees of it.
 /// </param>
 /// <param name="Radius">m.</param>
 public readonly record struct GroundProjection(MapKind Kind, double Latitude, double Longitude, double Radius)
