@@ -162,7 +162,7 @@ internal sealed class RunNotes(GridResolution resolution, bool hasSeveral, bool 
 /// <summary>Notes on the frames of an orbit whose defaults a user may not expect.</summary>
 internal static class OrbitNotes
 {
-    /// <summary>Longer times are given in days, s.</summary>
+    /// <summary>Times longer than this are given in days, s.</summary>
     private const double LongestInHours = 2.0 * 86400.0;
 
     /// <summary>All notes that apply.</summary>

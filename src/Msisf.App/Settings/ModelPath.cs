@@ -93,7 +93,7 @@ internal sealed record ModelPath(string Path, HeightOptions Heights, ModelPlacem
             ? number
             : null;
 
-    /// <summary>A part of a text that is meant as an option, so that a message can call a mistyped one that.</summary>
+    /// <summary>A part of a text that is meant as an option, so that a mistyped one is reported as an option.</summary>
     private static bool IsOption(string part) =>
         part.IndexOf('=', StringComparison.Ordinal) is > 0 and var end && part.AsSpan(0, end).IndexOfAnyExceptInRange('a', 'z') < 0;
 

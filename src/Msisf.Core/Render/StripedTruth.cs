@@ -15,7 +15,7 @@ namespace Msisf.Core.Render;
 public sealed class StripedTruth(
     ICamera camera, SceneLight light, int rowsOfStrip, int rowsOfExposure, Func<PixelRows, IGroundTruth> draw) : IGroundTruth
 {
-    /// <summary>Strips of 50 MB or more that are kept; layers are written from the top, a strip at a time.</summary>
+    /// <summary>Number of strips kept, 50 MB or more each; layers are written from the top, a strip at a time.</summary>
     private const int KeptStrips = 2;
 
     /// <summary>The meta file reads several rows at a time.</summary>

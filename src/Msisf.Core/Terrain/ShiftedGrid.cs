@@ -36,7 +36,7 @@ public sealed class ShiftedGrid : ChangedGrid
     public override GridWindow Window { get; }
 
     /// <inheritdoc/>
-    /// <remarks>A polar map has its own levels, at other places.</remarks>
+    /// <remarks>For a polar map they are those of the source, at other places.</remarks>
     public override IReadOnlyList<ITerrainGrid> StoredLevels =>
         Projection is PolarStereographic ? [.. Source.StoredLevels.Select(level => new ShiftedGrid(level, HalvedTo(level), 0.0, 0.0))] : [];
 

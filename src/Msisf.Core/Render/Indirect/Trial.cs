@@ -2,10 +2,10 @@ namespace Msisf.Core.Render.Indirect;
 
 /// <summary>What the samples of a group of points have shown.</summary>
 /// <param name="Points">Number of its points.</param>
-/// <param name="Shared">Light of far ground as pixels around see it.</param>
-/// <param name="Other">Light of what the points see otherwise.</param>
+/// <param name="Shared">Deviation of the light of far ground, as pixels around see it.</param>
+/// <param name="Other">Deviation of the light of what the points see otherwise.</param>
 /// <param name="Bound">Square of the light that they see otherwise, at most, on one point.</param>
-/// <param name="Near">Light of near ground.</param>
+/// <param name="Near">Deviation of the light of near ground.</param>
 /// <param name="Top">rad: how far up near ground was found.</param>
 internal readonly record struct Trial(int Points, Deviation Shared, Deviation Other, double Bound, Deviation Near, double Top)
 {

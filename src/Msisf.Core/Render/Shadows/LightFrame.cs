@@ -6,7 +6,7 @@ namespace Msisf.Core.Render.Shadows;
 /// <summary>
 /// Light space: the projective map of MOON_ME that makes all rays to the Sun's centre parallel to its third axis. A point with the
 /// components (u, v, w) along three axes from the Moon's centre, w away from the Sun, becomes (u, v, w) D / (D + w), with D the Sun's
-/// distance from the Moon's centre. Planes stay planes, and orientation is kept. The point of a ray that is nearer to the Sun has
+/// distance from the Moon's centre. Planes stay planes, and orientation is kept. The one of two points on a ray nearer to the Sun has
 /// the smaller third coordinate, the depth.
 /// </summary>
 /// <remarks>
