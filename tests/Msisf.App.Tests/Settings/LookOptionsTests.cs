@@ -9,21 +9,22 @@ namespace Msisf.App.Tests.Settings;
 public class LookOptionsTests
 {
     [Theory]
-    [InlineData("--look photo", "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --refine 1")]
+    [InlineData(
+        "--look photo", "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --refine 1 --exposure auto")]
     [InlineData("--look truth", "--renderer native --samples 1 --shading facet --sun point --surface terrain")]
     [InlineData("--look thesis", "--renderer povray --lod off --surface sphere --aberration none")]
     [InlineData(
         "--look PHOTO --samples 9 --sun point",
-        "--renderer native --samples 9 --shading smooth --sun point --reflectance moon --refine 1")]
+        "--renderer native --samples 9 --shading smooth --sun point --reflectance moon --refine 1 --exposure auto")]
     [InlineData(
         "--look photo --refine none --fov 20",
-        "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --refine none --fov 20")]
+        "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --refine none --fov 20 --exposure auto")]
     [InlineData(
         "--look photo --lod-error 1",
-        "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --lod-error 1")]
+        "--renderer native --samples auto --shading smooth --sun disc --reflectance moon --lod-error 1 --exposure auto")]
     [InlineData(
         "--look photo --reflectance lambert",
-        "--renderer native --samples auto --shading smooth --sun disc --reflectance lambert --refine 1")]
+        "--renderer native --samples auto --shading smooth --sun disc --reflectance lambert --refine 1 --exposure auto")]
     [InlineData("--look thesis --lod-error 1 --ignore-sun", "--renderer povray --lod-error 1 --surface sphere --ignore-sun")]
     [InlineData(
         "--look thesis --renderer native",

@@ -143,7 +143,7 @@ public sealed class GeoTiffGridTests : IDisposable
     [RequiresTheory(Part.Gdal, Part.GdalLibrary)]
     [InlineData("data.SetProjection('')", "has no coordinate system")]
     [InlineData("system.ImportFromEPSG(3031); data.SetProjection(system.ExportToWkt())", "is not one on a sphere of the Moon")]
-    [InlineData("band.SetUnitType('ft')", "its heights are in 'ft'; metres or kilometres are needed")]
+    [InlineData("band.SetUnitType('ft')", "its heights are in 'ft'; m or km are needed")]
     public void Open_WrongFile_IsRefused(string then, string message)
     {
         string path = Write(string.Empty, then);

@@ -95,7 +95,7 @@ public sealed class RasterFormatTests : IDisposable
     [InlineData(
         "kind = gdal.GDT_Float64; a = (a + 1737400) / 1000", "look like radii from the Moon's centre in km", "scale=1000,offset=-1737400")]
     [InlineData("a = np.clip(a / 4, 0, 255); kind = gdal.GDT_Byte", "look like a picture or a hillshade", "scale=1")]
-    [InlineData("unit = 'ft'", "are in 'ft'; metres or kilometres are needed", "scale=0.3048")]
+    [InlineData("unit = 'ft'", "are in 'ft'; m or km are needed", "scale=0.3048")]
     public void Open_OtherValues_AreGuessedAndRefused(string then, string guess, string option)
     {
         string path = TestRaster.Write(_folder, "site.tif", then);
