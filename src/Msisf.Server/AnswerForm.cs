@@ -107,6 +107,10 @@ internal sealed record AnswerPlan(bool HasImage, IReadOnlyList<Product> Products
         return new AnswerPlan(hasImage, products, meta, (long)bytes) { Layer = isLayer ? native.Layers!.Layers[0] : null };
     }
 
+    /// <summary>The fields of a request that ask for a product.</summary>
+    private static string NamesOf(Product product) =>
+        string.Join(" or ", product.Files.SelectMany(file => file.Options).Select(option => $"'{option.Name.TrimStart('-')}'"));
+
     /// <summary>Refuses what can't be answered.</summary>
     /// <exception cref="RefusedException">The form does not fit the options, or the answer is too large.</exception>
     public void Check(AnswerForm form, RenderSettings settings, int maxMegabytes)
@@ -114,10 +118,9 @@ internal sealed record AnswerPlan(bool HasImage, IReadOnlyList<Product> Products
         int layers = settings.Native.Layers?.Layers.Count ?? 0;
         string? problem = form.Main switch
         {
-            _ when settings.CameraFormats.Count > 0 && !form.IsMultipart =>
-                $"'camera-model' is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
-            _ when settings.Map is not null && !form.IsMultipart =>
-                $"'map' is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
+            _ when !form.IsMultipart && ProductTable.Of(settings).FirstOrDefault(
+                product => product.PlaceInAnswer is not null && !product.CanBeAnswer) is { } part =>
+                $"{NamesOf(part)} is for answers of several parts, and {form.Main} is one. Accept {AnswerForm.Multipart}.",
             AnswerForm.Fits when layers == 0 && settings.Native.Detector is null =>
                 $"{form.Main} is for layers, and the request {LayersNeeded}",
             AnswerForm.Raw or AnswerForm.Npy when layers > 1 =>

@@ -19,6 +19,17 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         "fits": "no"}
         """;
 
+    private const string FacetsOfRequest =
+        """
+        "position": [3, 6, 120000], "time": 55289.25, "off-nadir": [10, 30], "width": 24, "height": 16, "fov": 30, "samples": 1
+        """;
+
+    private static readonly string[] Facets =
+    [
+        "--position", "3,6,120000", "--time", "55289.25", "--off-nadir", "10,30", "--width", "24", "--height", "16", "--fov", "30",
+        "--samples", "1", "--renderer", "native", "--batch",
+    ];
+
     private static readonly string[] CommandLine =
     [
         "--position", "3,6,120000", "--time", "55289.25", "--off-nadir", "10,30", "--width", "96", "--height", "64", "--fov", "30",
@@ -107,6 +118,31 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         }
     }
 
+    /// <summary>Maps, derivatives, what an image tells of its pose, and bounds of its pixels.</summary>
+    [RequiresTheory(Part.Ldem4, Part.Gdal)]
+    [InlineData("map", "orthographic,3000", "map.tif", "depth.map.tif")]
+    [InlineData("sensitivity", "position-x,sun-north", "sensitivity.d-position-x.npy", "sensitivity.d-sun-north.npy")]
+    [InlineData("certify", "height=1,turn=0.001", "certain.certain-low.npy", "certain.certain-state.npy")]
+    public async Task OtherProducts_HaveTheBytesOf_Msis(string option, string value, params string[] names)
+    {
+        using TemporaryFolder folder = new();
+        CommandLineRun run = CommandLineRun.Of(
+        [
+            .. Facets, "--layers", "depth", "--layers-format", "npy", $"--{option}", value, "--output-name", "frame", "--output-dir",
+            folder.Path, "--ldem", TestParts.Ldem4Label!,
+        ]);
+        Assert.True(run.ExitCode == 0, run.Error);
+
+        string answer = Encoding.Latin1.GetString(await server.RenderAsync(
+            $"{FacetsOfRequest}, \"layers\": \"depth\", \"layers-format\": \"npy\", \"{option}\": \"{value}\"", "multipart/mixed"));
+
+        foreach (string name in names)
+        {
+            string content = File.ReadAllText(folder[$"frame.{name}"], Encoding.Latin1);
+            Assert.Contains($"filename=\"{name}\"\r\nContent-Length: {content.Length}\r\n\r\n{content}\r\n--", answer);
+        }
+    }
+
     /// <summary>A rolling shutter of so wide a view is off as a line-scan, which the server says as msis does.</summary>
     [RequiresFact(Part.Ldem4)]
     public async Task CameraModelOfAScan_HasTheBytesOf_MsisAndItsWarning()
@@ -133,6 +169,20 @@ public sealed class RenderTests(RunningServer server) : IClassFixture<RunningSer
         Assert.Contains("a rolling shutter is off by up to ", warning);
         Assert.Contains(warning, run.Error);
         Assert.Contains($"\r\n\r\n{File.ReadAllText(folder["frame.csm.json"])}\r\n--", await answer.Content.ReadAsStringAsync());
+    }
+
+    [RequiresTheory(Part.Ldem4)]
+    [InlineData("map", "orthographic,3000", "'map' is for answers of several parts, and image/png is one. Accept multipart/mixed.")]
+    [InlineData("sensitivity", "sun-north", "'sensitivity' or 'information' is for answers of several parts")]
+    [InlineData("certify", "height=1", "'certify' is for answers of several parts")]
+    public async Task ProductInAnAnswerOfOnePart_IsRefused(string option, string value, string problem)
+    {
+        using HttpResponseMessage answer = await server.PostAsync(
+            "/v1/render", $"{{{RunningServer.SmallFrame}, \"{option}\": \"{value}\"}}", "image/png");
+
+        Assert.Equal(HttpStatusCode.NotAcceptable, answer.StatusCode);
+        JsonElement answered = JsonDocument.Parse(await answer.Content.ReadAsByteArrayAsync()).RootElement;
+        Assert.Contains(problem, answered.GetProperty("detail").GetString());
     }
 
     [RequiresTheory(Part.Ldem4)]

@@ -34,6 +34,9 @@ internal sealed record Product(
     /// <summary>Its place among the parts of a server's answer; null where the server does not answer it.</summary>
     public int? PlaceInAnswer { get; init; }
 
+    /// <summary>Whether an answer can be this product alone.</summary>
+    public bool CanBeAnswer { get; init; }
+
     /// <summary>Content type of its files in answers; null where their names tell it.</summary>
     public string? ContentType { get; init; }
 

@@ -35,6 +35,11 @@ internal static class ProductSizes
     public static double LayerBytes(RenderSettings settings) => PixelsOf(settings) * (settings.Native.Layers?.Layers.Sum(
         layer => layer.Planes * layer.StoredType(settings.Native.LayersPrecision).Size()) ?? 0.0);
 
+    /// <summary>Bytes of layers of derivatives or bounds.</summary>
+    /// <param name="count">How many layers.</param>
+    public static double LayerBytes(RenderSettings settings, int count) =>
+        PixelsOf(settings) * count * (settings.Native.LayersPrecision == LayerPrecision.Real32 ? sizeof(float) : sizeof(double));
+
     /// <summary>px of an image.</summary>
     public static double PixelsOf(RenderSettings settings) => (double)settings.Width * settings.Height;
 

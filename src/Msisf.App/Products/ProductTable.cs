@@ -53,6 +53,7 @@ internal static class ProductTable
             settings => settings.Native.Detector is { WritesFits: true }, FrameProducts.Numbers)
         {
             PlaceInAnswer = 2,
+            CanBeAnswer = true,
             DiskBytes = settings => ProductSizes.NumberBytes * ProductSizes.PixelsOf(settings),
             Require = (_, _) => FitsLayerWriter.RequireCFitsio(),
         },
@@ -168,6 +169,8 @@ internal static class ProductTable
             settings => settings.Native.Navigation is { Sensitivity: not null } or { Information: not null }, SensitivityProduct.Write)
         {
             Phase = Phase.Navigation,
+            PlaceInAnswer = 5,
+            DiskBytes = settings => ProductSizes.LayerBytes(settings, settings.Native.Navigation!.Sensitivity?.Count ?? 0),
             NeedsWhole = _ => NavigationOptions.Sensitivity.Name,
             Require = (settings, _) =>
             {
@@ -190,6 +193,8 @@ internal static class ProductTable
             settings => settings.Native.Navigation?.Limits is not null, SensitivityProduct.WriteCertain)
         {
             Phase = Phase.Navigation,
+            PlaceInAnswer = 6,
+            DiskBytes = settings => ProductSizes.LayerBytes(settings, CertainLayers.Names.Count),
             NeedsWhole = _ => NavigationOptions.Certify.Name,
             Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
         },
@@ -222,6 +227,7 @@ internal static class ProductTable
         {
             Phase = Phase.Layers,
             PlaceInAnswer = 1,
+            CanBeAnswer = true,
             DiskBytes = ProductSizes.LayerBytes,
             MemoryBytesPerPixel = ProductSizes.LayerMemory,
             Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),

@@ -18,7 +18,7 @@ internal static class MapOptions
     ];
 
     public static TextSpec Map { get; } = new(
-        "--map", DecidesBytes.UnlessDefault(frame => frame.Settings.Map is { } map ? TextOf(map) : null).OfRuns(), "PROJECTION,CELL",
+        "--map", DecidesBytes.UnlessDefault(frame => frame.Settings.Map is { } map ? TextOf(map) : null), "PROJECTION,CELL",
         "Puts each image, and the layers that are asked for, on a map for QGIS and GDAL, as Cloud Optimized GeoTIFFs: equirectangular, "
             + "polar-stereographic, or orthographic about the image's middle; CELL is the width of a cell in m. Ground that the image does "
             + "not show has no data")

@@ -88,7 +88,7 @@ internal static class NavigationOptions
 
     public static TextSpec Sensitivity { get; } = new(
         "--sensitivity",
-        DecidesBytes.As(frame => frame.Native?.Navigation?.Sensitivity?.Select(parameter => parameter.Name)).OfRuns(), "LIST|all",
+        DecidesBytes.As(frame => frame.Native?.Navigation?.Sensitivity?.Select(parameter => parameter.Name)), "LIST|all",
         "Derivatives of every pixel by the camera's position and orientation, its focal length and principal point, the Sun's direction "
             + "and the albedo, as names separated by commas: position-x,turn-y, ...")
     {
@@ -98,7 +98,7 @@ internal static class NavigationOptions
 
     public static TextSpec Information { get; } = new(
         "--information",
-        DecidesBytes.As(frame => frame.Native?.Navigation?.Information?.Select(parameter => parameter.Name)).OfRuns(), $"{Pose}|LIST|all",
+        DecidesBytes.As(frame => frame.Native?.Navigation?.Information?.Select(parameter => parameter.Name)), $"{Pose}|LIST|all",
         "How accurately the image of a camera with a detector can tell its pose, or the numbers of a list as in --sensitivity: Fisher "
             + "information and Cramer-Rao bound as CSV")
     {
@@ -107,7 +107,7 @@ internal static class NavigationOptions
     };
 
     public static TextSpec Certify { get; } = new(
-        "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Certify).OfRuns(), "KEY=SIGMA,...",
+        "--certify", DecidesBytes.As(frame => frame.Native?.Navigation?.Certify), "KEY=SIGMA,...",
         "The least and greatest brightness of each pixel, and which pixels are lit or dark for certain. Standard deviations are given: of "
             + "heights (height), the model's step (step) and the camera (position) in m, of the camera (turn) and the Sun (sun) in "
             + "degrees, e.g. height=1,position=10,turn=0.01")
@@ -116,7 +116,7 @@ internal static class NavigationOptions
     };
 
     public static NumberSpec Sigmas { get; } = new(
-        "--certify-sigmas", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Sigmas).OfRuns(), "K",
+        "--certify-sigmas", DecidesBytes.UnlessDefault(frame => frame.Native?.Navigation?.Sigmas), "K",
         "How many standard deviations --certify allows; a model's step counts half, once")
     {
         Default = 3.0,
