@@ -48,6 +48,7 @@ public sealed class WrongValueTests : IDisposable
         ["--instrument-axes"] = ["x", "+x", "+x,+x"],
         ["--flow"] = ["x", "{1,2}"],
         ["--flow-format"] = ["x", "fits,x"],
+        ["--exposure"] = ["x", "0", "-1", "NaN", "1e999", ""],
         ["--certify"] = ["x", "height=x", "height=-1", "roll=1", "height=1,height=2", ""],
         ["--certify-sigmas"] = ["x", "-1", "1000"],
         ["--sensitivity"] = ["x", "turn-x,x", "turn-x,turn-x", "pose"],

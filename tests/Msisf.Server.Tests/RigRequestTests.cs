@@ -120,7 +120,6 @@ public sealed class RigRequestTests(RunningServer server) : IClassFixture<Runnin
     [InlineData("[{\"quaternion\": [0, 0, 0.3827, 0.9239]}]", "multipart/mixed", 400, "Add decimals, or give --normalize.")]
     [InlineData("[{\"fov\": 4}, {\"fov\": 400}]", "multipart/mixed", 400, "--fov")]
     [InlineData("[{\"fov\": 4}]", "image/png", 406, "several cameras are answered in several parts")]
-    [InlineData("[{\"fov\": 4}, {\"camera-model\": \"isis\"}]", "multipart/mixed", 400, "is for runs of msis")]
     [InlineData("[{\"fov\": 4}], \"width\": 3", "multipart/mixed", 400, "and nothing else")]
     public async Task WrongCameras_AreRefused(string cameras, string accept, int status, string said)
     {

@@ -154,7 +154,7 @@ public sealed class StreamTests(RunningServer server) : IClassFixture<RunningSer
     [RequiresTheory(Part.Ldem4)]
     [InlineData("{\"fov\": 500, \"number\": 3}", "--fov is 500", 3u)]
     [InlineData("{\"number\": -1}", "'number' is the frame's number", 1u)]
-    [InlineData("{", "no JSON", 1u)]
+    [InlineData("{", "is not JSON", 1u)]
     [InlineData("{\"fov\": 1, \"fov\": 2}", "given twice", 1u)]
     public async Task WrongMessage_IsAnswered_AndTheNextOneWorks(string message, string words, uint number)
     {

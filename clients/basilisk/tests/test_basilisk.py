@@ -242,7 +242,7 @@ def test_what_cannot_be_drawn_is_the_invalid_image_and_the_run_goes_on(server):
             (message(1, 1e9, bodies, [lander], [camera + whole(16, 1)], EPOCH), "renderMode 1"),
             (message(1, 1e9, [body("moon", moon, rotation), body("sun", moon + 1e3)], [lander], [camera], EPOCH), "the Sun is"),
             (message(1, 1e9, bodies, [lander], [camera], (2019, 13, 4, 0, 0, 0.0)), "is not a date"),
-            (b"no protobuf", "no VizMessage")]:
+            (b"no protobuf", "not a VizMessage")]:
         viz.update(wrong)
         assert viz.image(7) is None
         if words:

@@ -393,7 +393,7 @@ def test_trajectory_places_the_camera_between_its_states(moon):
         ({}, "give one of position and states"),
         ({"states": "orbit.oem", "position": (1.9e6, 0.0, 0.0)}, "give one of position and states"),
         ({"states": [[60328.5, 2e6, 0.0, 0.0]]}, "states: 1 x 4 numbers given; rows of 7 are needed"),
-        ({"states": "orbit.oem"}, "no trajectory of this server"),
+        ({"states": "orbit.oem"}, "not a trajectory of this server"),
         ({"states": circle([2, 1])}, "state 2: its time is not after"),
         ({"states": circle([1, 2]), "time": 60329.0}, "is outside"),
     ],
