@@ -176,7 +176,7 @@ internal static class ProductTable
             {
                 if (settings.Native.Navigation!.Sensitivity is not null)
                 {
-                    settings.Native.LayersFormat.Require(null);
+                    settings.Native.LayersFormat.Require();
                 }
             },
         },
@@ -196,7 +196,7 @@ internal static class ProductTable
             PlaceInAnswer = 6,
             DiskBytes = settings => ProductSizes.LayerBytes(settings, CertainLayers.Names.Count),
             NeedsWhole = _ => NavigationOptions.Certify.Name,
-            Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
+            Require = (settings, _) => settings.Native.LayersFormat.Require(),
         },
         new(
             "map",
@@ -230,7 +230,7 @@ internal static class ProductTable
             CanBeAnswer = true,
             DiskBytes = ProductSizes.LayerBytes,
             MemoryBytesPerPixel = ProductSizes.LayerMemory,
-            Require = (settings, gdalPath) => settings.Native.LayersFormat.Require(gdalPath),
+            Require = (settings, _) => settings.Native.LayersFormat.Require(),
         },
     ];
 
@@ -272,9 +272,9 @@ internal static class ProductTable
             ?? (settings.Native.FindsExposureTime ? $"{NativeOptions.ExposureTime.Name} {NativeOptions.Automatic}" : null);
         if (wrong is not null)
         {
-            throw new UsageException($"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of "
-                + "it "
-                + $"at once. Leave it out, or scan fewer lines: {StripRules.LargestWhole / settings.Width} are drawn as a whole.");
+            throw new UsageException(
+                $"an image of {settings.Width} x {settings.Height} px is drawn in strips, and {wrong} needs more of it at once. Leave it "
+                    + $"out, or scan fewer lines: {StripRules.LargestWhole / settings.Width} are drawn as a whole.");
         }
     }
 

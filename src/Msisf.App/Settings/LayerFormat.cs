@@ -12,7 +12,7 @@ namespace Msisf.App.Settings;
 /// <param name="Write">Writes the layers.</param>
 /// <param name="Require">Checks for the library that it needs, before any work is done.</param>
 internal readonly record struct LayerFormat(
-    string Word, IReadOnlyList<string> Endings, Action<LayersOfFrame, PutFile> Write, Action<string?> Require)
+    string Word, IReadOnlyList<string> Endings, Action<LayersOfFrame, PutFile> Write, Action Require)
 {
     private const string NameOfLayer = "NAME";
 
@@ -20,15 +20,15 @@ internal readonly record struct LayerFormat(
         "fits", [".fits"],
         static (of, put) => put("fits", null, stream => FitsLayerWriter.Write(
             stream, of.Metadata, of.Provenance, of.Truth, of.Layers, of.Precision, of.Compression, of.Cancellation)),
-        static _ => FitsLayerWriter.RequireCFitsio());
+        FitsLayerWriter.RequireCFitsio);
 
     public static LayerFormat Npy { get; } = new(
         "npy", [$".{NameOfLayer}.npy", ".rowstates.npy", ".layers.json"],
-        static (of, put) => WriteArrays(of, put, ArrayFormat.Npy), static _ => { });
+        static (of, put) => WriteArrays(of, put, ArrayFormat.Npy), static () => { });
 
     public static LayerFormat Tiff { get; } = new(
         "tiff", [$".{NameOfLayer}.tif", ".rowstates.npy", ".layers.json"],
-        static (of, put) => WriteArrays(of, put, ArrayFormat.Tiff), static _ => { });
+        static (of, put) => WriteArrays(of, put, ArrayFormat.Tiff), static () => { });
 
     public static IReadOnlyList<LayerFormat> All { get; } = [Fits, Npy, Tiff];
 
